@@ -1,0 +1,192 @@
+!> What the program knows of a model: its namelist variables, its results, and how to solve points.
+!>
+!> A model declares its variables and results in tables. Input, help, sweeps and the results file are
+!> driven by these tables, so a new model needs no change in any of them.
+module adfric_base_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: unset
+   implicit none (type, external)
+   private
+   public :: model_t, variable_t, result_t, profile_t, attribute_t
+   public :: kind_real, kind_integer, kind_logical, kind_choice
+   public :: status_solved, status_no_equilibrium, status_not_converged, n_status
+   public :: status_meanings
+
+   !> Kinds of namelist variables.
+   integer, parameter :: kind_real = 1, kind_integer = 2, kind_logical = 3, kind_choice = 4
+
+   !> Status of a point, as it stands in the file.
+   integer, parameter :: status_solved = 0, status_no_equilibrium = 1, status_not_converged = 2
+   integer, parameter :: n_status = 3
+   !> Names of the states, in the order of their numbers from 0.
+   character(*), parameter :: status_meanings = 'solved no_equilibrium not_converged'
+
+   !> A namelist variable. Every kind is held as a real number: integers as they are, logicals as 0 and 1,
+   !> choices as their place in `choices` (from 1), and what was not given as `unset`.
+   type :: variable_t
+      !> Group it stands in, without `&`.
+      character(:), allocatable :: group
+      character(:), allocatable :: name
+      !> One of `kind_...`.
+      integer :: kind = kind_real
+      !> SI unit, `-` for a pure number, empty for logicals and choices.
+      character(:), allocatable :: unit
+      !> What it is, for `adfric help`.
+      character(:), allocatable :: meaning
+      !> Allowed words, separated by a blank (choices only).
+      character(:), allocatable :: choices
+      !> Value where the user gives none; `unset` if there is no default.
+      real(dp) :: default = unset
+      !> Allowed range; a bound that is not itself allowed is marked open.
+      real(dp) :: lower = -unset, upper = unset
+      logical :: lower_open = .false., upper_open = .false.
+   end type variable_t
+
+   !> A result per point.
+   type :: result_t
+      character(:), allocatable :: name
+      !> SI unit, `-` for a pure number.
+      character(:), allocatable :: unit
+      character(:), allocatable :: long_name
+      !> Meanings of 0, 1, 2, ... separated by a blank, where the result is an enumerated state; else empty.
+      character(:), allocatable :: flag_meanings
+      !> Main results stand in the table at the end of a run.
+      logical :: is_main = .false.
+   end type result_t
+
+   !> A result per point of the surface.
+   type :: profile_t
+      character(:), allocatable :: name
+      character(:), allocatable :: unit
+      character(:), allocatable :: long_name
+   end type profile_t
+
+   !> A number that describes a whole run, such as the mean count of strips per point.
+   type :: attribute_t
+      character(:), allocatable :: name
+      real(dp) :: value = 0
+   end type attribute_t
+
+   !> A model.
+   type, abstract :: model_t
+      !> Name in `&job model = ...`.
+      character(:), allocatable :: name
+      !> One line for `adfric help`.
+      character(:), allocatable :: summary
+      !> Namelist variables, shape `(n_variables)`; values are passed in this order.
+      type(variable_t), allocatable :: variables(:)
+      !> Results, shape `(n_results)`, without `status` and `error_estimate`, which every model has.
+      type(result_t), allocatable :: results(:)
+      !> Profiles; size 0 if the model has none.
+      type(profile_t), allocatable :: profiles(:)
+      !> Names and long names of the profile axes, slowest first, separated by a blank: 'x' or 'y x'.
+      character(:), allocatable :: profile_axes
+   contains
+      procedure(check_values_i), deferred :: check_values
+      procedure(describe_results_i), deferred :: describe_results
+      procedure(wants_profiles_i), deferred :: wants_profiles
+      procedure(get_profile_axis_i), deferred :: get_profile_axis
+      procedure(solve_block_i), deferred :: solve_block
+      procedure(solve_profiles_i), deferred :: solve_profiles
+      procedure(describe_case_i), deferred :: describe_case
+      procedure :: index_of
+   end type model_t
+
+   abstract interface
+
+      !> Add to `problems` whatever is contradictory or impossible in the values together.
+      subroutine check_values_i(self, values, is_swept, problems)
+         import :: model_t, dp, problems_t
+         implicit none (type, external)
+         class(model_t), intent(in) :: self
+         !> Shape `(n_variables)`. Of a swept variable one of its values stands here.
+         real(dp), intent(in) :: values(:)
+         !> Is the variable swept? Shape `(n_variables)`.
+         logical, intent(in) :: is_swept(:)
+         type(problems_t), intent(inout) :: problems
+      end subroutine check_values_i
+
+      !> The results with their units for this case (forces per width in N/m or forces in N).
+      function describe_results_i(self, values) result(results)
+         import :: model_t, dp, result_t
+         implicit none (type, external)
+         class(model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+         type(result_t), allocatable :: results(:)
+      end function describe_results_i
+
+      !> Does the user ask for profiles?
+      pure logical function wants_profiles_i(self, values)
+         import :: model_t, dp
+         implicit none (type, external)
+         class(model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+      end function wants_profiles_i
+
+      !> Coordinates along a profile axis [m]; size 1 for an axis that the case does not have.
+      function get_profile_axis_i(self, values, axis) result(coordinate)
+         import :: model_t, dp
+         implicit none (type, external)
+         class(model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+         !> Place in `profile_axes`, from 1.
+         integer, intent(in) :: axis
+         real(dp), allocatable :: coordinate(:)
+      end function get_profile_axis_i
+
+      !> Solve neighbouring points. What one point finds may start the next one within this block only.
+      subroutine solve_block_i(self, values, results, error_estimate, status, attributes)
+         import :: model_t, dp, attribute_t
+         implicit none (type, external)
+         class(model_t), intent(in) :: self
+         !> Shape `(n_variables, n_points)`.
+         real(dp), intent(in) :: values(:, :)
+         !> Shape `(n_results, n_points)`; NaN where there is no value.
+         real(dp), intent(out) :: results(:, :)
+         !> Relative, of the main result; shape `(n_points)`.
+         real(dp), intent(out) :: error_estimate(:)
+         !> One of `status_...`; shape `(n_points)`.
+         integer, intent(out) :: status(:)
+         !> Counts that are summed over all blocks and stand in the file divided by the number of points.
+         type(attribute_t), allocatable, intent(out) :: attributes(:)
+      end subroutine solve_block_i
+
+      !> Profiles of one solved point.
+      subroutine solve_profiles_i(self, values, results, profiles)
+         import :: model_t, dp
+         implicit none (type, external)
+         class(model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+         !> What `solve_block` found for this point; shape `(n_results)`.
+         real(dp), intent(in) :: results(:)
+         !> Shape `(n_last_axis, n_first_axis, n_profiles)`: x runs fastest; a missing axis has size 1.
+         real(dp), intent(out) :: profiles(:, :, :)
+      end subroutine solve_profiles_i
+
+      !> The resolved case in words, a line each, for `adfric check`: derived quantities with units.
+      function describe_case_i(self, values) result(text)
+         import :: model_t, dp
+         implicit none (type, external)
+         class(model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+         character(:), allocatable :: text
+      end function describe_case_i
+
+   end interface
+
+contains
+
+   !> Place of a variable in `variables`; 0 if there is none of that name.
+   pure integer function index_of(self, group, name)
+      class(model_t), intent(in) :: self
+      character(*), intent(in) :: group
+      character(*), intent(in) :: name
+
+      do index_of = size(self%variables), 1, -1
+         if (self%variables(index_of)%group /= group) cycle
+         if (self%variables(index_of)%name == name) return
+      end do
+   end function index_of
+
+end module adfric_base_model

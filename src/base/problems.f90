@@ -1,0 +1,87 @@
+!> A list of everything that is wrong with an input, so that the user sees all of it at once.
+module adfric_base_problems
+   implicit none (type, external)
+   private
+   public :: problem_t, problems_t
+
+   !> One problem. Where there is no group, no variable or no known line the component is empty or 0.
+   type :: problem_t
+      !> Namelist group, without `&`.
+      character(:), allocatable :: group
+      !> Which group of that name, from 1; 0 where the group may stand only once.
+      integer :: index = 0
+      !> Variable of the group.
+      character(:), allocatable :: variable
+      !> Line of the file, from 1; 0 unknown.
+      integer :: line = 0
+      !> What is wrong, what was given, what is allowed.
+      character(:), allocatable :: text
+   end type problem_t
+
+   !> The problems found so far, in the order in which they were found.
+   type :: problems_t
+      type(problem_t), allocatable :: items(:)
+   contains
+      procedure :: add
+      procedure :: count => count_problems
+      procedure :: line_of
+   end type problems_t
+
+contains
+
+   !> Add a problem to the list.
+   pure subroutine add(self, group, variable, text, index, line)
+      class(problems_t), intent(inout) :: self
+      character(*), intent(in) :: group
+      character(*), intent(in) :: variable
+      !> What is wrong, what was given, what is allowed.
+      character(*), intent(in) :: text
+      integer, intent(in), optional :: index
+      integer, intent(in), optional :: line
+      type(problem_t) :: item
+
+      item%group = group
+      item%variable = variable
+      item%text = text
+      if (present(index)) item%index = index
+      if (present(line)) item%line = line
+      if (.not. allocated(self%items)) allocate (self%items(0))
+      self%items = [self%items, item]
+   end subroutine add
+
+   !> Number of problems.
+   pure integer function count_problems(self)
+      class(problems_t), intent(in) :: self
+
+      count_problems = 0
+      if (allocated(self%items)) count_problems = size(self%items)
+   end function count_problems
+
+   !> The line that is printed for a problem: `FILE.nml: &group[index] variable: text (line 7)`.
+   pure function line_of(self, i, file) result(line)
+      class(problems_t), intent(in) :: self
+      !> Which problem, from 1.
+      integer, intent(in) :: i
+      !> Name of the input file.
+      character(*), intent(in) :: file
+      character(:), allocatable :: line
+      character(12) :: number
+
+      associate (item => self%items(i))
+         line = file//':'
+         if (len(item%group) > 0) line = line//' &'//item%group
+         if (item%index > 0) then
+            write (number, '(i0)') item%index
+            line = line//'['//trim(number)//']'
+         end if
+         if (len(item%variable) > 0) line = line//' '//item%variable
+         if (len(item%group) + len(item%variable) > 0) line = line//':'
+         line = line//' '//item%text
+         if (item%line > 0) then
+            write (number, '(i0)') item%line
+            line = line//' (line '//trim(number)//')'
+         end if
+      end associate
+   end function line_of
+
+end module adfric_base_problems

@@ -1,0 +1,47 @@
+!> Where the results of a sweep go.
+module adfric_sweep_sink
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_error, only: error_t
+   implicit none (type, external)
+   private
+   public :: sink_t
+
+   !> A place that takes results by the number of their first point.
+   type, abstract :: sink_t
+   contains
+      procedure(put_i), deferred :: put
+      procedure(put_profiles_i), deferred :: put_profiles
+   end type sink_t
+
+   abstract interface
+
+      !> Take the results of the points `first`, `first + 1`, ...
+      subroutine put_i(self, first, results, error_estimate, status, error)
+         import :: sink_t, dp, i8, error_t
+         implicit none (type, external)
+         class(sink_t), intent(inout) :: self
+         !> Number of the first point, from 1.
+         integer(i8), intent(in) :: first
+         !> Shape `(n_points, n_results)`: each result contiguous, as it is written.
+         real(dp), intent(in) :: results(:, :)
+         !> Shape `(n_points)`.
+         real(dp), intent(in) :: error_estimate(:)
+         !> Shape `(n_points)`.
+         integer, intent(in) :: status(:)
+         type(error_t), allocatable, intent(out) :: error
+      end subroutine put_i
+
+      !> Take the profiles of one point.
+      subroutine put_profiles_i(self, point, profiles, error)
+         import :: sink_t, dp, i8, error_t
+         implicit none (type, external)
+         class(sink_t), intent(inout) :: self
+         integer(i8), intent(in) :: point
+         !> Shape `(n_last_axis, n_first_axis, n_profiles)`.
+         real(dp), intent(in) :: profiles(:, :, :)
+         type(error_t), allocatable, intent(out) :: error
+      end subroutine put_profiles_i
+
+   end interface
+
+end module adfric_sweep_sink
