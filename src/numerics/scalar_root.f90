@@ -1,0 +1,78 @@
+!> A root of one equation in one unknown, inside a bracket that is never left.
+module adfric_numerics_scalar_root
+   use adfric_base_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: equation_t, find_root
+
+   integer, parameter :: max_iterations = 200
+   !> A Newton step of this size, relative to the distance from the ends of the bracket, leaves an error of
+   !> round-off only, for convergence is quadratic.
+   real(dp), parameter :: close_enough = 1.0e-9_dp
+
+   !> An equation `value(x) = 0` that carries its parameters.
+   type, abstract :: equation_t
+   contains
+      procedure(evaluate_i), deferred :: evaluate
+   end type equation_t
+
+   abstract interface
+      !> Value and derivative at x.
+      pure subroutine evaluate_i(self, x, value, slope)
+         import :: equation_t, dp
+         implicit none (type, external)
+         class(equation_t), intent(in) :: self
+         real(dp), intent(in) :: x
+         real(dp), intent(out) :: value
+         real(dp), intent(out) :: slope
+      end subroutine evaluate_i
+   end interface
+
+contains
+
+   !> Newton's method, with bisection wherever it would leave the bracket or does not converge.
+   pure subroutine find_root(equation, low, high, rises, x, is_converged)
+      class(equation_t), intent(in) :: equation
+      !> Ends of the bracket; the value changes its sign once between them. They are not evaluated.
+      real(dp), intent(in) :: low, high
+      !> Is the value negative at `low`?
+      logical, intent(in) :: rises
+      !> In: a first guess, or anything outside the bracket. Out: the root.
+      real(dp), intent(inout) :: x
+      logical, intent(out) :: is_converged
+      real(dp) :: left, right, value, slope, step, last_step
+      integer :: iteration
+
+      left = low
+      right = high
+      if (.not. (x > left .and. x < right)) x = left + (right - left)/2
+      last_step = right - left
+      is_converged = .false.
+      do iteration = 1, max_iterations
+         call equation%evaluate(x, value, slope)
+         is_converged = abs(value) < tiny(value)
+         if (is_converged) return
+         if ((value < 0) .eqv. rises) then
+            left = x
+         else
+            right = x
+         end if
+         if (abs(slope)*(right - left) > abs(value)) then
+            step = -value/slope
+         else
+            step = right - left
+         end if
+         if (x + step > left .and. x + step < right .and. abs(step) < last_step) then
+            last_step = abs(step)
+            x = x + step
+            is_converged = abs(step) <= close_enough*min(x - low, high - x)
+         else
+            x = left + (right - left)/2
+            last_step = right - left
+            is_converged = last_step <= 4*epsilon(x)*max(abs(left), abs(right))
+         end if
+         if (is_converged) return
+      end do
+   end subroutine find_root
+
+end module adfric_numerics_scalar_root

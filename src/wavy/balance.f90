@@ -1,0 +1,246 @@
+!> Forces of one strip, its dissipation, and the balances that check both.
+!>
+!> Everything is in closed form. Friction is the integral of the tractions; dissipation that of the stress
+!> \( q = p - w \) in the Maxwell arm. The two meet only in the energy balance, which so checks every digit.
+module adfric_wavy_balance
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi, two_pi
+   use adfric_wavy_contact_zone, only: angle_minus_sine, decay
+   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_adhesion_only, regime_discrete, &
+      & regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
+   implicit none (type, external)
+   private
+   public :: balance_t, get_balance
+
+   !> Integrals over the phase of one period, in units of the strip (c for lengths, c/K for stresses).
+   type :: balance_t
+      !> Integral of the pressure.
+      real(dp) :: load = 0
+      !> Integral of -p F', positive against the motion.
+      real(dp) :: friction = 0
+      !> Phases in contact and in adhesion [rad].
+      real(dp) :: contact = 0, adhesion = 0
+      !> Energy lost in the Maxwell arm, integral of q^2/(u (beta - 1)).
+      real(dp) :: dissipation = 0
+      !> Energy lost where the adhesion stress starts and ends; with continuous edges the term by which
+      !> the rule itself violates the balance.
+      real(dp) :: edge_loss = 0
+      !> Integral of w - p, which is zero.
+      real(dp) :: load_mismatch = 0
+      !> Sum of the sizes of the terms of load and friction: what round-off is relative to.
+      real(dp) :: load_scale = 0, friction_scale = 0
+   end type balance_t
+
+   !> Integrals of powers of the Maxwell stress and of the displacement, gathered zone by zone.
+   type :: sums_t
+      real(dp) :: displacement = 0, square = 0
+   end type sums_t
+
+contains
+
+   !> Balance of a steady state.
+   pure subroutine get_balance(strip, state, balance)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      type(balance_t), intent(out) :: balance
+
+      select case (state%regime)
+      case (regime_saturated)
+         call balance_saturated(strip, balance)
+      case (regime_discrete, regime_saturated_adhesion, regime_adhesion_zones)
+         call balance_contact(strip, state, balance)
+      case (regime_adhesion_only)
+         call balance_adhesion_only(strip, state, balance)
+      case default
+         continue
+      end select
+   end subroutine get_balance
+
+   !> Contact everywhere (GM 17, with the factor that the print has lost).
+   pure subroutine balance_saturated(strip, balance)
+      type(strip_t), intent(in) :: strip
+      type(balance_t), intent(inout) :: balance
+
+      associate (f => strip%foundation)
+         balance%load = two_pi*strip%mean
+         balance%friction = pi*f%loss
+         balance%contact = two_pi
+         balance%load_scale = abs(balance%load)
+         balance%friction_scale = balance%friction
+         ! q = loss (sin + u cos), and loss (1 + u^2)/u = beta - 1
+         balance%dissipation = pi*f%loss
+      end associate
+   end subroutine balance_saturated
+
+   !> Discrete contact, with whatever zones there are beside it.
+   pure subroutine balance_contact(strip, state, balance)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      type(balance_t), intent(inout) :: balance
+      type(sums_t) :: sums
+      real(dp) :: a, b, trailing, free, w, gap_sum
+
+      a = state%half_width - state%shift
+      b = state%half_width + state%shift
+      trailing = state%trailing
+      if (state%regime /= regime_adhesion_zones) trailing = two_pi - 2*state%half_width
+      balance%contact = 2*state%half_width
+      balance%adhesion = trailing + state%leading
+      free = two_pi - balance%contact - balance%adhesion
+
+      call add_contact(strip, state, sums, balance)
+      w = strip%level + cos(a)
+      call add_open_zone(strip, w, trailing, -strip%stress, sums)
+      if (state%regime == regime_adhesion_zones) then
+         gap_sum = 2*sin(free/2)*sin(state%shift + (state%leading - trailing)/2)
+         balance%friction = balance%friction - strip%stress*gap_sum
+         balance%friction_scale = balance%friction_scale + abs(strip%stress*gap_sum)
+         w = strip%mean + cos(a + trailing) + strip%range + strip%jump
+         call add_open_zone(strip, w, free, 0.0_dp, sums)
+         call add_edge_loss(strip, state, w, balance)
+         if (.not. state%entry > 0) then
+            w = strip%level + cos(b + state%leading) + strip%range - strip%jump
+            call add_open_zone(strip, w, state%leading, -strip%stress, sums)
+         end if
+      end if
+      call finish(strip, sums, balance)
+   end subroutine balance_contact
+
+   !> Adhesion without contact: everywhere, or in one zone.
+   pure subroutine balance_adhesion_only(strip, state, balance)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      type(balance_t), intent(inout) :: balance
+      type(sums_t) :: sums
+      real(dp) :: a, b, change, w
+
+      a = state%half_width - state%shift
+      b = state%half_width + state%shift
+      balance%adhesion = 2*state%half_width
+      balance%load = -strip%stress*balance%adhesion
+      balance%load_scale = abs(balance%load)
+      if (balance%adhesion >= two_pi) return
+      ! stress times F(b) - F(-a)
+      change = -2*sin(state%half_width)*sin(state%shift)
+      balance%friction = strip%stress*change
+      balance%friction_scale = abs(balance%friction)
+      w = strip%level + cos(b) + strip%range - strip%jump
+      call add_open_zone(strip, w, balance%adhesion, -strip%stress, sums)
+      w = strip%mean + cos(a) + strip%range + strip%jump
+      call add_open_zone(strip, w, two_pi - balance%adhesion, 0.0_dp, sums)
+      call add_edge_loss(strip, state, w, balance)
+      call finish(strip, sums, balance)
+   end subroutine balance_adhesion_only
+
+   !> Integrals over the contact zone of r = p + stress, from r - u r' = drive tested with 1, sin and
+   !> 1 - cos of the distance from its centre: sums of terms of one order in narrow contacts.
+   pure subroutine add_contact(strip, state, sums, balance)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      type(sums_t), intent(inout) :: sums
+      type(balance_t), intent(inout) :: balance
+      real(dp) :: s, c, sin_width, cubic_1, cubic_2, even, odd, m0, m_sin, m_versine, test_sin, test_versine, versine
+
+      associate (u => strip%foundation%u, v => strip%foundation%v, width => state%half_width)
+         s = sin(state%shift)
+         c = cos(state%shift)
+         sin_width = sin(width)
+         versine = 2*sin(width/2)**2
+         ! width - sin(width) and width - sin(width) cos(width)
+         cubic_1 = angle_minus_sine(width)
+         cubic_2 = cubic_1 + sin_width*versine
+         ! drive = level + even cos + odd sin of the distance from the centre
+         even = c + v*s
+         odd = v*c - s
+         m0 = 2*(width*strip%depth - cubic_1 + sin_width*(v*s - 2*sin(state%shift/2)**2)) + u*state%entry
+         test_sin = odd*cubic_2 + u*state%entry*sin_width
+         test_versine = 2*cubic_1*(strip%level - even) + even*cubic_2 + u*state%entry*versine
+         m_sin = (test_sin - u*m0 + u*test_versine)/(1 + u*u)
+         m_versine = test_versine - u*m_sin
+         balance%load = m0 - strip%stress*(balance%contact + balance%adhesion)
+         balance%load_scale = abs(m0) + strip%stress*(balance%contact + balance%adhesion)
+         balance%friction = s*(m0 - m_versine) + c*m_sin
+         balance%friction_scale = abs(s*m0) + abs(c*m_sin)
+         sums%displacement = 2*(width*strip%mean + sin_width*c)
+         sums%square = contact_square(strip, state, s, c)
+      end associate
+   end subroutine add_contact
+
+   !> Integral of q^2 over the contact: q = loss (sin + u cos) plus a decaying exponential.
+   pure real(dp) function contact_square(strip, state, s, c) result(square)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      !> Sine and cosine of the shift.
+      real(dp), intent(in) :: s, c
+      real(dp) :: even, odd, b, sw, cw, lost, decaying, cross_cos, cross_sin
+
+      associate (f => strip%foundation, width => state%half_width)
+         even = f%loss*(s + f%u*c)
+         odd = f%loss*(c - f%u*s)
+         b = state%shift + width
+         sw = sin(width)
+         cw = cos(width)
+         ! what is left at the leading edge, where p = entry - stress and w = F
+         decaying = state%entry - strip%level - cos(b) - (even*cw + odd*sw)
+         lost = decay(2*width/f%u)
+         ! integrals of exp((x - width)/u) times cos x and sin x
+         cross_cos = f%u*(cw*lost + f%u*sw*(2 - lost))/(1 + f%u*f%u)
+         cross_sin = f%u*(sw*(2 - lost) - f%u*cw*lost)/(1 + f%u*f%u)
+         square = even*even*(width + sw*cw) + odd*odd*(width - sw*cw) &
+            & + 2*decaying*(even*cross_cos + odd*cross_sin) &
+            & + decaying*decaying*f%u/2*lost*(2 - lost)
+      end associate
+   end function contact_square
+
+   !> An open zone of constant pressure, in which w - p decays.
+   pure subroutine add_open_zone(strip, excess, length, pressure, sums)
+      type(strip_t), intent(in) :: strip
+      !> w - p where the zone begins (at its leading end).
+      real(dp), intent(in) :: excess
+      real(dp), intent(in) :: length
+      real(dp), intent(in) :: pressure
+      type(sums_t), intent(inout) :: sums
+      real(dp) :: lost
+
+      lost = decay(length/strip%foundation%v)
+      sums%displacement = sums%displacement + pressure*length + excess*strip%foundation%v*lost
+      sums%square = sums%square + excess*excess*strip%foundation%v/2*lost*(2 - lost)
+   end subroutine add_open_zone
+
+   !> Energy that the two edges of the adhesion stress take.
+   pure subroutine add_edge_loss(strip, state, released, balance)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      !> Displacement behind the trailing edge of adhesion, where the free zone begins.
+      real(dp), intent(in) :: released
+      type(balance_t), intent(inout) :: balance
+      real(dp) :: attached, work
+
+      associate (f => strip%foundation)
+         if (state%entry > 0) then
+            work = strip%stress*strip%range - f%beta*strip%range**2/2 + strip%stress**2/(2*f%beta)
+         else if (strip%jump > 0) then
+            work = strip%stress**2/f%beta
+         else
+            ! q jumps with the pressure: [q^2](leading side) - [q^2](trailing side) at both edges
+            attached = strip%mean + cos(state%half_width + state%shift + state%leading) + strip%range
+            work = strip%stress*(2*(released - attached))/(2*(f%beta - 1))
+         end if
+         balance%edge_loss = work
+      end associate
+   end subroutine add_edge_loss
+
+   !> What follows from the sums.
+   pure subroutine finish(strip, sums, balance)
+      type(strip_t), intent(in) :: strip
+      type(sums_t), intent(in) :: sums
+      type(balance_t), intent(inout) :: balance
+
+      associate (f => strip%foundation)
+         balance%load_mismatch = sums%displacement - balance%load
+         ! an elastic foundation has no Maxwell arm
+         if (f%beta > 1) balance%dissipation = sums%square/(f%u*(f%beta - 1))
+      end associate
+   end subroutine finish
+
+end module adfric_wavy_balance

@@ -1,0 +1,95 @@
+!> Functions of the contact zone that keep their digits for narrow contacts and for slow and fast sliding.
+module adfric_wavy_contact_zone
+   use adfric_base_kinds, only: dp
+   use adfric_numerics_libm, only: expm1
+   implicit none (type, external)
+   private
+   public :: coth_and_slope, get_lag, angle_minus_sine, decay, longest_decay
+
+   !> exp(-x) of more than this is nothing for every purpose here, and exp(x) does not overflow.
+   real(dp), parameter :: longest_decay = 700.0_dp
+
+contains
+
+   !> coth x and coth^2 x - 1 for x > 0.
+   elemental subroutine coth_and_slope(x, coth, excess)
+      real(dp), intent(in) :: x
+      real(dp), intent(out) :: coth, excess
+      real(dp) :: q
+
+      q = 1/expm1(min(2*x, longest_decay))
+      coth = 1 + 2*q
+      excess = 4*q*(1 + q)
+   end subroutine coth_and_slope
+
+   !> 1 - exp(-x) without loss of digits, for x >= 0: what a decay over x takes away.
+   elemental real(dp) function decay(x)
+      real(dp), intent(in) :: x
+
+      decay = -expm1(-x)
+   end function decay
+
+   !> Langevin's function coth x - 1/x for x >= 0.
+   elemental real(dp) function langevin(x)
+      real(dp), intent(in) :: x
+      real(dp) :: y
+
+      if (x < 1) then
+         y = x*x
+         langevin = x/(3 + y/(5 + y/(7 + y/(9 + y/(11 + y/(13 + y/(15 + y/17)))))))
+      else
+         langevin = 1 + 2/expm1(min(2*x, longest_decay)) - 1/x
+      end if
+   end function langevin
+
+   !> sin(x)/x - cos x for 0 <= x <= pi.
+   elemental real(dp) function sinc_minus_cos(x)
+      real(dp), intent(in) :: x
+      integer :: k
+      real(dp) :: y, term
+
+      if (x >= 1) then
+         sinc_minus_cos = sin(x)/x - cos(x)
+         return
+      end if
+      ! sum of (-1)^(k+1) 2k x^(2k)/(2k+1)!
+      y = x*x
+      term = y/6
+      sinc_minus_cos = 0
+      do k = 1, 9
+         sinc_minus_cos = sinc_minus_cos + 2*k*term
+         term = -term*y/((2*k + 2)*(2*k + 3))
+      end do
+   end function sinc_minus_cos
+
+   !> \( \sin\lambda\coth(\lambda/u) - u\cos\lambda \), without loss of digits in narrow contacts.
+   elemental real(dp) function get_lag(half_width, u, coth_u)
+      real(dp), intent(in) :: half_width, u, coth_u
+
+      if (half_width >= 1) then
+         get_lag = sin(half_width)*coth_u - u*cos(half_width)
+      else
+         get_lag = u*sinc_minus_cos(half_width) + sin(half_width)*langevin(half_width/u)
+      end if
+   end function get_lag
+
+   !> x - sin x for x >= 0.
+   elemental real(dp) function angle_minus_sine(x)
+      real(dp), intent(in) :: x
+      integer :: k
+      real(dp) :: y, term
+
+      if (x >= 1) then
+         angle_minus_sine = x - sin(x)
+         return
+      end if
+      y = x*x
+      term = x*y/6
+      angle_minus_sine = 0
+      do k = 1, 9
+         angle_minus_sine = angle_minus_sine + term
+         term = -term*y/((2*k + 2)*(2*k + 3))
+      end do
+   end function angle_minus_sine
+
+end module adfric_wavy_contact_zone

@@ -1,0 +1,50 @@
+!> The viscoelastic foundation: a standard linear solid under a steadily moving surface.
+!>
+!> In the phase \( \xi = k x \) (GM 4), with lengths in any unit and stresses in that unit over K,
+!> $$ w - v w' = p - u p', \qquad u = k V T_s, \quad v = \beta u. $$
+!> Material enters at large \( \xi \) and leaves at small \( \xi \).
+!> GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2011.
+module adfric_wavy_foundation
+   use adfric_base_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: foundation_t, new_foundation
+
+   !> Below this u the surface slides so slowly that the answer is its limit for V -> 0 to every digit.
+   real(dp), parameter :: slowest = 1.0e-60_dp
+
+   !> A foundation at one sliding velocity.
+   type :: foundation_t
+      !> Relaxation phase k V Ts [-], > 0.
+      real(dp) :: u = slowest
+      !> Ratio of retardation to relaxation time = instantaneous over long-time stiffness [-], >= 1.
+      real(dp) :: beta = 1
+      !> Retardation phase beta u [-].
+      real(dp) :: v = slowest
+      !> Storage modulus over the long-time stiffness, (1 + u v)/(1 + u^2) [-].
+      real(dp) :: storage = 1
+      !> Loss modulus over the long-time stiffness, (v - u)/(1 + u^2) [-].
+      real(dp) :: loss = 0
+   end type foundation_t
+
+contains
+
+   !> A foundation from its relaxation phase and its ratio of times.
+   elemental subroutine new_foundation(self, u, beta)
+      type(foundation_t), intent(out) :: self
+      !> k V Ts [-], >= 0.
+      real(dp), intent(in) :: u
+      !> Te/Ts [-], >= 1.
+      real(dp), intent(in) :: beta
+      real(dp) :: s
+
+      self%u = max(u, slowest)
+      self%beta = beta
+      self%v = beta*self%u
+      ! (1 + u v)/(1 + u^2) = 1 + u loss, written so that neither square overflows
+      s = 1/(self%u + 1/self%u)
+      self%loss = (beta - 1)*s
+      self%storage = 1 + (beta - 1)*s*self%u
+   end subroutine new_foundation
+
+end module adfric_wavy_foundation

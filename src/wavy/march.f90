@@ -1,0 +1,291 @@
+!> The way of one column of the foundation under the surface, from event to event.
+!>
+!> In every zone the closed form of GM holds, and each zone can end only in one interval of the phase, where the
+!> quantity that ends it is monotone: contact ends where the drive (see `strip`) is negative, a gap closes where
+!> it is positive, adhesion is lost where it is below -range, and is found again where it is above
+!> stress - range. So every event is a bracketed root, and none can be missed or taken twice.
+module adfric_wavy_march
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_numerics_scalar_root, only: equation_t, find_root
+   use adfric_wavy_contact_zone, only: decay
+   use adfric_wavy_strip, only: strip_t
+   implicit none (type, external)
+   private
+   public :: column_t, advance, march_period, march_to_leading_edge, period_t, phases_left
+   public :: in_contact, in_adhesion, in_free
+   public :: period_closed, period_never_released, period_never_attached
+
+   !> Zones a column can be in.
+   integer, parameter :: in_contact = 1, in_adhesion = 2, in_free = 3
+   !> How a period that starts at the leading edge of adhesion can end.
+   integer, parameter :: period_closed = 1, period_never_released = 2, period_never_attached = 3
+
+   !> A column of the foundation.
+   type :: column_t
+      !> One of `in_...`.
+      integer :: zone = in_free
+      !> Phase; falls as the surface moves on.
+      real(dp) :: xi = 0
+      !> Contact: pressure + stress; adhesion: displacement + stress; free: displacement.
+      real(dp) :: value = 0
+      !> Gap (0 in contact).
+      real(dp) :: gap = 0
+   end type column_t
+
+   !> What happened between two passages of the leading edge of adhesion.
+   type :: period_t
+      !> One of `period_...`.
+      integer :: outcome = period_closed
+      !> Lengths of the zones: leading adhesion, contact, trailing adhesion, free. Without contact all adhesion
+      !> is `trailing`.
+      real(dp) :: leading = 0, contact = 0, trailing = 0, free = 0
+      !> Phase at which the contact (or the adhesion, without contact) began.
+      real(dp) :: contact_start = 0
+      logical :: has_contact = .false.
+      !> Derivative of the end with respect to the start.
+      real(dp) :: slope = 0
+   end type period_t
+
+   !> What ends a zone, as a function of the phase d passed since it began:
+   !> start + amplitude decay(d/length) + x (1 - cos d) + y sin d.
+   type, extends(equation_t) :: zone_curve_t
+      real(dp) :: start = 0, amplitude = 0, length = 1, x = 0, y = 0
+   contains
+      procedure :: evaluate
+   end type zone_curve_t
+
+contains
+
+   !> Value and slope of a zone curve.
+   pure subroutine evaluate(self, x, value, slope)
+      class(zone_curve_t), intent(in) :: self
+      real(dp), intent(in) :: x
+      real(dp), intent(out) :: value
+      real(dp), intent(out) :: slope
+      real(dp) :: lost
+
+      lost = decay(x/self%length)
+      value = self%start + self%amplitude*lost + self%x*(2*sin(x/2)**2) + self%y*sin(x)
+      slope = self%amplitude*(1 - lost)/self%length + self%x*sin(x) + self%y*cos(x)
+   end subroutine evaluate
+
+   !> Phase left from xi to the next end of the interval where the drive is above a bound, or below it;
+   !> a whole period if it always is, negative if it never is.
+   pure real(dp) function phases_left(strip, xi, bound, below) result(left)
+      type(strip_t), intent(in) :: strip
+      real(dp), intent(in) :: xi, bound
+      logical, intent(in) :: below
+      real(dp) :: ratio, crossing
+
+      associate (v => strip%foundation%v)
+         ratio = (bound - strip%level)/sqrt(1 + v*v)
+         left = merge(two_pi, -1.0_dp, ratio > 0 .eqv. below)
+         if (abs(ratio) >= 1) return
+         crossing = acos(ratio)
+         if (below) crossing = -crossing
+         ! the drive is level + hypot(1, v) cos(tau), tau = atan(v) - xi growing
+         left = modulo(crossing - atan(v) + xi, two_pi)
+      end associate
+   end function phases_left
+
+   !> Pressure above -stress in contact.
+   pure type(zone_curve_t) function contact_curve(strip, column) result(curve)
+      type(strip_t), intent(in) :: strip
+      type(column_t), intent(in) :: column
+      real(dp) :: along
+
+      associate (f => strip%foundation)
+         along = f%storage*cos(column%xi) + f%loss*sin(column%xi)
+         curve%start = column%value
+         curve%length = f%u
+         curve%amplitude = -(column%value - strip%level - along)
+         curve%x = -along
+         curve%y = f%storage*sin(column%xi) - f%loss*cos(column%xi)
+      end associate
+   end function contact_curve
+
+   !> Gap above a bound in an open zone.
+   pure type(zone_curve_t) function gap_curve(strip, column, bound) result(curve)
+      type(strip_t), intent(in) :: strip
+      type(column_t), intent(in) :: column
+      real(dp), intent(in) :: bound
+
+      curve%start = column%gap - bound
+      curve%length = strip%foundation%v
+      curve%amplitude = -column%value
+      curve%x = cos(column%xi)
+      curve%y = -sin(column%xi)
+   end function gap_curve
+
+   !> Follow a curve for the phase `span`; if it ends beyond zero, find where it crossed.
+   pure subroutine follow(curve, span, rises, crosses, passed)
+      type(zone_curve_t), intent(in) :: curve
+      real(dp), intent(in) :: span
+      !> Is the crossing upwards?
+      logical, intent(in) :: rises
+      logical, intent(out) :: crosses
+      !> Phase passed up to the crossing.
+      real(dp), intent(out) :: passed
+      real(dp) :: value, slope
+      logical :: is_converged
+
+      passed = span
+      crosses = span > 0
+      if (.not. crosses) return
+      call curve%evaluate(span, value, slope)
+      crosses = merge(value >= 0, value <= 0, rises)
+      if (.not. crosses) return
+      passed = span/2
+      call find_root(curve, 0.0_dp, span, rises, passed, is_converged)
+   end subroutine follow
+
+   !> Move a column to its next event. `has_event` is false if the zone lasts for more than a period.
+   pure subroutine advance(strip, column, passed, slope, has_event)
+      type(strip_t), intent(in) :: strip
+      type(column_t), intent(inout) :: column
+      !> Phase passed.
+      real(dp), intent(out) :: passed
+      !> Derivative of the phase where the zone ends with respect to the phase where it began.
+      real(dp), intent(out) :: slope
+      logical, intent(out) :: has_event
+      type(zone_curve_t) :: curve
+      real(dp) :: bound, entry_rate, exit_rate, value
+
+      bound = 0
+      select case (column%zone)
+      case (in_contact)
+         curve = contact_curve(strip, column)
+         call follow(curve, phases_left(strip, column%xi, 0.0_dp, .true.), .false., has_event, passed)
+      case (in_adhesion)
+         call end_adhesion(strip, column, curve, bound, has_event, passed)
+      case default
+         curve = gap_curve(strip, column, strip%range)
+         call follow(curve, phases_left(strip, column%xi, strip%stress - strip%range, .false.), &
+            & .false., has_event, passed)
+      end select
+      slope = 0
+      if (.not. has_event) return
+
+      call curve%evaluate(0.0_dp, value, entry_rate)
+      call curve%evaluate(passed, value, exit_rate)
+      slope = (1 - decay(passed/curve%length))*entry_rate/exit_rate
+      column%value = column%value*(1 - decay(passed/curve%length))
+      column%xi = column%xi - passed
+      select case (column%zone)
+      case (in_contact)
+         column = column_t(in_adhesion, column%xi, strip%level + cos(column%xi), 0.0_dp)
+      case (in_adhesion)
+         if (bound > 0) then
+            column = column_t(in_free, column%xi, column%value - strip%stress + strip%jump, bound + strip%jump)
+         else
+            column = column_t(in_contact, column%xi, 0.0_dp, 0.0_dp)
+         end if
+      case default
+         call attach(strip, column)
+      end select
+   end subroutine advance
+
+   !> Adhesion ends in contact or in freedom, whichever comes first.
+   pure subroutine end_adhesion(strip, column, curve, bound, has_event, passed)
+      type(strip_t), intent(in) :: strip
+      type(column_t), intent(in) :: column
+      type(zone_curve_t), intent(out) :: curve
+      !> Gap at which the zone ends: 0 or the range.
+      real(dp), intent(out) :: bound
+      logical, intent(out) :: has_event
+      real(dp), intent(out) :: passed
+      real(dp) :: to_closure, to_release
+      integer :: try
+      logical :: may_close
+
+      to_closure = phases_left(strip, column%xi, 0.0_dp, .false.)
+      to_release = phases_left(strip, column%xi, -strip%range, .true.)
+      may_close = to_closure < to_release
+      do try = 1, 2
+         bound = merge(0.0_dp, strip%range, may_close)
+         curve = gap_curve(strip, column, bound)
+         call follow(curve, merge(to_closure, to_release, may_close), .not. may_close, has_event, passed)
+         if (has_event) return
+         may_close = .not. may_close
+      end do
+   end subroutine end_adhesion
+
+   !> A free column reaches the range of adhesion: the displacement may jump, and the surface may snap
+   !> straight into contact.
+   pure subroutine attach(strip, column)
+      type(strip_t), intent(in) :: strip
+      type(column_t), intent(inout) :: column
+      real(dp) :: gap
+
+      gap = strip%range - strip%jump
+      if (gap > 0) then
+         column = column_t(in_adhesion, column%xi, strip%level + cos(column%xi) + gap, gap)
+      else
+         column = column_t(in_contact, column%xi, -strip%foundation%beta*gap, 0.0_dp)
+      end if
+   end subroutine attach
+
+   !> March from one passage of the leading edge of adhesion to the next.
+   pure subroutine march_period(strip, xi_start, period)
+      type(strip_t), intent(in) :: strip
+      !> Phase of the leading edge, where a free column comes into the range of adhesion.
+      real(dp), intent(in) :: xi_start
+      type(period_t), intent(out) :: period
+      type(column_t) :: column
+      real(dp) :: passed, slope
+      integer :: event, zone
+      logical :: has_event
+
+      column%xi = xi_start
+      call attach(strip, column)
+      period%slope = 1
+      do event = 1, 4
+         zone = column%zone
+         if (zone == in_contact) period%contact_start = column%xi
+         call advance(strip, column, passed, slope, has_event)
+         period%slope = period%slope*slope
+         if (.not. has_event) then
+            period%outcome = merge(period_never_attached, period_never_released, zone == in_free)
+            return
+         end if
+         select case (zone)
+         case (in_contact)
+            period%has_contact = .true.
+            period%contact = passed
+         case (in_adhesion)
+            if (period%has_contact) then
+               period%trailing = passed
+            else
+               period%leading = passed
+            end if
+         case default
+            period%free = passed
+            return
+         end select
+      end do
+      period%outcome = period_never_released
+   end subroutine march_period
+
+   !> March a column to the first leading edge of adhesion that it passes.
+   pure subroutine march_to_leading_edge(strip, column, outcome)
+      type(strip_t), intent(in) :: strip
+      type(column_t), intent(inout) :: column
+      !> One of `period_...`.
+      integer, intent(out) :: outcome
+      real(dp) :: passed, slope
+      integer :: event
+      logical :: has_event, is_free
+
+      do event = 1, 4
+         is_free = column%zone == in_free
+         call advance(strip, column, passed, slope, has_event)
+         outcome = merge(period_never_attached, period_never_released, is_free)
+         if (.not. has_event) return
+         outcome = period_closed
+         if (is_free) return
+      end do
+      outcome = period_never_released
+   end subroutine march_to_leading_edge
+
+end module adfric_wavy_march

@@ -1,0 +1,116 @@
+!> Discrete contact with adhesion over the whole gap (GM 4.2), and discrete contact without adhesion.
+!>
+!> Contact ends where \( p = -\pi \) and starts where the gap closes. Both conditions are linear in the
+!> cosine and sine of the shift s of the contact zone, for a given half width \( \lambda \):
+!> $$ \kappa + \Re\{\overline{Z}\,G\,(\cos\lambda + i\sin\lambda\coth(\lambda/u))\} = 0, \qquad
+!>    \kappa - \Re\{\overline{Z}\,(-\cos\lambda + i\sin\lambda\coth((\pi-\lambda)/v))\} = 0, $$
+!> with \( Z = e^{is} \), G the complex modulus and \( \kappa = m + \pi \) the level. Their sum gives s, and then
+!> the level in closed form: one increasing function \( \kappa(\lambda) \) from -1 (touch) to |G| (saturation),
+!> the same for every load, adhesion stress and strip. GM's two edge equations are inverted by one scalar root.
+module adfric_wavy_saturated_adhesion
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_numerics_scalar_root, only: equation_t, find_root
+   use adfric_wavy_foundation, only: foundation_t
+   use adfric_wavy_contact_zone, only: coth_and_slope, get_lag
+   implicit none (type, external)
+   private
+   public :: depth_of_half_width, half_width_of_depth, shift_of_half_width, saturation_level
+
+   !> Half width at a given depth.
+   type, extends(equation_t) :: depth_equation_t
+      type(foundation_t) :: foundation
+      !> Square root of the depth that is sought.
+      real(dp) :: root_depth = 0
+   contains
+      procedure :: evaluate
+   end type depth_equation_t
+
+contains
+
+   !> Level |G| at and above which the contact is saturated (GM 18).
+   elemental real(dp) function saturation_level(foundation)
+      type(foundation_t), intent(in) :: foundation
+
+      saturation_level = hypot(foundation%storage, foundation%loss)
+   end function saturation_level
+
+   !> Shift of the contact zone towards the leading side [rad], in [0, pi).
+   elemental real(dp) function shift_of_half_width(foundation, half_width) result(shift)
+      type(foundation_t), intent(in) :: foundation
+      !> In (0, pi).
+      real(dp), intent(in) :: half_width
+      real(dp) :: coth_u, coth_v, excess
+
+      associate (u => foundation%u, v => foundation%v)
+         call coth_and_slope(half_width/u, coth_u, excess)
+         call coth_and_slope((pi - half_width)/v, coth_v, excess)
+         shift = atan2(foundation%loss*get_lag(half_width, u, coth_u), &
+            & foundation%loss*cos(half_width) + (foundation%storage*coth_u + coth_v)*sin(half_width))
+      end associate
+   end function shift_of_half_width
+
+   !> Depth \( \kappa + 1 \) of a half width, to full relative precision, and its derivative.
+   elemental subroutine depth_of_half_width(foundation, half_width, depth, slope)
+      type(foundation_t), intent(in) :: foundation
+      !> In (0, pi).
+      real(dp), intent(in) :: half_width
+      real(dp), intent(out) :: depth, slope
+      real(dp) :: coth_u, coth_v, excess_u, excess_v, s, c, n, d, h, versine, h_less_d
+      real(dp) :: n_slope, d_slope, h_slope, storage_coth
+
+      associate (u => foundation%u, v => foundation%v, loss => foundation%loss)
+         call coth_and_slope(half_width/u, coth_u, excess_u)
+         call coth_and_slope((pi - half_width)/v, coth_v, excess_v)
+         s = sin(half_width)
+         c = cos(half_width)
+         versine = merge(1 - c, s*s/(1 + c), c < 0)
+         storage_coth = foundation%storage*coth_u + coth_v
+         ! tan(shift) = n/d
+         n = loss*get_lag(half_width, u, coth_u)
+         d = loss*c + storage_coth*s
+         h = sqrt(n*n + d*d)
+         h_less_d = merge(n*n/(h + abs(d)), h - d, d > 0)
+         depth = (n*s*coth_v + d*versine + h_less_d)/h
+
+         n_slope = loss*(c*coth_u + s*(u - excess_u/u))
+         d_slope = -loss*s + storage_coth*c + (excess_v/v - foundation%storage*excess_u/u)*s
+         h_slope = (n*n_slope + d*d_slope)/h
+         slope = (n_slope*s*coth_v + n*(c*coth_v + s*excess_v/v) + d_slope*versine + d*s &
+            & + (n*n_slope - h_less_d*d_slope)/h - depth*h_slope)/h
+      end associate
+   end subroutine depth_of_half_width
+
+   !> Half width of the contact at a depth.
+   pure subroutine half_width_of_depth(foundation, depth, start, half_width, is_converged)
+      type(foundation_t), intent(in) :: foundation
+      !> Depth \( \kappa + 1 \), in (0, |G| + 1).
+      real(dp), intent(in) :: depth
+      !> A neighbour's half width, or 0.
+      real(dp), intent(in) :: start
+      real(dp), intent(out) :: half_width
+      logical, intent(out) :: is_converged
+      type(depth_equation_t) :: equation
+
+      equation%foundation = foundation
+      equation%root_depth = sqrt(depth)
+      half_width = start
+      if (half_width <= 0) half_width = 2*asin(sqrt(min(depth/(saturation_level(foundation) + 1), 1.0_dp)))
+      call find_root(equation, 0.0_dp, pi, .true., half_width, is_converged)
+   end subroutine half_width_of_depth
+
+   !> The square root of the depth: proportional to the half width at touch, so Newton's method is at home.
+   pure subroutine evaluate(self, x, value, slope)
+      class(depth_equation_t), intent(in) :: self
+      real(dp), intent(in) :: x
+      real(dp), intent(out) :: value
+      real(dp), intent(out) :: slope
+      real(dp) :: depth
+
+      call depth_of_half_width(self%foundation, x, depth, slope)
+      depth = sqrt(max(depth, 0.0_dp))
+      value = depth - self%root_depth
+      slope = slope/(2*max(depth, sqrt(tiny(depth))))
+   end subroutine evaluate
+
+end module adfric_wavy_saturated_adhesion

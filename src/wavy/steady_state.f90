@@ -1,0 +1,323 @@
+!> The steady state of one strip on the chosen branch.
+!>
+!> The state of a column after one period, as a function of its state before (the return map), increases: of
+!> two columns the one with the larger gap keeps it. So the steady states are ordered by their gap, adhesion
+!> everywhere in the gap bounds them from below and no adhesion from above. The `adhered` branch is the least
+!> gap, where unloading leads; the `approach` branch is the largest gap, where loading leads. Marching up
+!> from the lower bound, or down from the upper, meets the first steady state and can jump over none.
+module adfric_wavy_steady_state
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi, two_pi
+   use adfric_wavy_contact_zone, only: decay
+   use adfric_wavy_edges, only: refine_edges, refine_adhesion_edges, is_admissible
+   use adfric_wavy_march, only: column_t, period_t, march_period, march_to_leading_edge, phases_left, &
+      & in_contact, in_adhesion, in_free, period_closed, period_never_released, period_never_attached
+   use adfric_wavy_saturated_adhesion, only: half_width_of_depth, shift_of_half_width, saturation_level
+   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_adhesion_only, regime_discrete, &
+      & regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
+   implicit none (type, external)
+   private
+   public :: find_steady_state, branch_adhered, branch_approach
+
+   !> Which steady state is sought where there are several.
+   integer, parameter :: branch_adhered = 1, branch_approach = 2
+
+   integer, parameter :: max_periods = 2000, max_bisections = 60
+   !> Phase after which a period counts as closed; Newton's method on the edges does the rest.
+   real(dp), parameter :: closed = 1.0e-9_dp
+
+contains
+
+   !> Find the steady state of a strip.
+   pure subroutine find_steady_state(strip, branch, state, guess)
+      type(strip_t), intent(in) :: strip
+      !> One of `branch_...`.
+      integer, intent(in) :: branch
+      type(steady_state_t), intent(out) :: state
+      !> A neighbour's state; it may save time, and cannot change the answer.
+      type(steady_state_t), intent(in), optional :: guess
+
+      if (strip%stress <= 0) then
+         call find_without_release(strip, state, guess)
+         if (state%regime == regime_saturated_adhesion) state%regime = regime_discrete
+         return
+      end if
+      if (branch == branch_approach) then
+         ! the free surface, undisturbed
+         state%regime = regime_free
+         if (-(strip%mean + 1) > strip%range) return
+      else
+         call find_without_release(strip, state, guess)
+         if (.not. state%is_converged) return
+         if (stays_in_range(strip, state)) return
+      end if
+      if (present(guess)) then
+         if (guess%regime == regime_adhesion_zones) then
+            state = guess
+            call refine_edges(strip, state)
+            if (is_admissible(strip, state) .and. state%multiplier < 1) return
+         end if
+      end if
+      call search_with_release(strip, branch, state)
+   end subroutine find_steady_state
+
+   !> The state with adhesion everywhere in the gap, whatever its range: there is exactly one.
+   pure subroutine find_without_release(strip, state, guess)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(out) :: state
+      type(steady_state_t), intent(in), optional :: guess
+      real(dp) :: start
+
+      if (strip%level >= saturation_level(strip%foundation)) then
+         state%regime = regime_saturated
+         state%half_width = pi
+      else if (strip%depth <= 0) then
+         state%regime = merge(regime_adhesion_only, regime_free, strip%stress > 0)
+         state%half_width = merge(pi, 0.0_dp, strip%stress > 0)
+      else
+         state%regime = regime_saturated_adhesion
+         start = 0
+         if (present(guess)) start = guess%half_width
+         call half_width_of_depth(strip%foundation, strip%depth, start, state%half_width, state%is_converged)
+         state%shift = shift_of_half_width(strip%foundation, state%half_width)
+      end if
+   end subroutine find_without_release
+
+   !> Does the gap of a state found without release stay within the range of adhesion?
+   pure logical function stays_in_range(strip, state)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      real(dp) :: opening, span, gap, w
+
+      select case (state%regime)
+      case (regime_adhesion_only)
+         stays_in_range = 1 - strip%level <= strip%range
+      case (regime_saturated_adhesion)
+         ! where the drive is below -range a gap of the range only grows, so the end of that interval decides
+         opening = state%shift - state%half_width
+         span = phases_left(strip, opening, -strip%range, .true.)
+         stays_in_range = span < 0 .or. span > two_pi - 2*state%half_width
+         if (stays_in_range) return
+         w = strip%level + cos(opening)
+         gap = -w*decay(span/strip%foundation%v) + 2*sin(opening - span/2)*sin(-span/2)
+         stays_in_range = gap <= strip%range
+      case default
+         stays_in_range = .true.
+      end select
+   end function stays_in_range
+
+   !> Search the states in which adhesion is lost somewhere, from the bound of the branch.
+   pure subroutine search_with_release(strip, branch, state)
+      type(strip_t), intent(in) :: strip
+      integer, intent(in) :: branch
+      type(steady_state_t), intent(out) :: state
+      type(period_t) :: period
+      type(column_t) :: column
+      integer :: outcome
+      real(dp) :: xi
+
+      call get_bounding_column(strip, branch, column, outcome)
+      if (outcome == period_closed) call march_to_leading_edge(strip, column, outcome)
+      xi = column%xi
+      if (outcome == period_closed) then
+         call close_period(strip, merge(1, -1, branch == branch_adhered), xi, period, state%is_converged)
+         outcome = period%outcome
+      end if
+      if (outcome == period_never_released) then
+         call find_without_release(strip, state)
+      else if (outcome /= period_closed) then
+         state%regime = regime_free
+      else if (state%is_converged) then
+         call read_edges(strip, xi, period, state)
+      end if
+   end subroutine search_with_release
+
+   !> A column on a periodic orbit that bounds all steady states: adhesion everywhere in the gap for the
+   !> adhered branch, no adhesion for the approach branch. `outcome` is not closed if there is nothing to march.
+   pure subroutine get_bounding_column(strip, branch, column, outcome)
+      type(strip_t), intent(in) :: strip
+      integer, intent(in) :: branch
+      type(column_t), intent(out) :: column
+      integer, intent(out) :: outcome
+      type(strip_t) :: bound
+      type(steady_state_t) :: state
+      real(dp) :: xi, crossing
+
+      outcome = period_closed
+      bound = strip
+      if (branch == branch_approach) then
+         bound%stress = 0
+         bound%level = strip%mean
+         bound%depth = strip%mean + 1
+      end if
+      call find_without_release(bound, state)
+      xi = state%shift - state%half_width
+      select case (state%regime)
+      case (regime_saturated)
+         outcome = period_never_released
+      case (regime_saturated_adhesion)
+         if (branch == branch_adhered) then
+            column = column_t(in_adhesion, xi, strip%level + cos(xi), 0.0_dp)
+         else
+            column = column_t(in_contact, xi, strip%stress, 0.0_dp)
+         end if
+      case (regime_adhesion_only)
+         ! released where the gap -level - cos(xi) of a displacement -stress passes the range
+         crossing = -strip%level - strip%range
+         if (crossing >= 1) outcome = period_never_attached
+         xi = -acos(max(-1.0_dp, min(1.0_dp, crossing)))
+         column = column_t(in_free, xi, strip%jump - strip%stress, strip%range + strip%jump)
+      case default
+         ! undisturbed surface just outside the range
+         crossing = -strip%mean - strip%range
+         xi = acos(max(-1.0_dp, min(1.0_dp, crossing))) + epsilon(1.0_dp)
+         column = column_t(in_free, xi, 0.0_dp, strip%range)
+      end select
+   end subroutine get_bounding_column
+
+   !> Move the leading edge of adhesion until the period closes: Newton's method on the return map, one-sided,
+   !> with every sign change and every turn of the map looked into, so that no steady state is passed.
+   pure subroutine close_period(strip, direction, xi, period, is_converged)
+      type(strip_t), intent(in) :: strip
+      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
+      integer, intent(in) :: direction
+      !> Phase of the leading edge.
+      real(dp), intent(inout) :: xi
+      type(period_t), intent(out) :: period
+      logical, intent(out) :: is_converged
+      real(dp) :: excess, step, last_xi, last_slope
+      integer :: k
+
+      is_converged = .false.
+      call march_excess(strip, direction, xi, period, excess)
+      do k = 1, max_periods
+         if (period%outcome /= period_closed) return
+         is_converged = excess <= closed
+         if (is_converged) return
+         step = merge(excess/max(1 - period%slope, 0.01_dp), 2*excess, period%slope < 1)
+         last_xi = xi
+         last_slope = period%slope
+         xi = xi - direction*min(step, 1.0_dp)
+         call march_excess(strip, direction, xi, period, excess)
+         if (period%outcome == period_closed .and. excess < 0) then
+            call bisect_period(strip, direction, last_xi, xi, period, is_converged)
+            return
+         end if
+         if (last_slope < 1 .and. (period%slope > 1 .or. period%outcome /= period_closed)) then
+            call look_between(strip, direction, last_xi, xi, period, is_converged)
+            if (is_converged) return
+            call march_excess(strip, direction, xi, period, excess)
+         end if
+      end do
+   end subroutine close_period
+
+   !> By how much a period is longer (direction 1) or shorter (-1) than it should be.
+   pure subroutine march_excess(strip, direction, xi, period, excess)
+      type(strip_t), intent(in) :: strip
+      integer, intent(in) :: direction
+      real(dp), intent(in) :: xi
+      type(period_t), intent(out) :: period
+      real(dp), intent(out) :: excess
+
+      call march_period(strip, xi, period)
+      excess = direction*(period%leading + period%contact + period%trailing + period%free - two_pi)
+   end subroutine march_excess
+
+   !> A period that closes between `near` (excess positive) and `far` (negative).
+   pure subroutine bisect_period(strip, direction, near, far, period, is_converged)
+      type(strip_t), intent(in) :: strip
+      integer, intent(in) :: direction
+      real(dp), intent(in) :: near
+      !> In: the far end. Out: the leading edge where the period closes.
+      real(dp), intent(inout) :: far
+      type(period_t), intent(out) :: period
+      logical, intent(out) :: is_converged
+      real(dp) :: low, high, xi, excess, newton
+      integer :: k
+
+      low = near
+      high = far
+      xi = low + (high - low)/2
+      is_converged = .false.
+      do k = 1, max_bisections
+         call march_excess(strip, direction, xi, period, excess)
+         if (period%outcome /= period_closed) excess = 1
+         is_converged = abs(excess) <= closed
+         if (is_converged) exit
+         if (excess > 0) then
+            low = xi
+         else
+            high = xi
+         end if
+         newton = xi - direction*excess/max(1 - period%slope, 0.01_dp)
+         xi = low + (high - low)/2
+         if ((newton - low)*(newton - high) < 0 .and. period%outcome == period_closed) xi = newton
+      end do
+      far = xi
+   end subroutine bisect_period
+
+   !> The excess falls at `near` and rises at `far` (or there is no period there): does it touch zero between?
+   pure subroutine look_between(strip, direction, near, far, period, is_converged)
+      type(strip_t), intent(in) :: strip
+      integer, intent(in) :: direction
+      real(dp), intent(in) :: near
+      !> In: the far end. Out: the leading edge where the period closes, if it does.
+      real(dp), intent(inout) :: far
+      type(period_t), intent(out) :: period
+      logical, intent(out) :: is_converged
+      real(dp) :: low, high, xi, excess
+      integer :: k
+
+      low = near
+      high = far
+      is_converged = .false.
+      do k = 1, max_bisections
+         xi = low + (high - low)/2
+         call march_excess(strip, direction, xi, period, excess)
+         if (period%outcome == period_closed .and. excess <= 0) then
+            call bisect_period(strip, direction, near, xi, period, is_converged)
+            far = xi
+            return
+         end if
+         if (period%outcome == period_closed .and. period%slope < 1) then
+            ! on the falling side the tangent is a lower bound of a convex excess
+            low = xi
+         else
+            high = xi
+         end if
+         if (abs(high - low) <= closed) return
+      end do
+   end subroutine look_between
+
+   !> Edges of the zones of a closed period, made exact.
+   pure subroutine read_edges(strip, xi, period, state)
+      type(strip_t), intent(in) :: strip
+      real(dp), intent(in) :: xi
+      type(period_t), intent(in) :: period
+      type(steady_state_t), intent(inout) :: state
+
+      if (period%has_contact) then
+         state%regime = regime_adhesion_zones
+         state%half_width = period%contact/2
+         state%shift = centred(period%contact_start - period%contact/2)
+         state%leading = period%leading
+         state%trailing = period%trailing
+         call refine_edges(strip, state)
+         state%is_converged = is_admissible(strip, state)
+      else
+         state%regime = regime_adhesion_only
+         state%half_width = period%leading/2
+         state%shift = centred(xi - period%leading/2)
+         call refine_adhesion_edges(strip, state)
+      end if
+      state%multiplier = period%slope
+   end subroutine read_edges
+
+   !> A phase brought into (-pi, pi].
+   pure real(dp) function centred(xi)
+      real(dp), intent(in) :: xi
+
+      centred = xi - two_pi*anint(xi/two_pi)
+   end function centred
+
+end module adfric_wavy_steady_state

@@ -1,0 +1,96 @@
+!> One strip of the surface in reduced form, and what a steady state of it is.
+!>
+!> The strip has the profile \( F(\xi) = m + \cos \xi \): lengths are in units of half its
+!> peak-to-valley height c = h_y/2, stresses in c/K. Its gap is \( g = w - F \ge 0 \).
+!> Adhesion pulls with the stress \( \pi \) wherever \( 0 < g \le \delta \).
+module adfric_wavy_strip
+   use adfric_base_kinds, only: dp
+   use adfric_wavy_foundation, only: foundation_t
+   implicit none (type, external)
+   private
+   public :: strip_t, new_strip, steady_state_t, drive
+   public :: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion
+   public :: regime_adhesion_zones, regime_saturated, regime_meanings
+   public :: edge_continuous, edge_instantaneous
+
+   !> Regimes of one strip (GM section 4), as they stand in the results file.
+   integer, parameter :: regime_free = 0, regime_adhesion_only = 1, regime_discrete = 2
+   integer, parameter :: regime_saturated_adhesion = 3, regime_adhesion_zones = 4, regime_saturated = 5
+   !> Their names, from 0.
+   character(*), parameter :: regime_meanings = 'free adhesion_without_contact discrete_contact &
+      &discrete_contact_saturated_adhesion discrete_contact_adhesion_zones saturated_contact'
+
+   !> What the displacement does where the adhesion stress starts or ends: stays (GM), or jumps by
+   !> K/beta times the jump of stress (GM 4 read across the jump).
+   integer, parameter :: edge_continuous = 1, edge_instantaneous = 2
+
+   !> A strip in reduced form.
+   type :: strip_t
+      type(foundation_t) :: foundation
+      !> Mean level m of the profile, positive into the foundation [c].
+      real(dp) :: mean = -2
+      !> Adhesion stress [c/K], >= 0.
+      real(dp) :: stress = 0
+      !> m + stress [c], and the same plus 1 without loss of digits: how far the crest would sink into
+      !> a foundation that adhesion has lifted.
+      real(dp) :: level = -2, depth = -1
+      !> Range of adhesion [c], > 0; not used where the stress is 0.
+      real(dp) :: range = 0
+      !> Jump of the displacement where the adhesion stress ends [c], 0 for continuous edges.
+      real(dp) :: jump = 0
+   end type strip_t
+
+   !> A steady state: contact (shift - half_width, shift + half_width), adhesion on `trailing` behind
+   !> it and on `leading` before it, free elsewhere. Phases in radians.
+   type :: steady_state_t
+      !> One of `regime_...`.
+      integer :: regime = regime_free
+      !> Half width and centre of the contact zone; without contact, those of the adhesion zone.
+      real(dp) :: half_width = 0, shift = 0
+      !> Lengths of the adhesion zones beside the contact.
+      real(dp) :: trailing = 0, leading = 0
+      !> Stress above -stress with which the contact starts (snap into contact, else 0) [c/K].
+      real(dp) :: entry = 0
+      !> Derivative of the return map: what one period leaves of a disturbance; < 1 is stable.
+      real(dp) :: multiplier = 0
+      !> False if no steady state was found.
+      logical :: is_converged = .true.
+   end type steady_state_t
+
+contains
+
+   !> Reduce a strip.
+   elemental subroutine new_strip(self, foundation, amplitude, penetration, stress, range, edge)
+      type(strip_t), intent(out) :: self
+      type(foundation_t), intent(in) :: foundation
+      !> Half the peak-to-valley height of the strip [h], > 0.
+      real(dp), intent(in) :: amplitude
+      !> Penetration of its crest D_y [h].
+      real(dp), intent(in) :: penetration
+      !> Adhesion stress p0 [h/K], >= 0.
+      real(dp), intent(in) :: stress
+      !> Range of adhesion [h].
+      real(dp), intent(in) :: range
+      !> One of `edge_...`.
+      integer, intent(in) :: edge
+
+      self%foundation = foundation
+      self%mean = (penetration - amplitude)/amplitude
+      self%stress = stress/amplitude
+      self%depth = (penetration + stress)/amplitude
+      self%level = self%depth - 1
+      self%range = range/amplitude
+      ! an elastic foundation (beta = 1) has w = K p at all times, so its displacement must jump
+      if (edge == edge_instantaneous .or. foundation%beta <= 1) self%jump = self%stress/foundation%beta
+   end subroutine new_strip
+
+   !> What drives the open and the closed zones, \( F + \pi - v F' = m + \pi + \cos\xi + v \sin\xi \):
+   !> contact can end only where it is negative and begin only where it is positive.
+   elemental real(dp) function drive(self, xi)
+      type(strip_t), intent(in) :: self
+      real(dp), intent(in) :: xi
+
+      drive = self%level + cos(xi) + self%foundation%v*sin(xi)
+   end function drive
+
+end module adfric_wavy_strip
