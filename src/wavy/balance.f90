@@ -5,8 +5,9 @@
 module adfric_wavy_balance
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
+   use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_wavy_contact_zone, only: angle_minus_sine, decay
-   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_adhesion_only, regime_discrete, &
+   use adfric_wavy_strip, only: strip_t, profile, lifted_profile, steady_state_t, regime_adhesion_only, regime_discrete, &
       & regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
    implicit none (type, external)
    private
@@ -30,6 +31,9 @@ module adfric_wavy_balance
       !> Sum of the sizes of the terms of load and friction: what round-off is relative to.
       real(dp) :: load_scale = 0, friction_scale = 0
    end type balance_t
+
+   !> A closed form that is smaller than this share of its terms has lost too many digits.
+   real(dp), parameter :: cancelled = 1.0e-2_dp
 
    !> Integrals of powers of the Maxwell stress and of the displacement, gathered zone by zone.
    type :: sums_t
@@ -89,17 +93,17 @@ contains
       free = two_pi - balance%contact - balance%adhesion
 
       call add_contact(strip, state, sums, balance)
-      w = strip%level + cos(a)
+      w = lifted_profile(strip, a)
       call add_open_zone(strip, w, trailing, -strip%stress, sums)
       if (state%regime == regime_adhesion_zones) then
-         gap_sum = 2*sin(free/2)*sin(state%shift + (state%leading - trailing)/2)
+         gap_sum = 2*sin(free/2)*sin(state%outer_shift)
          balance%friction = balance%friction - strip%stress*gap_sum
          balance%friction_scale = balance%friction_scale + abs(strip%stress*gap_sum)
-         w = strip%mean + cos(a + trailing) + strip%range + strip%jump
+         w = profile(strip, a + trailing) + strip%range + strip%jump
          call add_open_zone(strip, w, free, 0.0_dp, sums)
          call add_edge_loss(strip, state, w, balance)
          if (.not. state%entry > 0) then
-            w = strip%level + cos(b + state%leading) + strip%range - strip%jump
+            w = lifted_profile(strip, b + state%leading) + strip%range - strip%jump
             call add_open_zone(strip, w, state%leading, -strip%stress, sums)
          end if
       end if
@@ -124,9 +128,9 @@ contains
       change = -2*sin(state%half_width)*sin(state%shift)
       balance%friction = strip%stress*change
       balance%friction_scale = abs(balance%friction)
-      w = strip%level + cos(b) + strip%range - strip%jump
+      w = lifted_profile(strip, b) + strip%range - strip%jump
       call add_open_zone(strip, w, balance%adhesion, -strip%stress, sums)
-      w = strip%mean + cos(a) + strip%range + strip%jump
+      w = profile(strip, a) + strip%range + strip%jump
       call add_open_zone(strip, w, two_pi - balance%adhesion, 0.0_dp, sums)
       call add_edge_loss(strip, state, w, balance)
       call finish(strip, sums, balance)
@@ -140,6 +144,7 @@ contains
       type(sums_t), intent(inout) :: sums
       type(balance_t), intent(inout) :: balance
       real(dp) :: s, c, sin_width, cubic_1, cubic_2, even, odd, m0, m_sin, m_versine, test_sin, test_versine, versine
+      real(dp) :: square(3), direct(4)
 
       associate (u => strip%foundation%u, v => strip%foundation%v, width => state%half_width)
          s = sin(state%shift)
@@ -162,16 +167,26 @@ contains
          balance%friction = s*(m0 - m_versine) + c*m_sin
          balance%friction_scale = abs(s*m0) + abs(c*m_sin)
          sums%displacement = 2*(width*strip%mean + sin_width*c)
-         sums%square = contact_square(strip, state, s, c)
+         direct = contact_square(strip, state, s, c)
+         ! q = r - (level + cos xi), and the integral of r^2 is that of r times the drive
+         square(1) = even*(m0 - m_versine) + odd*m_sin + strip%level*m0 + u*state%entry**2/2
+         square(2) = -2*(strip%level*m0 + c*(m0 - m_versine) - s*m_sin)
+         square(3) = 2*width*strip%level**2 + 4*strip%level*c*sin_width + c*c*(2*width - cubic_2) + s*s*cubic_2
+         ! the form with the smaller terms keeps more digits: the direct one in contacts longer than u
+         sums%square = merge(sum(direct), sum(square), sum(abs(direct)) < sum(abs(square)))
+         if (sums%square < cancelled*min(sum(abs(direct)), sum(abs(square)))) then
+            sums%square = integrate_square(strip, state)
+         end if
       end associate
    end subroutine add_contact
 
-   !> Integral of q^2 over the contact: q = loss (sin + u cos) plus a decaying exponential.
-   pure real(dp) function contact_square(strip, state, s, c) result(square)
+   !> The four terms of the integral of q^2 over the contact, q = loss (sin + u cos) + a decaying exponential.
+   pure function contact_square(strip, state, s, c) result(terms)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
       !> Sine and cosine of the shift.
       real(dp), intent(in) :: s, c
+      real(dp) :: terms(4)
       real(dp) :: even, odd, b, sw, cw, lost, decaying, cross_cos, cross_sin
 
       associate (f => strip%foundation, width => state%half_width)
@@ -181,16 +196,38 @@ contains
          sw = sin(width)
          cw = cos(width)
          ! what is left at the leading edge, where p = entry - stress and w = F
-         decaying = state%entry - strip%level - cos(b) - (even*cw + odd*sw)
+         decaying = state%entry - lifted_profile(strip, b) - (even*cw + odd*sw)
          lost = decay(2*width/f%u)
          ! integrals of exp((x - width)/u) times cos x and sin x
          cross_cos = f%u*(cw*lost + f%u*sw*(2 - lost))/(1 + f%u*f%u)
          cross_sin = f%u*(sw*(2 - lost) - f%u*cw*lost)/(1 + f%u*f%u)
-         square = even*even*(width + sw*cw) + odd*odd*(width - sw*cw) &
-            & + 2*decaying*(even*cross_cos + odd*cross_sin) &
-            & + decaying*decaying*f%u/2*lost*(2 - lost)
+         terms = [even*even*(width + sw*cw), odd*odd*(width - sw*cw), &
+            & 2*decaying*(even*cross_cos + odd*cross_sin), decaying*decaying*f%u/2*lost*(2 - lost)]
       end associate
    end function contact_square
+
+   !> The same integral by Gauss's rule, for narrow contacts in which the closed forms cancel: there q is smooth.
+   pure real(dp) function integrate_square(strip, state) result(square)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      real(dp) :: b, start, passed, lost, q
+      integer :: k
+
+      b = state%shift + state%half_width
+      start = state%entry - lifted_profile(strip, b)
+      square = 0
+      associate (f => strip%foundation)
+         do k = 1, size(gauss_nodes)
+            passed = state%half_width*(1 + gauss_nodes(k))
+            lost = decay(passed/f%u)
+            ! sine and cosine at b - passed less those at b
+            q = start*(1 - lost) + f%loss*((sin(b) + f%u*cos(b))*lost &
+               & - 2*sin(passed/2)*(cos(b - passed/2) - f%u*sin(b - passed/2)))
+            square = square + gauss_weights(k)*q*q
+         end do
+      end associate
+      square = square*state%half_width
+   end function integrate_square
 
    !> An open zone of constant pressure, in which w - p decays.
    pure subroutine add_open_zone(strip, excess, length, pressure, sums)
@@ -223,7 +260,7 @@ contains
             work = strip%stress**2/f%beta
          else
             ! q jumps with the pressure: [q^2](leading side) - [q^2](trailing side) at both edges
-            attached = strip%mean + cos(state%half_width + state%shift + state%leading) + strip%range
+            attached = profile(strip, state%half_width + state%shift + state%leading) + strip%range
             work = strip%stress*(2*(released - attached))/(2*(f%beta - 1))
          end if
          balance%edge_loss = work

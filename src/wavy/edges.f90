@@ -8,7 +8,7 @@ module adfric_wavy_edges
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_wavy_contact_zone, only: decay, coth_and_slope, get_lag, longest_decay
-   use adfric_wavy_strip, only: strip_t, steady_state_t, drive, regime_adhesion_zones
+   use adfric_wavy_strip, only: strip_t, steady_state_t, drive, profile, lifted_profile, regime_adhesion_zones
    implicit none (type, external)
    private
    public :: refine_edges, refine_adhesion_edges, is_admissible, get_multiplier
@@ -36,6 +36,7 @@ contains
          state%entry = strip%foundation%beta*(strip%jump - strip%range)
          state%leading = 0
       end if
+      state%outer_shift = state%shift + (state%leading - state%trailing)/2
       size_last = huge(1.0_dp)
       do iteration = 1, max_iterations
          call get_newton_step(strip, state, step)
@@ -46,6 +47,7 @@ contains
          state%shift = state%shift + share*step(2)
          state%trailing = state%trailing + share*step(3)
          state%leading = state%leading + share*step(4)
+         state%outer_shift = state%outer_shift + share*(step(2) + (step(4) - step(3))/2)
          if (share < 1) cycle
          state%is_converged = size_now <= close_enough .or. (size_now <= round_off .and. size_now >= size_last/2)
          if (state%is_converged) exit
@@ -78,81 +80,137 @@ contains
       type(steady_state_t), intent(in) :: state
       real(dp), intent(out) :: step(4)
       real(dp) :: e(4), e1_a, e1_b, e2_a, e2_m, e3_a, e3_b, e4_b, e4_m
-      real(dp) :: a, b, n, lost, w, sin_a, cos_a, sin_b, cos_b, sin_a1, cos_a1, sin_b1, cos_b1
-      real(dp) :: a_factor, b_factor, rest, da, db, gap
+      real(dp) :: sin_w, cos_w, sin_s, cos_s, sin_t, cos_t, sin_l, cos_l
+      real(dp) :: sin_a, cos_a, sin_b, cos_b, sin_a1, cos_a1, sin_b1, cos_b1, sin_outer
+      real(dp) :: lost_t, lost_l, lost_f, w_t, w_l, w_f, gap, inner, outer
+      real(dp) :: edge_a(2), length_a(2), edge_b(2), length_b(2)
+      real(dp) :: free_a, free_b, rest_free, rest_contact, determinant, da, db
 
-      associate (v => strip%foundation%v, trailing => state%trailing, leading => state%leading)
-         a = state%half_width - state%shift
-         b = state%half_width + state%shift
-         sin_a = sin(a); cos_a = cos(a); sin_a1 = sin(a + trailing); cos_a1 = cos(a + trailing)
-         sin_b = sin(b); cos_b = cos(b); sin_b1 = sin(b + leading); cos_b1 = cos(b + leading)
-         call get_contact_equation(strip, state, e(1), e1_a, e1_b)
+      ! sines and cosines of all edges from those of four angles
+      sin_w = sin(state%half_width); cos_w = cos(state%half_width)
+      sin_s = sin(state%shift); cos_s = cos(state%shift)
+      sin_t = sin(state%trailing/2); cos_t = cos(state%trailing/2)
+      sin_l = sin(state%leading/2); cos_l = cos(state%leading/2)
+      sin_a = sin_w*cos_s - cos_w*sin_s; cos_a = cos_w*cos_s + sin_w*sin_s
+      sin_b = sin_w*cos_s + cos_w*sin_s; cos_b = cos_w*cos_s - sin_w*sin_s
+      call turn(sin_a, cos_a, 2*sin_t*cos_t, 1 - 2*sin_t*sin_t, sin_a1, cos_a1)
+      call turn(sin_b, cos_b, 2*sin_l*cos_l, 1 - 2*sin_l*sin_l, sin_b1, cos_b1)
+      sin_outer = sin_w*(cos_t*cos_l - sin_t*sin_l) + cos_w*(sin_t*cos_l + cos_t*sin_l)
+      ! F(-a) - F(b) and F(-a1) - F(b1)
+      inner = 2*sin_w*sin_s
+      outer = 2*sin_outer*sin(state%outer_shift)
+      call get_contact_equation(strip, state, sin_w, cos_w, sin_s, cos_s, e(1), e1_a, e1_b)
 
-         ! trailing adhesion: gap = range after the length `trailing`
-         lost = decay(trailing/v)
-         w = strip%level + cos_a
-         e(2) = -w*lost + 2*sin(a + trailing/2)*sin(trailing/2) - strip%range
-         e2_a = sin_a1 - sin_a*(1 - lost)
-         e2_m = sin_a1 - w*(1 - lost)/v
+      associate (v => strip%foundation%v)
+         ! trailing adhesion: gap = range at its end
+         lost_t = decay(state%trailing/v)
+         w_t = strip%depth - versine(sin_a, cos_a)
+         e(2) = -w_t*lost_t + 2*(sin_a*cos_t + cos_a*sin_t)*sin_t - strip%range
+         e2_a = sin_a1 - sin_a*(1 - lost_t)
+         e2_m = sin_a1 - w_t*(1 - lost_t)/v
 
          ! free zone: gap = range at its end
-         n = free_length(state)
-         lost = decay(n/v)
-         w = strip%mean + cos_a1 + strip%range + strip%jump
-         e(3) = -w*lost + 2*sin(n/2)*sin(state%shift + (leading - trailing)/2) + strip%jump
-         e3_a = (w/v - sin_a1)*(1 - lost)
-         e3_b = w*(1 - lost)/v + sin_b1
+         lost_f = decay(free_length(state)/v)
+         w_f = strip%crest - versine(sin_a1, cos_a1) + strip%range + strip%jump
+         e3_a = (w_f/v - sin_a1)*(1 - lost_f)
+         e3_b = w_f*(1 - lost_f)/v + sin_b1
 
-         e(4) = 0; e4_b = 0; e4_m = 1
-         if (state%entry <= 0) then
-            ! leading adhesion: gap closed after the length `leading`
-            lost = decay(leading/v)
-            gap = strip%range - strip%jump
-            w = strip%level + cos_b1 + gap
-            e(4) = -w*lost + gap - 2*sin(b + leading/2)*sin(leading/2)
-            e4_b = sin_b - sin_b1*(1 - lost)
-            e4_m = -(sin_b1 + w/v)*(1 - lost)
+         ! leading adhesion: gap closed at its end. The sum of all gap conditions, in which the large terms
+         ! cancel, is what keeps the displacement continuous in fast sliding
+         gap = strip%range - strip%jump
+         if (state%entry > 0) then
+            e(3) = -w_t*lost_t - w_f*lost_f + inner - gap - e(2)
+            e(4) = 0; e4_b = 0; e4_m = 1
+         else
+            lost_l = decay(state%leading/v)
+            w_l = strip%depth - versine(sin_b1, cos_b1) + gap
+            e(3) = -w_f*lost_f + outer + strip%jump
+            e(4) = -w_t*lost_t - w_l*lost_l + inner - outer - strip%jump - e(2)
+            e4_b = sin_b - sin_b1*(1 - lost_l)
+            e4_m = -(sin_b1 + w_l/v)*(1 - lost_l)
          end if
       end associate
 
-      ! eliminate the lengths of the adhesion zones, then Cramer's rule for the two contact edges
+      ! each adhesion zone ties its length to its contact edge; two equations are left for two parameters
+      call tie_zone(e(2), e2_a, e2_m, edge_a, length_a)
+      call tie_zone(e(4), e4_b, e4_m, edge_b, length_b)
       step = huge(1.0_dp)
-      if (min(abs(e2_m), abs(e4_m)) < tiny(1.0_dp)) return
-      a_factor = e3_a*(1 - e2_a/e2_m)
-      b_factor = e3_b*(1 - e4_b/e4_m)
-      rest = -e(3) + e3_a*e(2)/e2_m + e3_b*e(4)/e4_m
-      w = a_factor*e1_b - b_factor*e1_a
-      if (abs(w) < tiny(1.0_dp)) return
-      da = (rest*e1_b + e(1)*b_factor)/w
-      db = -(a_factor*e(1) + rest*e1_a)/w
-      step = [(da + db)/2, (db - da)/2, -(e(2) + e2_a*da)/e2_m, -(e(4) + e4_b*db)/e4_m]
+      free_a = e3_a*(edge_a(2) + length_a(2))
+      free_b = e3_b*(edge_b(2) + length_b(2))
+      rest_free = -e(3) - e3_a*(edge_a(1) + length_a(1)) - e3_b*(edge_b(1) + length_b(1))
+      rest_contact = -e(1) - e1_a*edge_a(1) - e1_b*edge_b(1)
+      determinant = free_a*e1_b*edge_b(2) - free_b*e1_a*edge_a(2)
+      if (.not. abs(determinant) >= tiny(1.0_dp)) return
+      da = (rest_free*e1_b*edge_b(2) - free_b*rest_contact)/determinant
+      db = (free_a*rest_contact - rest_free*e1_a*edge_a(2))/determinant
+      length_a(1) = length_a(1) + length_a(2)*da
+      length_b(1) = length_b(1) + length_b(2)*db
+      da = edge_a(1) + edge_a(2)*da
+      db = edge_b(1) + edge_b(2)*db
+      step = [(da + db)/2, (db - da)/2, length_a(1), length_b(1)]
    end subroutine get_newton_step
 
+   !> Solve value + by_edge x + by_length y = 0 as x = edge(1) + edge(2) t, y = length(1) + length(2) t,
+   !> for the unknown with the larger factor.
+   pure subroutine tie_zone(value, by_edge, by_length, edge, length)
+      real(dp), intent(in) :: value, by_edge, by_length
+      real(dp), intent(out) :: edge(2), length(2)
+
+      edge = [0.0_dp, 1.0_dp]
+      length = [0.0_dp, 1.0_dp]
+      if (abs(by_length) >= abs(by_edge)) then
+         if (abs(by_length) > 0) length = -[value, by_edge]/by_length
+      else
+         edge = -[value, by_length]/by_edge
+      end if
+   end subroutine tie_zone
+
+   !> Sine and cosine of a sum of angles.
+   pure subroutine turn(sin_x, cos_x, sin_y, cos_y, sin_sum, cos_sum)
+      real(dp), intent(in) :: sin_x, cos_x, sin_y, cos_y
+      real(dp), intent(out) :: sin_sum, cos_sum
+
+      sin_sum = sin_x*cos_y + cos_x*sin_y
+      cos_sum = cos_x*cos_y - sin_x*sin_y
+   end subroutine turn
+
    !> The condition that the pressure returns to -stress at the trailing edge of contact.
-   pure subroutine get_contact_equation(strip, state, value, by_a, by_b)
+   pure subroutine get_contact_equation(strip, state, sin_w, cos_w, sin_s, cos_s, value, by_a, by_b)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
+      !> Sine and cosine of half width and shift.
+      real(dp), intent(in) :: sin_w, cos_w, sin_s, cos_s
       real(dp), intent(out) :: value
       !> Derivatives with respect to the edges a and b.
       real(dp), intent(out) :: by_a, by_b
-      real(dp) :: coth, excess, s, c, n, n_slope, along, along_slope, by_width, by_shift
+      real(dp) :: coth, excess, lag, lag_slope, along, along_slope, by_width, by_shift
 
-      associate (f => strip%foundation, width => state%half_width, shift => state%shift)
-         call coth_and_slope(width/f%u, coth, excess)
-         s = sin(width)
-         c = cos(width)
-         n = f%loss*get_lag(width, f%u, coth)
-         n_slope = f%loss*(c*coth + s*(f%u - excess/f%u))
-         along = f%loss*c + f%storage*coth*s
-         along_slope = -f%loss*s + f%storage*(coth*c - s*excess/f%u)
-         value = strip%depth - 2*sin(width/2)**2 - c*2*sin(shift/2)**2 - cos(shift)*n + sin(shift)*along &
+      associate (f => strip%foundation)
+         call coth_and_slope(state%half_width/f%u, coth, excess)
+         lag = f%loss*get_lag(state%half_width, f%u, coth)
+         lag_slope = f%loss*(cos_w*coth + sin_w*(f%u - excess/f%u))
+         along = f%loss*cos_w + f%storage*coth*sin_w
+         along_slope = -f%loss*sin_w + f%storage*(coth*cos_w - sin_w*excess/f%u)
+         ! level + cos(shift) (cos(half_width) - lag) + sin(shift) along
+         value = strip%depth - versine(sin_w, cos_w) - cos_w*versine(sin_s, cos_s) - cos_s*lag + sin_s*along &
             & + state%entry*(coth - 1)/2
-         by_width = -cos(shift)*(s + n_slope) + sin(shift)*along_slope - state%entry*excess/(2*f%u)
-         by_shift = -sin(shift)*(c - n) + cos(shift)*along
+         by_width = -cos_s*(sin_w + lag_slope) + sin_s*along_slope - state%entry*excess/(2*f%u)
+         by_shift = -sin_s*(cos_w - lag) + cos_s*along
          by_a = (by_width - by_shift)/2
          by_b = (by_width + by_shift)/2
       end associate
    end subroutine get_contact_equation
+
+   !> 1 - cos x from sine and cosine, without loss of digits.
+   elemental real(dp) function versine(sine, cosine)
+      real(dp), intent(in) :: sine, cosine
+
+      if (cosine > 0) then
+         versine = sine*sine/(1 + cosine)
+      else
+         versine = 1 - cosine
+      end if
+   end function versine
 
    !> Newton's method on the two edges of adhesion where there is no contact.
    pure subroutine refine_adhesion_edges(strip, state)
@@ -171,13 +229,13 @@ contains
             n = two_pi - 2*width
             ! adhesion from b to -a: gap = range again at its end
             lost = decay(2*width/v)
-            w = strip%level + cos(b) + strip%range - strip%jump
+            w = lifted_profile(strip, b) + strip%range - strip%jump
             e(1) = -w*lost - 2*sin(width)*sin(shift) - strip%jump
             j(1, 2) = -(sin(b) + w/v)*(1 - lost)
             j(1, 1) = sin(a) - w*(1 - lost)/v
             ! free from -a to b
             lost = decay(n/v)
-            w = strip%mean + cos(a) + strip%range + strip%jump
+            w = profile(strip, a) + strip%range + strip%jump
             e(2) = -w*lost + 2*sin(width)*sin(shift) + strip%jump
             j(2, 1) = (w/v - sin(a))*(1 - lost)
             j(2, 2) = w*(1 - lost)/v + sin(b)

@@ -9,7 +9,7 @@ module adfric_wavy_march
    use adfric_base_constants, only: two_pi
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_wavy_contact_zone, only: decay
-   use adfric_wavy_strip, only: strip_t
+   use adfric_wavy_strip, only: strip_t, lifted_profile, drive
    implicit none (type, external)
    private
    public :: column_t, advance, march_period, march_to_leading_edge, period_t, phases_left
@@ -174,7 +174,7 @@ contains
       column%xi = column%xi - passed
       select case (column%zone)
       case (in_contact)
-         column = column_t(in_adhesion, column%xi, strip%level + cos(column%xi), 0.0_dp)
+         column = column_t(in_adhesion, column%xi, lifted_profile(strip, column%xi), 0.0_dp)
       case (in_adhesion)
          if (bound > 0) then
             column = column_t(in_free, column%xi, column%value - strip%stress + strip%jump, bound + strip%jump)
@@ -220,7 +220,7 @@ contains
 
       gap = strip%range - strip%jump
       if (gap > 0) then
-         column = column_t(in_adhesion, column%xi, strip%level + cos(column%xi) + gap, gap)
+         column = column_t(in_adhesion, column%xi, lifted_profile(strip, column%xi) + gap, gap)
       else
          column = column_t(in_contact, column%xi, -strip%foundation%beta*gap, 0.0_dp)
       end if
@@ -237,6 +237,11 @@ contains
       integer :: event, zone
       logical :: has_event
 
+      ! where the drive is lower, no column comes into the range of adhesion
+      if (.not. drive(strip, xi_start) > strip%stress - strip%range) then
+         period%outcome = period_never_attached
+         return
+      end if
       column%xi = xi_start
       call attach(strip, column)
       period%slope = 1

@@ -13,8 +13,8 @@ module adfric_wavy_steady_state
    use adfric_wavy_march, only: column_t, period_t, march_period, march_to_leading_edge, phases_left, &
       & in_contact, in_adhesion, in_free, period_closed, period_never_released, period_never_attached
    use adfric_wavy_saturated_adhesion, only: half_width_of_depth, shift_of_half_width, saturation_level
-   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_adhesion_only, regime_discrete, &
-      & regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
+   use adfric_wavy_strip, only: strip_t, lifted_profile, steady_state_t, regime_free, regime_adhesion_only, &
+      & regime_discrete, regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
    implicit none (type, external)
    private
    public :: find_steady_state, branch_adhered, branch_approach
@@ -45,7 +45,7 @@ contains
       if (branch == branch_approach) then
          ! the free surface, undisturbed
          state%regime = regime_free
-         if (-(strip%mean + 1) > strip%range) return
+         if (-strip%crest > strip%range) return
       else
          call find_without_release(strip, state, guess)
          if (.not. state%is_converged) return
@@ -98,7 +98,7 @@ contains
          span = phases_left(strip, opening, -strip%range, .true.)
          stays_in_range = span < 0 .or. span > two_pi - 2*state%half_width
          if (stays_in_range) return
-         w = strip%level + cos(opening)
+         w = lifted_profile(strip, opening)
          gap = -w*decay(span/strip%foundation%v) + 2*sin(opening - span/2)*sin(-span/2)
          stays_in_range = gap <= strip%range
       case default
@@ -127,6 +127,7 @@ contains
          call find_without_release(strip, state)
       else if (outcome /= period_closed) then
          state%regime = regime_free
+         state%is_converged = .true.
       else if (state%is_converged) then
          call read_edges(strip, xi, period, state)
       end if
@@ -148,7 +149,7 @@ contains
       if (branch == branch_approach) then
          bound%stress = 0
          bound%level = strip%mean
-         bound%depth = strip%mean + 1
+         bound%depth = strip%crest
       end if
       call find_without_release(bound, state)
       xi = state%shift - state%half_width
@@ -157,7 +158,7 @@ contains
          outcome = period_never_released
       case (regime_saturated_adhesion)
          if (branch == branch_adhered) then
-            column = column_t(in_adhesion, xi, strip%level + cos(xi), 0.0_dp)
+            column = column_t(in_adhesion, xi, lifted_profile(strip, xi), 0.0_dp)
          else
             column = column_t(in_contact, xi, strip%stress, 0.0_dp)
          end if
@@ -183,23 +184,25 @@ contains
       integer, intent(in) :: direction
       !> Phase of the leading edge.
       real(dp), intent(inout) :: xi
+      !> The closed period, or one that shows that none closes (see its outcome).
       type(period_t), intent(out) :: period
       logical, intent(out) :: is_converged
       real(dp) :: excess, step, last_xi, last_slope
       integer :: k
 
-      is_converged = .false.
+      step = 0
       call march_excess(strip, direction, xi, period, excess)
       do k = 1, max_periods
-         if (period%outcome /= period_closed) return
-         is_converged = excess <= closed
-         if (is_converged) return
-         step = merge(excess/max(1 - period%slope, 0.01_dp), 2*excess, period%slope < 1)
+         ! the bound itself may close to within round-off
+         is_converged = excess <= closed .and. period%outcome == period_closed
+         if (is_converged .or. period%outcome /= period_closed) return
+         ! on the rising side there is nothing to find: ever longer steps
+         step = merge(excess/max(1 - period%slope, excess), 2*max(excess, step), period%slope < 1)
          last_xi = xi
          last_slope = period%slope
          xi = xi - direction*min(step, 1.0_dp)
          call march_excess(strip, direction, xi, period, excess)
-         if (period%outcome == period_closed .and. excess < 0) then
+         if (excess < -closed) then
             call bisect_period(strip, direction, last_xi, xi, period, is_converged)
             return
          end if
@@ -209,6 +212,7 @@ contains
             call march_excess(strip, direction, xi, period, excess)
          end if
       end do
+      is_converged = .false.
    end subroutine close_period
 
    !> By how much a period is longer (direction 1) or shorter (-1) than it should be.
@@ -220,7 +224,14 @@ contains
       real(dp), intent(out) :: excess
 
       call march_period(strip, xi, period)
-      excess = direction*(period%leading + period%contact + period%trailing + period%free - two_pi)
+      select case (period%outcome)
+      case (period_closed)
+         excess = direction*(period%leading + period%contact + period%trailing + period%free - two_pi)
+      case (period_never_released)
+         excess = -direction
+      case default
+         excess = direction
+      end select
    end subroutine march_excess
 
    !> A period that closes between `near` (excess positive) and `far` (negative).
@@ -238,22 +249,21 @@ contains
       low = near
       high = far
       xi = low + (high - low)/2
-      is_converged = .false.
       do k = 1, max_bisections
          call march_excess(strip, direction, xi, period, excess)
-         if (period%outcome /= period_closed) excess = 1
          is_converged = abs(excess) <= closed
-         if (is_converged) exit
+         far = xi
+         ! a column that never closes its period, on the near side, shows that none closes further on
+         if (is_converged .or. (excess > 0 .and. period%outcome /= period_closed)) return
          if (excess > 0) then
             low = xi
          else
             high = xi
          end if
-         newton = xi - direction*excess/max(1 - period%slope, 0.01_dp)
+         newton = xi - direction*excess/max(1 - period%slope, abs(excess))
          xi = low + (high - low)/2
          if ((newton - low)*(newton - high) < 0 .and. period%outcome == period_closed) xi = newton
       end do
-      far = xi
    end subroutine bisect_period
 
    !> The excess falls at `near` and rises at `far` (or there is no period there): does it touch zero between?
@@ -274,13 +284,12 @@ contains
       do k = 1, max_bisections
          xi = low + (high - low)/2
          call march_excess(strip, direction, xi, period, excess)
-         if (period%outcome == period_closed .and. excess <= 0) then
-            call bisect_period(strip, direction, near, xi, period, is_converged)
+         if (excess <= 0) then
             far = xi
+            call bisect_period(strip, direction, near, far, period, is_converged)
             return
          end if
          if (period%outcome == period_closed .and. period%slope < 1) then
-            ! on the falling side the tangent is a lower bound of a convex excess
             low = xi
          else
             high = xi

@@ -8,7 +8,7 @@ module adfric_wavy_strip
    use adfric_wavy_foundation, only: foundation_t
    implicit none (type, external)
    private
-   public :: strip_t, new_strip, steady_state_t, drive
+   public :: strip_t, new_strip, steady_state_t, drive, profile, lifted_profile
    public :: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion
    public :: regime_adhesion_zones, regime_saturated, regime_meanings
    public :: edge_continuous, edge_instantaneous
@@ -27,13 +27,12 @@ module adfric_wavy_strip
    !> A strip in reduced form.
    type :: strip_t
       type(foundation_t) :: foundation
-      !> Mean level m of the profile, positive into the foundation [c].
-      real(dp) :: mean = -2
+      !> Penetration of the crest, and mean level of the profile (1 less), positive into the foundation [c].
+      real(dp) :: crest = -1, mean = -2
       !> Adhesion stress [c/K], >= 0.
       real(dp) :: stress = 0
-      !> m + stress [c], and the same plus 1 without loss of digits: how far the crest would sink into
-      !> a foundation that adhesion has lifted.
-      real(dp) :: level = -2, depth = -1
+      !> Crest and mean level above a foundation that adhesion has lifted, crest + stress and mean + stress [c].
+      real(dp) :: depth = -1, level = -2
       !> Range of adhesion [c], > 0; not used where the stress is 0.
       real(dp) :: range = 0
       !> Jump of the displacement where the adhesion stress ends [c], 0 for continuous edges.
@@ -49,6 +48,9 @@ module adfric_wavy_strip
       real(dp) :: half_width = 0, shift = 0
       !> Lengths of the adhesion zones beside the contact.
       real(dp) :: trailing = 0, leading = 0
+      !> Centre of contact and adhesion zones together, shift + (leading - trailing)/2; kept apart because in fast
+      !> sliding it is much smaller than the lengths from which it follows.
+      real(dp) :: outer_shift = 0
       !> Stress above -stress with which the contact starts (snap into contact, else 0) [c/K].
       real(dp) :: entry = 0
       !> Derivative of the return map: what one period leaves of a disturbance; < 1 is stable.
@@ -75,7 +77,8 @@ contains
       integer, intent(in) :: edge
 
       self%foundation = foundation
-      self%mean = (penetration - amplitude)/amplitude
+      self%crest = penetration/amplitude
+      self%mean = self%crest - 1
       self%stress = stress/amplitude
       self%depth = (penetration + stress)/amplitude
       self%level = self%depth - 1
@@ -83,6 +86,22 @@ contains
       ! an elastic foundation (beta = 1) has w = K p at all times, so its displacement must jump
       if (edge == edge_instantaneous .or. foundation%beta <= 1) self%jump = self%stress/foundation%beta
    end subroutine new_strip
+
+   !> Level F of the profile [c], to full precision near the crest.
+   elemental real(dp) function profile(self, xi)
+      type(strip_t), intent(in) :: self
+      real(dp), intent(in) :: xi
+
+      profile = self%crest - 2*sin(xi/2)**2
+   end function profile
+
+   !> The profile above a foundation that adhesion has lifted, F + stress [c].
+   elemental real(dp) function lifted_profile(self, xi)
+      type(strip_t), intent(in) :: self
+      real(dp), intent(in) :: xi
+
+      lifted_profile = self%depth - 2*sin(xi/2)**2
+   end function lifted_profile
 
    !> What drives the open and the closed zones, \( F + \pi - v F' = m + \pi + \cos\xi + v \sin\xi \):
    !> contact can end only where it is negative and begin only where it is positive.

@@ -1,0 +1,204 @@
+!> A model for tests of what lies around a model: cheap, with results that can be said in advance.
+!>
+!> force = friction * load, regime by the sign of the velocity. A negative load has no equilibrium; a load
+!> above `largest_load` does not converge. `place` is the place of a point in its block, so that a sweep whose blocks
+!> depended on the number of threads would show it.
+module trial_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: model_t, variable_t, result_t, profile_t, attribute_t, &
+      kind_real, kind_integer, kind_logical, kind_choice, &
+      status_solved, status_no_equilibrium, status_not_converged
+   use adfric_base_problems, only: problems_t
+   implicit none (type, external)
+   private
+   public :: trial_model_t, new_trial_model, trial_force, trial_profile, largest_load
+
+   !> Load above which nothing converges [N].
+   real(dp), parameter :: largest_load = 1e6_dp
+   !> Distance of the points of a profile [m].
+   real(dp), parameter :: spacing = 0.5_dp
+
+   !> Places of the variables.
+   integer, parameter :: kind_place = 1, period_place = 2, velocity_place = 3, load_place = 4, friction_place = 5
+   integer, parameter :: profiles_place = 6, n_x_place = 7, n_y_place = 8, n_variables = 8
+
+   !> The model.
+   type, extends(model_t) :: trial_model_t
+   contains
+      procedure :: check_values
+      procedure :: describe_results
+      procedure :: wants_profiles
+      procedure :: get_profile_axis
+      procedure :: solve_block
+      procedure :: solve_profiles
+      procedure :: describe_case
+   end type trial_model_t
+
+contains
+
+   !> Make the model, with `n_extra` further results.
+   subroutine new_trial_model(self, n_extra)
+      type(trial_model_t), intent(out) :: self
+      integer, intent(in), optional :: n_extra
+
+      self%name = 'trial'
+      self%summary = 'a block that slides on a table'
+      self%profile_axes = 'y x'
+      allocate (self%variables(n_variables))
+      call set(self%variables(kind_place), 'table', 'kind', kind_choice, '', 'shape of the table', 1.0_dp)
+      self%variables(kind_place)%choices = 'flat round'
+      call set(self%variables(period_place), 'table', 'period', kind_real, 'm', 'length of the table', 2.0_dp)
+      self%variables(period_place)%lower = 0
+      self%variables(period_place)%lower_open = .true.
+      call set(self%variables(velocity_place), 'operating', 'velocity', kind_real, 'm/s', 'sliding velocity', 1.0_dp)
+      call set(self%variables(load_place), 'operating', 'load', kind_real, 'N', 'normal load', 1.0_dp)
+      call set(self%variables(friction_place), 'operating', 'friction', kind_real, '-', 'coefficient', 0.5_dp)
+      call set(self%variables(profiles_place), 'output', 'profiles', kind_logical, '', 'write profiles?', 0.0_dp)
+      call set(self%variables(n_x_place), 'output', 'n_x', kind_integer, '-', 'points along x', 4.0_dp)
+      call set(self%variables(n_y_place), 'output', 'n_y', kind_integer, '-', 'points along y', 1.0_dp)
+      call add_results(self, n_extra)
+   end subroutine new_trial_model
+
+   !> Describe a variable.
+   subroutine set(variable, group, name, kind, unit, meaning, default)
+      type(variable_t), intent(inout) :: variable
+      character(*), intent(in) :: group, name
+      integer, intent(in) :: kind
+      character(*), intent(in) :: unit, meaning
+      real(dp), intent(in) :: default
+
+      variable%group = group
+      variable%name = name
+      variable%kind = kind
+      variable%unit = unit
+      variable%meaning = meaning
+      variable%choices = ''
+      variable%default = default
+   end subroutine set
+
+   !> Describe the results and the profiles.
+   subroutine add_results(self, n_extra)
+      type(trial_model_t), intent(inout) :: self
+      integer, intent(in), optional :: n_extra
+      integer :: i, n
+
+      n = 0
+      if (present(n_extra)) n = n_extra
+      allocate (self%results(4 + n), self%profiles(2))
+      self%results(1) = result_t('load', 'N', 'load that is carried', '', .true.)
+      self%results(2) = result_t('force', 'N', 'friction force', '', .true.)
+      self%results(3) = result_t('regime', '-', 'what the block does', 'rests slides', .false.)
+      self%results(4) = result_t('place', '-', 'place in its block', '', .false.)
+      do i = 5, size(self%results)
+         self%results(i) = result_t('extra_'//achar(iachar('a') + i - 5), 'N', 'the force again', '', .false.)
+      end do
+      self%profiles(1) = profile_t('pressure', 'Pa', 'pressure')
+      self%profiles(2) = profile_t('gap', 'm', 'gap')
+   end subroutine add_results
+
+   !> Friction force [N].
+   elemental real(dp) function trial_force(friction, load)
+      real(dp), intent(in) :: friction, load
+
+      trial_force = friction*load
+   end function trial_force
+
+   !> Pressure (1) or gap (2) at the point (i, j) from 0, i along x.
+   elemental real(dp) function trial_profile(load, i, j, number)
+      real(dp), intent(in) :: load
+      integer, intent(in) :: i, j, number
+
+      trial_profile = number*(load + i + 100*j)
+   end function trial_profile
+
+   subroutine check_values(self, values, is_swept, problems)
+      class(trial_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      logical, intent(in) :: is_swept(:)
+      type(problems_t), intent(inout) :: problems
+
+      if (values(kind_place) > 1.5_dp .and. .not. is_swept(kind_place)) call problems%add('table', 'kind', &
+         'a round table is not known to the model '//self%name)
+   end subroutine check_values
+
+   function describe_results(self, values) result(results)
+      class(trial_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      results = self%results
+      if (values(kind_place) > 1.5_dp) results(2)%unit = 'N/m'
+   end function describe_results
+
+   pure logical function wants_profiles(self, values)
+      class(trial_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = size(self%profiles) > 0 .and. values(profiles_place) > 0.5_dp
+   end function wants_profiles
+
+   function get_profile_axis(self, values, axis) result(coordinate)
+      class(trial_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      integer, intent(in) :: axis
+      real(dp), allocatable :: coordinate(:)
+      integer :: i, n
+
+      n = nint(values(merge(n_x_place, n_y_place, axis == 2)))
+      if (size(self%profiles) == 0) n = 1
+      coordinate = [(spacing*i, i=0, n - 1)]
+   end function get_profile_axis
+
+   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      class(trial_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :)
+      real(dp), intent(out) :: error_estimate(:)
+      integer, intent(out) :: status(:)
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      integer :: i
+
+      do i = 1, size(status)
+         associate (load => values(load_place, i), force => trial_force(values(friction_place, i), values(load_place, i)))
+            results(1:4, i) = [load, force, merge(1.0_dp, 0.0_dp, values(velocity_place, i) > 0), real(i, dp)]
+            results(5:size(self%results), i) = force
+            error_estimate(i) = 1e-12_dp*i
+            status(i) = status_solved
+            if (load < 0) status(i) = status_no_equilibrium
+            if (load > largest_load) status(i) = status_not_converged
+         end associate
+         if (status(i) /= status_solved) results(:, i) = ieee_value(1.0_dp, ieee_quiet_nan)
+      end do
+      allocate (attributes(1))
+      attributes(1)%name = 'steps_per_point'
+      attributes(1)%value = 0.1_dp*size(status)
+   end subroutine solve_block
+
+   subroutine solve_profiles(self, values, results, profiles)
+      class(trial_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(in) :: results(:)
+      real(dp), intent(out) :: profiles(:, :, :)
+      integer :: i, j, k
+
+      do k = 1, size(self%profiles)
+         do j = 1, size(profiles, 2)
+            do i = 1, size(profiles, 1)
+               profiles(i, j, k) = trial_profile(results(1), i - 1, j - 1, k) + 0*values(1)
+            end do
+         end do
+      end do
+   end subroutine solve_profiles
+
+   function describe_case(self, values) result(text)
+      class(trial_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      character(24) :: buffer
+
+      write (buffer, '(es10.3)') trial_force(values(friction_place), values(load_place))
+      text = self%name//' force '//trim(adjustl(buffer))//' N'
+   end function describe_case
+
+end module trial_model
