@@ -7,11 +7,13 @@ module adfric_wavy_balance
    use adfric_base_constants, only: pi, two_pi
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_wavy_contact_zone, only: angle_minus_sine, decay
+   use adfric_wavy_edges, only: get_edge_rates
+   use adfric_wavy_saturated_adhesion, only: depth_of_half_width
    use adfric_wavy_strip, only: strip_t, profile, lifted_profile, steady_state_t, regime_adhesion_only, regime_discrete, &
       & regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
    implicit none (type, external)
    private
-   public :: balance_t, get_balance
+   public :: balance_t, get_balance, get_load_slope
 
    !> Integrals over the phase of one period, in units of the strip (c for lengths, c/K for stresses).
    type :: balance_t
@@ -266,6 +268,32 @@ contains
          balance%edge_loss = work
       end associate
    end subroutine add_edge_loss
+
+   !> Change of the integral of the pressure with the depth of the strip, on its branch.
+   pure real(dp) function get_load_slope(strip, state) result(slope)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      real(dp) :: rates(4), depth, depth_rate, shift_rate, by_width, by_shift
+
+      slope = 0
+      select case (state%regime)
+      case (regime_saturated)
+         slope = two_pi
+         return
+      case (regime_adhesion_zones)
+         rates = get_edge_rates(strip, state)
+      case (regime_discrete, regime_saturated_adhesion)
+         call depth_of_half_width(strip%foundation, state%half_width, depth, depth_rate, shift_rate)
+         rates = [1/depth_rate, shift_rate/depth_rate, -2/depth_rate, 0.0_dp]
+      case default
+         return
+      end select
+      associate (v => strip%foundation%v, w => state%half_width, s => state%shift)
+         by_width = 2*(strip%depth - 2*sin(w/2)**2 + cos(w)*(v*sin(s) - 2*sin(s/2)**2))
+         by_shift = 2*sin(w)*(v*cos(s) - sin(s))
+         slope = 2*w + by_width*rates(1) + by_shift*rates(2) - strip%stress*(2*rates(1) + rates(3) + rates(4))
+      end associate
+   end function get_load_slope
 
    !> What follows from the sums.
    pure subroutine finish(strip, sums, balance)

@@ -8,16 +8,24 @@ module adfric_wavy_edges
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_wavy_contact_zone, only: decay, coth_and_slope, get_lag, longest_decay
-   use adfric_wavy_strip, only: strip_t, steady_state_t, drive, profile, lifted_profile, regime_adhesion_zones
+   use adfric_wavy_phases, only: phases_left
+   use adfric_wavy_strip, only: strip_t, steady_state_t, drive, profile, lifted_profile, regime_adhesion_zones, regime_adhesion_only
    implicit none (type, external)
    private
-   public :: refine_edges, refine_adhesion_edges, is_admissible, get_multiplier
+   public :: refine_edges, refine_adhesion_edges, is_admissible, is_admissible_adhesion, get_multiplier, get_edge_rates
 
    integer, parameter :: max_iterations = 30
    !> Relative step after which nothing but round-off is left, for convergence is quadratic.
    real(dp), parameter :: close_enough = 1.0e-9_dp
    !> Relative step that round-off alone may cause near the end of a branch.
    real(dp), parameter :: round_off = 1.0e-6_dp
+
+   !> The four edge equations, their derivatives by the contact edges a and b and by the lengths m of the
+   !> adhesion zones, and by the depth of the strip.
+   type :: edge_equations_t
+      real(dp) :: value(4) = 0, by_depth(4) = 0
+      real(dp) :: e1_a = 0, e1_b = 0, e2_a = 0, e2_m = 0, e3_a = 0, e3_b = 0, e4_b = 0, e4_m = 0
+   end type edge_equations_t
 
 contains
 
@@ -26,6 +34,7 @@ contains
       type(strip_t), intent(in) :: strip
       !> In: a guess of half_width, shift, trailing and leading. Out: the edges; `is_converged` tells.
       type(steady_state_t), intent(inout) :: state
+      type(edge_equations_t) :: equations
       real(dp) :: step(4), size_now, size_last, share
       integer :: iteration
 
@@ -39,7 +48,8 @@ contains
       state%outer_shift = state%shift + (state%leading - state%trailing)/2
       size_last = huge(1.0_dp)
       do iteration = 1, max_iterations
-         call get_newton_step(strip, state, step)
+         call get_edge_equations(strip, state, equations)
+         step = solve_edges(equations, equations%value)
          share = largest_share(state, step)
          size_now = maxval(abs(step)/[state%half_width, 1.0_dp, state%trailing, max(state%leading, tiny(1.0_dp))])
          if (.not. size_now < huge(1.0_dp)) return
@@ -74,17 +84,14 @@ contains
       free_length = two_pi - 2*state%half_width - state%trailing - state%leading
    end function free_length
 
-   !> Newton step for (half_width, shift, trailing, leading).
-   pure subroutine get_newton_step(strip, state, step)
+   !> The edge equations at the edges of `state`.
+   pure subroutine get_edge_equations(strip, state, equations)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
-      real(dp), intent(out) :: step(4)
-      real(dp) :: e(4), e1_a, e1_b, e2_a, e2_m, e3_a, e3_b, e4_b, e4_m
+      type(edge_equations_t), intent(out) :: equations
       real(dp) :: sin_w, cos_w, sin_s, cos_s, sin_t, cos_t, sin_l, cos_l
       real(dp) :: sin_a, cos_a, sin_b, cos_b, sin_a1, cos_a1, sin_b1, cos_b1, sin_outer
       real(dp) :: lost_t, lost_l, lost_f, w_t, w_l, w_f, gap, inner, outer
-      real(dp) :: edge_a(2), length_a(2), edge_b(2), length_b(2)
-      real(dp) :: free_a, free_b, rest_free, rest_contact, determinant, da, db
 
       ! sines and cosines of all edges from those of four angles
       sin_w = sin(state%half_width); cos_w = cos(state%half_width)
@@ -99,9 +106,12 @@ contains
       ! F(-a) - F(b) and F(-a1) - F(b1)
       inner = 2*sin_w*sin_s
       outer = 2*sin_outer*sin(state%outer_shift)
-      call get_contact_equation(strip, state, sin_w, cos_w, sin_s, cos_s, e(1), e1_a, e1_b)
 
-      associate (v => strip%foundation%v)
+      associate (v => strip%foundation%v, e => equations%value, e1_a => equations%e1_a, e1_b => equations%e1_b, &
+         & e2_a => equations%e2_a, e2_m => equations%e2_m, e3_a => equations%e3_a, e3_b => equations%e3_b, &
+         & e4_b => equations%e4_b, e4_m => equations%e4_m)
+         call get_contact_equation(strip, state, sin_w, cos_w, sin_s, cos_s, e(1), e1_a, e1_b)
+
          ! trailing adhesion: gap = range at its end
          lost_t = decay(state%trailing/v)
          w_t = strip%depth - versine(sin_a, cos_a)
@@ -119,6 +129,7 @@ contains
          ! cancel, is what keeps the displacement continuous in fast sliding
          gap = strip%range - strip%jump
          if (state%entry > 0) then
+            lost_l = 0
             e(3) = -w_t*lost_t - w_f*lost_f + inner - gap - e(2)
             e(4) = 0; e4_b = 0; e4_m = 1
          else
@@ -129,26 +140,49 @@ contains
             e4_b = sin_b - sin_b1*(1 - lost_l)
             e4_m = -(sin_b1 + w_l/v)*(1 - lost_l)
          end if
+         equations%by_depth = [1.0_dp, -lost_t, -lost_f, -lost_l]
       end associate
+   end subroutine get_edge_equations
 
-      ! each adhesion zone ties its length to its contact edge; two equations are left for two parameters
-      call tie_zone(e(2), e2_a, e2_m, edge_a, length_a)
-      call tie_zone(e(4), e4_b, e4_m, edge_b, length_b)
-      step = huge(1.0_dp)
-      free_a = e3_a*(edge_a(2) + length_a(2))
-      free_b = e3_b*(edge_b(2) + length_b(2))
-      rest_free = -e(3) - e3_a*(edge_a(1) + length_a(1)) - e3_b*(edge_b(1) + length_b(1))
-      rest_contact = -e(1) - e1_a*edge_a(1) - e1_b*edge_b(1)
-      determinant = free_a*e1_b*edge_b(2) - free_b*e1_a*edge_a(2)
-      if (.not. abs(determinant) >= tiny(1.0_dp)) return
-      da = (rest_free*e1_b*edge_b(2) - free_b*rest_contact)/determinant
-      db = (free_a*rest_contact - rest_free*e1_a*edge_a(2))/determinant
+   !> The step of (half_width, shift, trailing, leading) that takes away `value` from the edge equations.
+   pure function solve_edges(equations, value) result(step)
+      type(edge_equations_t), intent(in) :: equations
+      real(dp), intent(in) :: value(4)
+      real(dp) :: step(4)
+      real(dp) :: edge_a(2), length_a(2), edge_b(2), length_b(2)
+      real(dp) :: free_a, free_b, rest_free, rest_contact, determinant, da, db
+
+      associate (e => equations)
+         ! each adhesion zone ties its length to its contact edge; two equations are left for two parameters
+         call tie_zone(value(2), e%e2_a, e%e2_m, edge_a, length_a)
+         call tie_zone(value(4), e%e4_b, e%e4_m, edge_b, length_b)
+         step = huge(1.0_dp)
+         free_a = e%e3_a*(edge_a(2) + length_a(2))
+         free_b = e%e3_b*(edge_b(2) + length_b(2))
+         rest_free = -value(3) - e%e3_a*(edge_a(1) + length_a(1)) - e%e3_b*(edge_b(1) + length_b(1))
+         rest_contact = -value(1) - e%e1_a*edge_a(1) - e%e1_b*edge_b(1)
+         determinant = free_a*e%e1_b*edge_b(2) - free_b*e%e1_a*edge_a(2)
+         if (.not. abs(determinant) >= tiny(1.0_dp)) return
+         da = (rest_free*e%e1_b*edge_b(2) - free_b*rest_contact)/determinant
+         db = (free_a*rest_contact - rest_free*e%e1_a*edge_a(2))/determinant
+      end associate
       length_a(1) = length_a(1) + length_a(2)*da
       length_b(1) = length_b(1) + length_b(2)*db
       da = edge_a(1) + edge_a(2)*da
       db = edge_b(1) + edge_b(2)*db
       step = [(da + db)/2, (db - da)/2, length_a(1), length_b(1)]
-   end subroutine get_newton_step
+   end function solve_edges
+
+   !> Change of (half_width, shift, trailing, leading) with the depth of the strip.
+   pure function get_edge_rates(strip, state) result(rates)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      real(dp) :: rates(4)
+      type(edge_equations_t) :: equations
+
+      call get_edge_equations(strip, state, equations)
+      rates = solve_edges(equations, equations%by_depth)
+   end function get_edge_rates
 
    !> Solve value + by_edge x + by_length y = 0 as x = edge(1) + edge(2) t, y = length(1) + length(2) t,
    !> for the unknown with the larger factor.
@@ -221,6 +255,10 @@ contains
       integer :: iteration
 
       state%is_converged = .false.
+      state%regime = regime_adhesion_only
+      state%trailing = 0
+      state%leading = 0
+      state%entry = 0
       size_last = huge(1.0_dp)
       do iteration = 1, max_iterations
          associate (v => strip%foundation%v, width => state%half_width, shift => state%shift)
@@ -249,9 +287,10 @@ contains
          state%shift = state%shift + (step(2) - step(1))/2
          if (state%half_width <= 0 .or. 2*state%half_width >= two_pi) return
          state%is_converged = size_now <= close_enough .or. (size_now <= round_off .and. size_now >= size_last/2)
-         if (state%is_converged) return
+         if (state%is_converged) exit
          size_last = size_now
       end do
+      if (state%is_converged) state%multiplier = get_multiplier(strip, state)
    end subroutine refine_adhesion_edges
 
    !> Do the edges of contact with adhesion zones fulfil every inequality of the model? The closed forms
@@ -271,17 +310,37 @@ contains
          & .and. drive(strip, b) > state%entry
    end function is_admissible
 
-   !> Derivative of the return map at a steady state with contact and adhesion zones. A jump of the rate of
+   !> Does an adhesion zone without contact fulfil every inequality? Its gap is least at the end of the interval where
+   !> the drive is positive, or at the end of the zone.
+   pure logical function is_admissible_adhesion(strip, state)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      real(dp) :: a, b, span
+
+      a = state%half_width - state%shift
+      b = state%half_width + state%shift
+      is_admissible_adhesion = state%is_converged .and. strip%range > strip%jump &
+         & .and. drive(strip, -a) < -strip%range .and. drive(strip, b) > strip%stress - strip%range
+      if (.not. is_admissible_adhesion) return
+      span = phases_left(strip, b, 0.0_dp, .false.)
+      if (span < 0 .or. span >= 2*state%half_width) return
+      is_admissible_adhesion = strip%range - strip%jump - 2*sin(b - span/2)*sin(span/2) &
+         & - (lifted_profile(strip, b) + strip%range - strip%jump)*decay(span/strip%foundation%v) > 0
+   end function is_admissible_adhesion
+
+   !> Derivative of the return map at a steady state with adhesion and free zones. A jump of the rate of
    !> the gap where adhesion starts or ends multiplies a disturbance; the zones damp it.
    pure real(dp) function get_multiplier(strip, state) result(multiplier)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
-      real(dp) :: a1, b, b1, release, attach, after
+      real(dp) :: a1, b, b1, release, attach, after, damping
 
       associate (f => strip%foundation)
          a1 = state%half_width - state%shift + state%trailing
          b = state%half_width + state%shift
          b1 = b + state%leading
+         damping = two_pi/f%v
+         if (state%regime == regime_adhesion_zones) damping = damping + 2*state%half_width*(1/f%u - 1/f%v)
          ! rates of the gap (times v) before and after the edge
          release = -drive(strip, -a1) - strip%range
          attach = -drive(strip, b1) + strip%stress - strip%range
@@ -290,7 +349,7 @@ contains
          else
             after = -drive(strip, b1) - strip%range + strip%jump
          end if
-         multiplier = exp(-min(2*state%half_width/f%u + (two_pi - 2*state%half_width)/f%v, longest_decay)) &
+         multiplier = exp(-min(damping, longest_decay)) &
             & *((release + strip%stress - strip%jump)/release)*(after/attach)
       end associate
    end function get_multiplier

@@ -9,10 +9,11 @@ module adfric_wavy_march
    use adfric_base_constants, only: two_pi
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_wavy_contact_zone, only: decay
+   use adfric_wavy_phases, only: phases_left
    use adfric_wavy_strip, only: strip_t, lifted_profile, drive
    implicit none (type, external)
    private
-   public :: column_t, advance, march_period, march_to_leading_edge, period_t, phases_left
+   public :: column_t, advance, march_period, march_to_leading_edge, period_t
    public :: in_contact, in_adhesion, in_free
    public :: period_closed, period_never_released, period_never_attached
 
@@ -69,25 +70,6 @@ contains
       value = self%start + self%amplitude*lost + self%x*(2*sin(x/2)**2) + self%y*sin(x)
       slope = self%amplitude*(1 - lost)/self%length + self%x*sin(x) + self%y*cos(x)
    end subroutine evaluate
-
-   !> Phase left from xi to the next end of the interval where the drive is above a bound, or below it;
-   !> a whole period if it always is, negative if it never is.
-   pure real(dp) function phases_left(strip, xi, bound, below) result(left)
-      type(strip_t), intent(in) :: strip
-      real(dp), intent(in) :: xi, bound
-      logical, intent(in) :: below
-      real(dp) :: ratio, crossing
-
-      associate (v => strip%foundation%v)
-         ratio = (bound - strip%level)/sqrt(1 + v*v)
-         left = merge(two_pi, -1.0_dp, ratio > 0 .eqv. below)
-         if (abs(ratio) >= 1) return
-         crossing = acos(ratio)
-         if (below) crossing = -crossing
-         ! the drive is level + hypot(1, v) cos(tau), tau = atan(v) - xi growing
-         left = modulo(crossing - atan(v) + xi, two_pi)
-      end associate
-   end function phases_left
 
    !> Pressure above -stress in contact.
    pure type(zone_curve_t) function contact_curve(strip, column) result(curve)

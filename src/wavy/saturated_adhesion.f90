@@ -51,11 +51,13 @@ contains
    end function shift_of_half_width
 
    !> Depth \( \kappa + 1 \) of a half width, to full relative precision, and its derivative.
-   elemental subroutine depth_of_half_width(foundation, half_width, depth, slope)
+   elemental subroutine depth_of_half_width(foundation, half_width, depth, slope, shift_slope)
       type(foundation_t), intent(in) :: foundation
       !> In (0, pi).
       real(dp), intent(in) :: half_width
       real(dp), intent(out) :: depth, slope
+      !> Derivative of the shift.
+      real(dp), intent(out), optional :: shift_slope
       real(dp) :: coth_u, coth_v, excess_u, excess_v, s, c, n, d, h, versine, h_less_d
       real(dp) :: n_slope, d_slope, h_slope, storage_coth
 
@@ -78,6 +80,7 @@ contains
          h_slope = (n*n_slope + d*d_slope)/h
          slope = (n_slope*s*coth_v + n*(c*coth_v + s*excess_v/v) + d_slope*versine + d*s &
             & + (n*n_slope - h_less_d*d_slope)/h - depth*h_slope)/h
+         if (present(shift_slope)) shift_slope = (n_slope*d - n*d_slope)/(h*h)
       end associate
    end subroutine depth_of_half_width
 

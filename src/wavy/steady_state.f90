@@ -9,15 +9,16 @@ module adfric_wavy_steady_state
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
    use adfric_wavy_contact_zone, only: decay
-   use adfric_wavy_edges, only: refine_edges, refine_adhesion_edges, is_admissible
-   use adfric_wavy_march, only: column_t, period_t, march_period, march_to_leading_edge, phases_left, &
+   use adfric_wavy_edges, only: refine_edges, refine_adhesion_edges, is_admissible, is_admissible_adhesion
+   use adfric_wavy_march, only: column_t, period_t, march_period, march_to_leading_edge, &
       & in_contact, in_adhesion, in_free, period_closed, period_never_released, period_never_attached
+   use adfric_wavy_phases, only: phases_left
    use adfric_wavy_saturated_adhesion, only: half_width_of_depth, shift_of_half_width, saturation_level
    use adfric_wavy_strip, only: strip_t, lifted_profile, steady_state_t, regime_free, regime_adhesion_only, &
       & regime_discrete, regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
    implicit none (type, external)
    private
-   public :: find_steady_state, branch_adhered, branch_approach
+   public :: find_steady_state, find_without_release, get_range_margin, branch_adhered, branch_approach
 
    !> Which steady state is sought where there are several.
    integer, parameter :: branch_adhered = 1, branch_approach = 2
@@ -29,18 +30,27 @@ module adfric_wavy_steady_state
 contains
 
    !> Find the steady state of a strip.
-   pure subroutine find_steady_state(strip, branch, state, guess)
+   pure subroutine find_steady_state(strip, branch, state, guess, is_regime_known)
       type(strip_t), intent(in) :: strip
       !> One of `branch_...`.
       integer, intent(in) :: branch
       type(steady_state_t), intent(out) :: state
       !> A neighbour's state; it may save time, and cannot change the answer.
       type(steady_state_t), intent(in), optional :: guess
+      !> Is this strip known to be in the regime of the guess, if it is stable there? Then nothing else is tried.
+      logical, intent(in), optional :: is_regime_known
+      logical :: is_found, is_known
 
       if (strip%stress <= 0) then
          call find_without_release(strip, state, guess)
          if (state%regime == regime_saturated_adhesion) state%regime = regime_discrete
          return
+      end if
+      is_known = .false.
+      if (present(is_regime_known)) is_known = is_regime_known
+      if (is_known .and. present(guess)) then
+         call continue_state(strip, guess, state, is_found)
+         if (is_found) return
       end if
       if (branch == branch_approach) then
          ! the free surface, undisturbed
@@ -49,17 +59,41 @@ contains
       else
          call find_without_release(strip, state, guess)
          if (.not. state%is_converged) return
-         if (stays_in_range(strip, state)) return
+         if (get_range_margin(strip, state) >= 0) return
       end if
       if (present(guess)) then
          if (guess%regime == regime_adhesion_zones) then
-            state = guess
-            call refine_edges(strip, state)
-            if (is_admissible(strip, state) .and. state%multiplier < 1) return
+            call continue_state(strip, guess, state, is_found)
+            if (is_found) return
          end if
       end if
       call search_with_release(strip, branch, state)
    end subroutine find_steady_state
+
+   !> The state of this strip that continues a neighbour's in the same regime, if there is a stable one.
+   pure subroutine continue_state(strip, guess, state, is_found)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: guess
+      type(steady_state_t), intent(out) :: state
+      logical, intent(out) :: is_found
+
+      state = guess
+      is_found = .false.
+      select case (guess%regime)
+      case (regime_adhesion_zones)
+         call refine_edges(strip, state)
+         is_found = is_admissible(strip, state)
+      case (regime_adhesion_only)
+         if (guess%half_width >= pi) return
+         call refine_adhesion_edges(strip, state)
+         is_found = is_admissible_adhesion(strip, state)
+      case (regime_saturated_adhesion)
+         call find_without_release(strip, state, guess)
+         is_found = state%is_converged .and. state%regime == guess%regime
+         if (is_found) is_found = get_range_margin(strip, state) >= 0
+      end select
+      if (is_found) is_found = state%multiplier < 1
+   end subroutine continue_state
 
    !> The state with adhesion everywhere in the gap, whatever its range: there is exactly one.
    pure subroutine find_without_release(strip, state, guess)
@@ -83,28 +117,28 @@ contains
       end if
    end subroutine find_without_release
 
-   !> Does the gap of a state found without release stay within the range of adhesion?
-   pure logical function stays_in_range(strip, state)
+   !> By how much the range of adhesion exceeds the gap of a state found without release, where it matters:
+   !> adhesion is lost somewhere if and only if this is negative.
+   pure real(dp) function get_range_margin(strip, state) result(margin)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
-      real(dp) :: opening, span, gap, w
+      real(dp) :: opening, span
 
+      margin = strip%range
       select case (state%regime)
       case (regime_adhesion_only)
-         stays_in_range = 1 - strip%level <= strip%range
+         margin = strip%range - (2 - strip%depth)
       case (regime_saturated_adhesion)
          ! where the drive is below -range a gap of the range only grows, so the end of that interval decides
          opening = state%shift - state%half_width
          span = phases_left(strip, opening, -strip%range, .true.)
-         stays_in_range = span < 0 .or. span > two_pi - 2*state%half_width
-         if (stays_in_range) return
-         w = lifted_profile(strip, opening)
-         gap = -w*decay(span/strip%foundation%v) + 2*sin(opening - span/2)*sin(-span/2)
-         stays_in_range = gap <= strip%range
+         if (span < 0 .or. span > two_pi - 2*state%half_width) return
+         margin = strip%range + lifted_profile(strip, opening)*decay(span/strip%foundation%v) &
+            & + 2*sin(opening - span/2)*sin(span/2)
       case default
-         stays_in_range = .true.
+         continue
       end select
-   end function stays_in_range
+   end function get_range_margin
 
    !> Search the states in which adhesion is lost somewhere, from the bound of the branch.
    pure subroutine search_with_release(strip, branch, state)

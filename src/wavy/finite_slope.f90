@@ -1,0 +1,87 @@
+!> Friction with GM's finite slope, tau = p sin(arctan f') (GM 13), by Gauss's rule.
+module adfric_wavy_finite_slope
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi, half_pi
+   use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
+   use adfric_wavy_column, only: get_column
+   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_adhesion_only, regime_adhesion_zones, &
+      & regime_saturated
+   implicit none (type, external)
+   private
+   public :: get_finite_slope_friction, shear_of_pressure
+
+contains
+
+   !> Shear stress under a pressure p at a phase, positive against the motion: -p sin(arctan f').
+   elemental real(dp) function shear_of_pressure(pressure, xi, slope) result(shear)
+      real(dp), intent(in) :: pressure, xi
+      !> Largest slope of the strip, k h_y/2; f' = -slope sin(xi).
+      real(dp), intent(in) :: slope
+
+      shear = pressure*slope*sin(xi)/sqrt(1 + (slope*sin(xi))**2)
+   end function shear_of_pressure
+
+   !> Integral of the shear stress over a period, over the slope: in the units of `balance_t%friction`.
+   pure real(dp) function get_finite_slope_friction(strip, state, slope) result(friction)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      !> Largest slope of the strip.
+      real(dp), intent(in) :: slope
+      real(dp) :: a, b, trailing, start, finish, length
+
+      friction = 0
+      if (state%regime == regime_free) return
+      a = state%half_width - state%shift
+      b = state%half_width + state%shift
+      if (state%regime == regime_adhesion_only) then
+         friction = strip%stress*(rise(b) - rise(a))
+         return
+      end if
+      if (state%regime == regime_saturated) then
+         a = pi
+         b = pi
+      end if
+      if (state%regime == regime_adhesion_zones) then
+         trailing = state%trailing
+         friction = strip%stress*(rise(b + state%leading) - rise(b) + rise(a) - rise(a + trailing))
+      else
+         friction = strip%stress*(rise(a) - rise(b))
+      end if
+      ! pieces that grow from the leading edge, where the pressure changes over the length u
+      start = 0
+      length = min(strip%foundation%u, half_pi/2)
+      do while (start < a + b)
+         finish = min(start + length, a + b)
+         ! beyond 40 u the exponential is gone and the pressure is a sine
+         if (a + b - finish < length/4) finish = a + b
+         friction = friction + integrate_piece(b - finish, b - start)
+         start = finish
+         length = min(2*length, half_pi/2)
+      end do
+
+   contains
+
+      !> Integral of sin/sqrt(1 + slope^2 sin^2), with the sign of cos.
+      pure real(dp) function rise(xi)
+         real(dp), intent(in) :: xi
+
+         rise = asin(slope*cos(xi)/sqrt(1 + slope**2))/slope
+      end function rise
+
+      pure real(dp) function integrate_piece(from, to) result(integral)
+         real(dp), intent(in) :: from, to
+         real(dp) :: xi, displacement, pressure
+         integer :: k
+
+         integral = 0
+         do k = 1, size(gauss_nodes)
+            xi = (from + to)/2 + (to - from)/2*gauss_nodes(k)
+            call get_column(strip, state, xi, displacement, pressure)
+            integral = integral + gauss_weights(k)*shear_of_pressure(pressure, xi, slope)
+         end do
+         integral = integral*(to - from)/(2*slope)
+      end function integrate_piece
+
+   end function get_finite_slope_friction
+
+end module adfric_wavy_finite_slope

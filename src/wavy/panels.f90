@@ -1,0 +1,374 @@
+!> Panels across a 3-D surface: stretches of the crosswise phase \( \theta = k y \) in which all strips are in one regime.
+!>
+!> Where the regime changes, forces have kinks or jumps across the surface, and no quadrature rule gets past them.
+!> Edges of panels are known in closed form where contact begins or saturates. Where adhesion starts to be lost, the
+!> margin of the range passes through zero; where a branch ends, 1 - multiplier does, like a square root.
+module adfric_wavy_panels
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_wavy_saturated_adhesion, only: saturation_level
+   use adfric_wavy_steady_state, only: find_steady_state, find_without_release, get_range_margin, branch_adhered, &
+      & branch_approach
+   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_saturated_adhesion
+   use adfric_wavy_surface, only: surface_t, new_surface_strip
+   implicit none (type, external)
+   private
+   public :: panel_t, division_t, divide_surface, share_at
+
+   integer, parameter :: max_panels = 24
+   !> Edges that may be known in closed form: saturation, first contact, range.
+   integer, parameter :: n_known = 3
+   !> Strips that are looked at on each stretch between edges known in closed form.
+   integer, parameter :: n_probes = 8
+   !> An edge known to this phase moves no result by more than round-off does.
+   real(dp), parameter :: sharp = 1.0e-12_dp
+   integer, parameter :: max_trials = 60
+   !> How far beyond an edge the next regime is looked at, as a share of the way left.
+   real(dp), parameter :: beyond_edge = 1.0e-4_dp
+
+   !> A stretch of strips in one regime.
+   type :: panel_t
+      !> Crosswise phase of its ends.
+      real(dp) :: start = 0, finish = 0
+      !> One of `regime_...`.
+      integer :: regime = 0
+      !> Which closed form its start is known by; 0 if it was searched for.
+      integer :: kind = 0
+   end type panel_t
+
+   !> All panels of half a period, from the crest line to the valley line.
+   type :: division_t
+      type(panel_t) :: panels(max_panels)
+      integer :: n_panels = 0
+      !> Penetration they belong to [h].
+      real(dp) :: penetration = 0
+      !> Strips solved on the way.
+      integer :: n_strips = 0
+   end type division_t
+
+   !> A strip that was looked at.
+   type :: probe_t
+      real(dp) :: theta = 0
+      type(steady_state_t) :: state
+   end type probe_t
+
+contains
+
+   !> Share of the height at a crosswise phase.
+   elemental real(dp) function share_at(theta)
+      real(dp), intent(in) :: theta
+
+      share_at = cos(theta/2)**2
+   end function share_at
+
+   !> Divide half a period into panels.
+   pure subroutine divide_surface(surface, penetration, division)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      !> In: the division of a neighbouring surface, or none; it saves time. Out: this one's.
+      type(division_t), intent(inout) :: division
+      real(dp) :: edges(n_known + 2)
+      integer :: kinds(n_known + 2), n_edges, k
+      logical :: is_tracked
+
+      division%n_strips = 0
+      call get_known_edges(surface, penetration, edges, kinds, n_edges)
+      call track_edges(surface, penetration, edges(:n_edges), kinds(:n_edges), division, is_tracked)
+      if (.not. is_tracked) then
+         division%n_panels = 0
+         do k = 1, n_edges - 1
+            call divide_stretch(surface, penetration, edges(k), edges(k + 1), kinds(k), division)
+         end do
+      end if
+      division%penetration = penetration
+   end subroutine divide_surface
+
+   !> Crosswise phases where the regime changes in closed form, with both ends, in increasing order.
+   pure subroutine get_known_edges(surface, penetration, edges, kinds, n_edges)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      real(dp), intent(out) :: edges(n_known + 2)
+      !> Which of the closed forms, 1 to `n_known`.
+      integer, intent(out) :: kinds(n_known + 2)
+      integer, intent(out) :: n_edges
+      real(dp) :: shares(n_known), lift, excess, theta
+      integer :: k, j
+
+      lift = penetration - 1 + surface%stress
+      excess = saturation_level(surface%foundation) - 1
+      shares = -1
+      ! saturation: lift + Y/2 = |G| Y/2; first contact: lift + Y = 0; range: D_y = -range
+      if (excess > 0) shares(1) = 2*lift/excess
+      shares(2) = -lift
+      if (surface%branch == branch_approach) shares(3) = 1 - penetration - surface%range
+      edges = pi
+      edges(1) = 0
+      kinds = 0
+      n_edges = 1
+      do k = 1, n_known
+         if (.not. (shares(k) > 0 .and. shares(k) < 1)) cycle
+         theta = 2*acos(sqrt(shares(k)))
+         n_edges = n_edges + 1
+         j = n_edges
+         do while (edges(j - 1) > theta)
+            edges(j) = edges(j - 1)
+            kinds(j) = kinds(j - 1)
+            j = j - 1
+         end do
+         edges(j) = theta
+         kinds(j) = k
+      end do
+      n_edges = n_edges + 1
+      edges(n_edges) = pi
+   end subroutine get_known_edges
+
+   !> Follow the edges of a neighbouring surface to where they are now. It fails where an edge is not found nearby;
+   !> an edge that is born elsewhere shows when strips of the wrong regime are met.
+   pure subroutine track_edges(surface, penetration, edges, kinds, division, is_tracked)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration, edges(:)
+      integer, intent(in) :: kinds(:)
+      type(division_t), intent(inout) :: division
+      logical, intent(out) :: is_tracked
+      type(probe_t) :: one, two
+      real(dp) :: reach, edge
+      integer :: k, n_searched
+
+      n_searched = count(division%panels(2:division%n_panels)%kind == 0)
+      is_tracked = division%n_panels > 0 .and. n_searched + size(edges) - 1 == division%n_panels
+      if (.not. is_tracked) return
+      reach = 20*abs(penetration - division%penetration) + 1.0e-6_dp
+      do k = 2, division%n_panels
+         associate (before => division%panels(k - 1), this => division%panels(k))
+            if (this%kind > 0) then
+               is_tracked = any(kinds == this%kind)
+               if (.not. is_tracked) return
+               edge = edges(findloc(kinds, this%kind, 1))
+            else
+               is_tracked = reach < min(this%start - before%start, this%finish - this%start)/3
+               if (.not. is_tracked) return
+               one = probe(surface, penetration, this%start - reach)
+               two = probe(surface, penetration, this%start + reach)
+               is_tracked = one%state%regime == before%regime .and. two%state%regime == this%regime
+               if (.not. is_tracked) return
+               if (ends_first(surface, before%regime, this%regime)) then
+                  call locate_edge(surface, penetration, one, two%theta, edge, division%n_strips)
+               else
+                  call locate_edge(surface, penetration, two, one%theta, edge, division%n_strips)
+               end if
+               division%n_strips = division%n_strips + 2
+            end if
+            is_tracked = edge > before%start
+            if (.not. is_tracked) return
+            before%finish = edge
+            this%start = edge
+         end associate
+      end do
+   end subroutine track_edges
+
+   !> Divide a stretch without known edges.
+   pure subroutine divide_stretch(surface, penetration, start, finish, kind, division)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration, start, finish
+      !> Which closed form the stretch begins with.
+      integer, intent(in) :: kind
+      type(division_t), intent(inout) :: division
+      type(probe_t) :: last, next
+      integer :: k, count
+
+      count = 1
+      ! without release the closed forms know every edge
+      if (surface%stress > 0) count = n_probes
+      last = probe(surface, penetration, start + (finish - start)*0.5_dp/count)
+      call add_panel(division, start, last%state%regime, kind)
+      do k = 2, count
+         next = probe(surface, penetration, start + (finish - start)*(k - 0.5_dp)/count, last%state)
+         call divide_between(surface, penetration, last, next, division)
+         last = next
+      end do
+      division%panels(division%n_panels)%finish = finish
+      division%n_strips = division%n_strips + count
+   end subroutine divide_stretch
+
+   !> Find the edges between two strips: one edge of a regime at an end, then what lies beyond it.
+   pure recursive subroutine divide_between(surface, penetration, one, two, division)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(probe_t), intent(in) :: one, two
+      type(division_t), intent(inout) :: division
+      type(probe_t) :: beyond
+      real(dp) :: edge
+
+      if (one%state%regime == two%state%regime .or. division%n_panels == max_panels) return
+      if (ends_first(surface, one%state%regime, two%state%regime)) then
+         call locate_edge(surface, penetration, one, two%theta, edge, division%n_strips)
+         beyond = probe(surface, penetration, edge + beyond_edge*(two%theta - edge))
+         division%panels(division%n_panels)%finish = edge
+         call add_panel(division, edge, beyond%state%regime, 0)
+         call divide_between(surface, penetration, beyond, two, division)
+      else
+         call locate_edge(surface, penetration, two, one%theta, edge, division%n_strips)
+         beyond = probe(surface, penetration, edge + beyond_edge*(one%theta - edge))
+         call divide_between(surface, penetration, one, beyond, division)
+         division%panels(division%n_panels)%finish = edge
+         call add_panel(division, edge, two%state%regime, 0)
+      end if
+   end subroutine divide_between
+
+   !> Of two regimes, is it the first whose end can be found more easily?
+   pure logical function ends_first(surface, one, two)
+      type(surface_t), intent(in) :: surface
+      integer, intent(in) :: one, two
+      integer :: order(0:5)
+
+      ! by regime number: free, adhesion only, discrete, saturated adhesion, adhesion zones, saturated
+      order = [0, 1, 0, 0, 2, 0]
+      if (surface%branch == branch_adhered) order(regime_saturated_adhesion) = 3
+      ends_first = order(one) >= order(two)
+   end function ends_first
+
+   !> Begin a panel; when there are too many the last one goes on.
+   pure subroutine add_panel(division, start, regime, kind)
+      type(division_t), intent(inout) :: division
+      real(dp), intent(in) :: start
+      integer, intent(in) :: regime, kind
+
+      if (division%n_panels < max_panels) division%n_panels = division%n_panels + 1
+      division%panels(division%n_panels) = panel_t(start, pi, regime, kind)
+   end subroutine add_panel
+
+   !> Look at one strip.
+   pure type(probe_t) function probe(surface, penetration, theta, guess, is_regime_known)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration, theta
+      type(steady_state_t), intent(in), optional :: guess
+      logical, intent(in), optional :: is_regime_known
+      type(strip_t) :: strip
+
+      call new_surface_strip(surface, penetration, share_at(theta), strip)
+      probe%theta = theta
+      call find_steady_state(strip, surface%branch, probe%state, guess, is_regime_known)
+   end function probe
+
+   !> Where the regime of a strip ends, on the way to another phase where it has ended.
+   pure subroutine locate_edge(surface, penetration, inside, outside, edge, n_strips)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(probe_t), intent(in) :: inside
+      real(dp), intent(in) :: outside
+      real(dp), intent(out) :: edge
+      integer, intent(inout) :: n_strips
+
+      if (surface%branch == branch_adhered .and. inside%state%regime == regime_saturated_adhesion) then
+         call locate_release(surface, penetration, inside%theta, outside, edge, n_strips)
+      else
+         call locate_fold(surface, penetration, inside, outside, edge, n_strips)
+      end if
+   end subroutine locate_edge
+
+   !> Where adhesion begins to be lost: the margin of the range is positive at `inside`, negative at `outside`.
+   !> Regula falsi with the Illinois rule.
+   pure subroutine locate_release(surface, penetration, inside, outside, edge, n_strips)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration, inside, outside
+      real(dp), intent(out) :: edge
+      integer, intent(inout) :: n_strips
+      real(dp) :: low, high, at_low, at_high, value
+      integer :: trial, side
+
+      low = inside
+      high = outside
+      at_low = margin_at(surface, penetration, low)
+      at_high = margin_at(surface, penetration, high)
+      side = 0
+      do trial = 1, max_trials
+         edge = low + (high - low)/2
+         if (at_low > 0 .and. at_high < 0) edge = (low*at_high - high*at_low)/(at_high - at_low)
+         if (abs(high - low) <= sharp .or. abs(edge - low) <= sharp .or. abs(edge - high) <= sharp) exit
+         value = margin_at(surface, penetration, edge)
+         if (value >= 0) then
+            low = edge
+            at_low = value
+            if (side == 1) at_high = at_high/2
+            side = 1
+         else
+            high = edge
+            at_high = value
+            if (side == -1) at_low = at_low/2
+            side = -1
+         end if
+      end do
+      n_strips = n_strips + trial
+   end subroutine locate_release
+
+   !> Margin of the range in the state with adhesion in the whole gap.
+   pure real(dp) function margin_at(surface, penetration, theta) result(margin)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration, theta
+      type(strip_t) :: strip
+      type(steady_state_t) :: state
+
+      call new_surface_strip(surface, penetration, share_at(theta), strip)
+      call find_without_release(strip, state)
+      margin = get_range_margin(strip, state)
+   end function margin_at
+
+   !> Where the branch of `inside` ends. Near a fold (1 - multiplier)^2 is linear, where contact is lost the square of
+   !> its width: secants of both from the inside, with bisection wherever they leave the bracket.
+   pure subroutine locate_fold(surface, penetration, inside, outside, edge, n_strips)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(probe_t), intent(in) :: inside
+      real(dp), intent(in) :: outside
+      real(dp), intent(out) :: edge
+      integer, intent(inout) :: n_strips
+      type(probe_t) :: near, far, next
+      real(dp) :: limit, guess
+      integer :: trial
+      logical :: is_inside
+
+      near = inside
+      far = inside
+      limit = outside
+      edge = near%theta + (limit - near%theta)/2
+      do trial = 1, max_trials
+         next = probe(surface, penetration, edge, near%state, .true.)
+         is_inside = next%state%regime == inside%state%regime
+         if (is_inside) then
+            far = near
+            near = next
+         else
+            limit = edge
+         end if
+         if (abs(limit - near%theta) <= sharp) exit
+         edge = near%theta + (limit - near%theta)/2
+         guess = nearest_end(near, far, limit)
+         if (abs(guess - near%theta) <= sharp) exit
+         ! just short of the guess, but bisection where the last step gained too little
+         if (is_inside .and. (guess - near%theta)*(guess - limit) < 0 &
+            & .and. (trial < 3 .or. abs(guess - near%theta) < abs(near%theta - far%theta)/4)) then
+            edge = near%theta + (guess - near%theta)*0.999_dp
+         end if
+      end do
+      edge = near%theta
+      n_strips = n_strips + trial
+   end subroutine locate_fold
+
+   !> Where the secants through two strips of a branch expect its end; `limit` if nowhere.
+   pure real(dp) function nearest_end(near, far, limit) result(theta)
+      type(probe_t), intent(in) :: near, far
+      real(dp), intent(in) :: limit
+      real(dp) :: at_near(2), at_far(2), guess
+      integer :: k
+
+      at_near = [1 - near%state%multiplier, near%state%half_width]**2
+      at_far = [1 - far%state%multiplier, far%state%half_width]**2
+      theta = limit
+      do k = 1, 2
+         if (at_far(k) <= at_near(k)) cycle
+         guess = near%theta + (near%theta - far%theta)*at_near(k)/(at_far(k) - at_near(k))
+         if (abs(guess - near%theta) < abs(theta - near%theta)) theta = guess
+      end do
+   end function nearest_end
+
+end module adfric_wavy_panels

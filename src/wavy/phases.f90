@@ -1,0 +1,31 @@
+!> Intervals of the phase in which the drive of a strip is above or below a bound.
+module adfric_wavy_phases
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_wavy_strip, only: strip_t
+   implicit none (type, external)
+   private
+   public :: phases_left
+
+contains
+
+   !> Phase left from xi to the next end of the interval where the drive is above a bound, or below it;
+   !> a whole period if it always is, negative if it never is.
+   pure real(dp) function phases_left(strip, xi, bound, below) result(left)
+      type(strip_t), intent(in) :: strip
+      real(dp), intent(in) :: xi, bound
+      logical, intent(in) :: below
+      real(dp) :: ratio, crossing
+
+      associate (v => strip%foundation%v)
+         ratio = (bound - strip%level)/sqrt(1 + v*v)
+         left = merge(two_pi, -1.0_dp, ratio > 0 .eqv. below)
+         if (abs(ratio) >= 1) return
+         crossing = acos(ratio)
+         if (below) crossing = -crossing
+         ! the drive is level + hypot(1, v) cos(tau), tau = atan(v) - xi growing
+         left = modulo(crossing - atan(v) + xi, two_pi)
+      end associate
+   end function phases_left
+
+end module adfric_wavy_phases

@@ -1,0 +1,111 @@
+!> The wavy surface as a set of strips, and what the strips add up to.
+!>
+!> Reduced units: lengths along the surface in periods l, heights in h, pressure in h/K.
+!> The strip at distance y from the crest line has the share Y = (1 + cos ky)/2 of the height:
+!> h_y = h Y, D_y = D - h (1 - Y) (GM 9, 10). A 2-D surface is the one strip Y = 1.
+module adfric_wavy_surface
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_wavy_balance, only: balance_t, get_balance, get_load_slope
+   use adfric_wavy_finite_slope, only: get_finite_slope_friction
+   use adfric_wavy_foundation, only: foundation_t
+   use adfric_wavy_steady_state, only: branch_adhered
+   use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, edge_continuous, regime_free
+   implicit none (type, external)
+   private
+   public :: surface_t, totals_t, new_surface_strip, add_strip, add_load_slope
+
+   !> A wavy surface on its foundation.
+   type :: surface_t
+      logical :: is_3d = .false.
+      type(foundation_t) :: foundation
+      !> Adhesion stress [h/K]; 0 without adhesion.
+      real(dp) :: stress = 0
+      !> Range of adhesion [h].
+      real(dp) :: range = 0
+      !> One of `edge_...` and of `branch_...`.
+      integer :: edge = edge_continuous, branch = branch_adhered
+      !> k h of tau = p sin(arctan f'), or 0 for tau = p f'.
+      real(dp) :: steepness = 0
+      !> Strips on half a period of a 3-D surface (GM's 2N strips); 0: as many as the tolerance needs.
+      integer :: n_strips = 0
+      !> Relative tolerance of a 3-D surface.
+      real(dp) :: tolerance = 1.0e-8_dp
+   end type surface_t
+
+   !> Forces and areas of a surface, per period in x (and in y), at one penetration.
+   type :: totals_t
+      !> Load [h/K] and friction [h^2/(K l)], and the change of the load with the penetration [1/K].
+      real(dp) :: load = 0, friction = 0, load_slope = 0
+      !> Shares of the surface in contact and in adhesion.
+      real(dp) :: contact = 0, adhesion = 0
+      !> Energy that the foundation takes, and the edges of adhesion, in the units of friction.
+      real(dp) :: dissipation = 0, edge_loss = 0
+      !> What the balances of load and energy leave over, and the sizes of their terms.
+      real(dp) :: load_mismatch = 0, energy_mismatch = 0, load_scale = 0, friction_scale = 0
+      !> Strips solved, and those of them in closed form.
+      integer :: n_strips = 0, n_closed_form = 0
+      logical :: is_converged = .true.
+   end type totals_t
+
+contains
+
+   !> The strip with the share Y of the height, at a penetration of the surface.
+   elemental subroutine new_surface_strip(surface, penetration, share, strip)
+      type(surface_t), intent(in) :: surface
+      !> [h]
+      real(dp), intent(in) :: penetration
+      !> Y in (0, 1].
+      real(dp), intent(in) :: share
+      type(strip_t), intent(out) :: strip
+
+      call new_strip(strip, surface%foundation, share/2, penetration - (1 - share), &
+         & surface%stress, surface%range, surface%edge)
+   end subroutine new_surface_strip
+
+   !> Add a strip of a width to the totals.
+   pure subroutine add_strip(surface, strip, state, share, width, totals)
+      type(surface_t), intent(in) :: surface
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      !> Y of the strip.
+      real(dp), intent(in) :: share
+      !> Part of the period in y that it stands for.
+      real(dp), intent(in) :: width
+      type(totals_t), intent(inout) :: totals
+      type(balance_t) :: balance
+      real(dp) :: first, second, friction
+
+      totals%n_strips = totals%n_strips + 1
+      totals%is_converged = totals%is_converged .and. state%is_converged
+      if (state%regime == regime_free .or. .not. state%is_converged) return
+      call get_balance(strip, state, balance)
+      ! from units of half the height of the strip
+      first = width*share/(2*two_pi)
+      second = width*share**2/4
+      totals%load = totals%load + first*balance%load
+      totals%contact = totals%contact + width*balance%contact/two_pi
+      totals%adhesion = totals%adhesion + width*balance%adhesion/two_pi
+      totals%dissipation = totals%dissipation + second*balance%dissipation
+      totals%edge_loss = totals%edge_loss + second*balance%edge_loss
+      totals%load_mismatch = totals%load_mismatch + first*balance%load_mismatch
+      totals%load_scale = totals%load_scale + first*balance%load_scale
+      totals%energy_mismatch = totals%energy_mismatch &
+         & + second*(balance%friction - balance%dissipation - balance%edge_loss)
+      totals%friction_scale = totals%friction_scale + second*balance%friction_scale
+      friction = balance%friction
+      if (surface%steepness > 0) friction = get_finite_slope_friction(strip, state, surface%steepness*share/2)
+      totals%friction = totals%friction + second*friction
+   end subroutine add_strip
+
+   !> Add the change of a strip's load with the penetration.
+   pure subroutine add_load_slope(strip, state, width, totals)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      real(dp), intent(in) :: width
+      type(totals_t), intent(inout) :: totals
+
+      totals%load_slope = totals%load_slope + width*get_load_slope(strip, state)/two_pi
+   end subroutine add_load_slope
+
+end module adfric_wavy_surface
