@@ -8,7 +8,7 @@ option(ADFRIC_SANITIZE "Build with the address and undefined-behaviour sanitizer
 
 set(CMAKE_Fortran_FLAGS_RELEASE "-O2 -g1")
 set(CMAKE_Fortran_FLAGS_DEBUG
-  "-Og -g -fcheck=all -ffpe-trap=zero,invalid,overflow -finit-real=snan -fbacktrace")
+  "-Og -g -fcheck=all -fcheck=no-array-temps -ffpe-trap=zero,invalid,overflow -finit-real=snan -fbacktrace")
 if(ADFRIC_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
@@ -19,15 +19,3 @@ function(adfric_set_flags target)
   target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:Fortran>:
     -std=f2018 -Wall -Wextra -pedantic -Wimplicit-interface -Werror>)
 endfunction()
-
-# The revision that stands in every results file.
-find_package(Git QUIET)
-set(ADFRIC_GIT_REVISION "unknown")
-if(GIT_FOUND)
-  execute_process(COMMAND "${GIT_EXECUTABLE}" describe --always --dirty --abbrev=12
-    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
-    OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed ERROR_QUIET)
-  if(NOT failed)
-    set(ADFRIC_GIT_REVISION "${revision}")
-  endif()
-endif()

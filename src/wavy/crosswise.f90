@@ -24,7 +24,12 @@ module adfric_wavy_crosswise
 
    !> Strips of the last surface that was summed, as first guesses for the next one.
    type :: memory_t
-      type(steady_state_t) :: crest
+      !> The crest strips of the last surface and of the one before.
+      type(steady_state_t) :: crest, before
+      !> Do the surfaces change in equal steps, so that two of them foretell the next?
+      logical :: is_even = .false.
+      !> Is the change of the load with the penetration asked for?
+      logical :: needs_slope = .true.
       type(steady_state_t), allocatable :: states(:, :)
       type(division_t) :: division
    end type memory_t
@@ -57,11 +62,12 @@ contains
 
       error = 0
       call new_surface_strip(surface, penetration, 1.0_dp, strip)
-      call find_steady_state(strip, surface%branch, crest, memory%crest)
+      call find_steady_state(strip, surface%branch, crest, next_crest(memory))
+      memory%before = memory%crest
       memory%crest = crest
       if (.not. surface%is_3d) then
          call add_strip(surface, strip, crest, 1.0_dp, 1.0_dp, totals)
-         call add_load_slope(strip, crest, 1.0_dp, totals)
+         if (memory%needs_slope) call add_load_slope(strip, crest, 1.0_dp, totals)
          totals%n_closed_form = merge(1, 0, crest%regime == regime_saturated .or. crest%regime == regime_free)
       else if (surface%n_strips > 0) then
          call sum_equal_strips(surface, penetration, crest, totals)
@@ -69,6 +75,23 @@ contains
          call integrate_strips(surface, penetration, memory, totals, error)
       end if
    end subroutine get_totals
+
+   !> What the next crest strip is expected to be.
+   pure type(steady_state_t) function next_crest(memory) result(next)
+      type(memory_t), intent(in) :: memory
+      real(dp) :: lengths(4), change(4)
+
+      next = memory%crest
+      if (.not. memory%is_even .or. memory%before%regime /= next%regime) return
+      lengths = [next%half_width, pi - next%half_width, next%trailing, next%leading]
+      change = next%half_width - memory%before%half_width
+      change(2:4) = [-change(1), next%trailing - memory%before%trailing, next%leading - memory%before%leading]
+      if (any(abs(change) > lengths/2)) return
+      next%half_width = next%half_width + change(1)
+      next%shift = 2*next%shift - memory%before%shift
+      next%trailing = next%trailing + change(3)
+      next%leading = next%leading + change(4)
+   end function next_crest
 
    !> GM's sum of 2N strips of equal width.
    pure subroutine sum_equal_strips(surface, penetration, guess, totals)
@@ -237,7 +260,7 @@ contains
             if (place <= n_remembered) memory%states(k, place) = state
             node = totals_t()
             call add_strip(surface, strip, state, share, width, node)
-            call add_load_slope(strip, state, width, node)
+            if (memory%needs_slope) call add_load_slope(strip, state, width, node)
             values(:, k) = [node%load, node%friction]
             call add_totals(interval%totals, node, kronrod_weights(k))
          end do

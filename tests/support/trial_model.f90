@@ -160,7 +160,8 @@ contains
       integer :: i
 
       do i = 1, size(status)
-         associate (load => values(load_place, i), force => trial_force(values(friction_place, i), values(load_place, i)))
+         associate (load => values(load_place, i), &
+                    force => trial_force(values(friction_place, i), values(load_place, i)))
             results(1:4, i) = [load, force, merge(1.0_dp, 0.0_dp, values(velocity_place, i) > 0), real(i, dp)]
             results(5:size(self%results), i) = force
             error_estimate(i) = 1e-12_dp*i

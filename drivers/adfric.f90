@@ -1,0 +1,42 @@
+!> The program `adfric`: see `adfric help`.
+program main
+   use, intrinsic :: iso_c_binding, only: c_funptr
+   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use adfric_base_error, only: error_t
+   use adfric_base_version, only: program_version, git_revision
+   use adfric_command_check, only: check_case
+   use adfric_command_help, only: give_help
+   use adfric_command_line, only: command_t, get_arguments, parse_arguments
+   use adfric_command_outcome, only: outcome_t, exit_success
+   use adfric_command_run, only: run_case
+   use adfric_driver_progress_bar, only: progress_bar_t, new_progress_bar
+   use adfric_numerics_gsl_bindings, only: gsl_set_error_handler_off
+   implicit none (type, external)
+   type(command_t) :: command
+   type(outcome_t) :: outcome
+   type(error_t), allocatable :: error
+   type(progress_bar_t) :: bar
+   type(c_funptr) :: former_handler
+
+   former_handler = gsl_set_error_handler_off()
+   call parse_arguments(get_arguments(), command, error)
+   if (.not. allocated(error)) then
+      select case (command%name)
+      case ('run')
+         call new_progress_bar(bar, command%is_quiet)
+         call run_case(command, bar, outcome)
+         call bar%clear()
+      case ('check')
+         call check_case(command, outcome)
+      case ('help')
+         call give_help(command, outcome)
+      case default
+         call outcome%say('adfric '//program_version//' ('//git_revision//')'//new_line('a'))
+      end select
+   end if
+   if (allocated(error)) call outcome%fail(error)
+
+   if (allocated(outcome%output)) write (output_unit, '(a)', advance='no') outcome%output
+   if (allocated(outcome%errors)) write (error_unit, '(a)', advance='no') outcome%errors
+   if (outcome%exit_status /= exit_success) stop outcome%exit_status, quiet=.true.
+end program main

@@ -1,0 +1,48 @@
+"""The command line."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from .results import BadFile, Results
+
+FORMATS = (".png", ".pdf", ".svg")
+
+
+def main(arguments):
+    """Draw one figure; return the exit status: 0, or 2 for a bad command line or file."""
+    parser = argparse.ArgumentParser(
+        prog="scripts/plot",
+        description="Draw the figure of a results file; what is drawn follows from what was swept.",
+    )
+    parser.add_argument("file", metavar="FILE.h5", type=Path, help="results of adfric run")
+    parser.add_argument("-o", "--output", metavar="FIGURE", type=Path,
+                        help="figure, .png, .pdf or .svg (default: FILE.png)")
+    given = parser.parse_args(arguments)
+    figure_file = given.output or given.file.with_suffix(".png")
+    try:
+        if figure_file.suffix.lower() not in FORMATS:
+            raise BadFile(f"{figure_file}: a figure is one of {', '.join(FORMATS)}")
+        results = Results(given.file)
+        draw(results, figure_file)
+    except BadFile as problem:
+        print(f"plot: {problem}", file=sys.stderr)
+        return 2
+    except OSError as problem:
+        print(f"plot: {figure_file}: cannot write: {problem.strerror or problem}", file=sys.stderr)
+        return 2
+    print(f"figure {figure_file}")
+    return 0
+
+
+def draw(results, figure_file):
+    """Draw and save the figure of these results."""
+    # imported here, since it takes a second that a bad file need not cost
+    from .figures import choose_figure
+    from .style import use_style
+
+    use_style()
+    figure = choose_figure(results)(results)
+    if results.title:
+        figure.suptitle(results.title, fontsize="medium")
+    figure.savefig(figure_file)

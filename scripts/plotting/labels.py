@@ -1,0 +1,70 @@
+"""Words, symbols and units beside the axes and curves."""
+
+import math
+
+import numpy as np
+
+SYMBOLS = {
+    "contact_width": "a + b",
+    "friction_coefficient": r"\mu",
+    "friction_force": "T",
+    "height": "h",
+    "load": "P",
+    "penetration": "D",
+    "period": "l",
+    "pressure": "p",
+    "relaxation_time": "T_s",
+    "retardation_ratio": r"\beta",
+    "shear_stress": r"\tau",
+    "stiffness": "1/K",
+    "stress": "p_0",
+    "surface_energy": r"\gamma",
+    "velocity": "V",
+}
+NAMES = {"stress": "adhesion stress", "velocity": "sliding velocity", "x": "", "y": ""}
+PREFIXES = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
+# the power to which a prefix is raised with the first letter of the unit; others keep their unit as it is
+PREFIXED = {"m": 1, "m/s": 1, "m^2": 2, "m^2/m": 1, "s": 1, "N": 1, "N/m": 1, "Pa": 1, "Pa/m": 1, "J": 1,
+            "J/m^2": 1, "J/m": 1, "W": 1, "N m": 1}
+
+
+def scale_of(values, unit):
+    """The factor that brings values into a readable range, and the unit they then have."""
+    values = np.abs(np.asarray(values, dtype=float))
+    values = values[np.isfinite(values) & (values > 0)]
+    power = PREFIXED.get(unit)
+    if power is None or values.size == 0:
+        return 1.0, _pretty(unit)
+    # a hair above a power of ten counts as one
+    exponent = 3 * math.floor(math.log10(values.max() * (1 + 1e-9)) / (3 * power))
+    exponent = min(max(exponent, -15), 0 if unit[0] in "ms" else 12)
+    prefix = PREFIXES[exponent]
+    if unit == "m^2/m":
+        return 10.0**-exponent, f"{prefix}m²/{prefix}m"
+    return 10.0 ** (-exponent * power), prefix + _pretty(unit)
+
+
+def axis_label(name, unit):
+    """Label of an axis: name, symbol and unit."""
+    words = NAMES.get(name, name.replace("_", " "))
+    words = words[:1].upper() + words[1:]
+    symbol = f"${SYMBOLS[name]}$" if name in SYMBOLS else ("" if words else f"${name}$")
+    label = " ".join(part for part in (words, symbol) if part)
+    return f"{label} ({unit})" if unit else label
+
+
+def point_label(pairs, model):
+    """Label of a curve or a panel: the swept values that it belongs to."""
+    return ", ".join(_value_label(axis, value, model) for axis, value in pairs)
+
+
+def _value_label(axis, value, model):
+    if model == "wavy_sliding" and axis.name == "stress" and value == 0:
+        return "no adhesion"
+    factor, unit = scale_of(axis.values, axis.unit)
+    symbol = f"${SYMBOLS[axis.name]}$" if axis.name in SYMBOLS else axis.name.replace("_", " ")
+    return f"{symbol} = {value * factor:.5g} {unit}".rstrip()
+
+
+def _pretty(unit):
+    return "" if unit == "-" else unit.replace("^2", "²").replace("^3", "³")

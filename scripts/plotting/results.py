@@ -1,0 +1,83 @@
+"""A results file, read into arrays that know their axes and units."""
+
+from dataclasses import dataclass
+
+import h5py
+import numpy as np
+
+NOT_CONVERGED = 2
+
+
+class BadFile(Exception):
+    """A file that cannot be drawn; the text names the file and the reason."""
+
+
+@dataclass
+class Field:
+    """A dataset with its unit."""
+
+    name: str
+    unit: str
+    values: np.ndarray
+
+
+class Results:
+    """What a results file holds.
+
+    axes      swept variables, the slowest first
+    fields    results by name, of the shape of the sweep
+    profile_axes, profiles    the same for values on the surface; their shape is that of the sweep, then of the axes
+    """
+
+    def __init__(self, path):
+        self.path = path
+        if not path.is_file():
+            raise BadFile(f"{path}: no such file")
+        try:
+            with h5py.File(path, "r") as file:
+                self._read(file)
+        except OSError:
+            raise BadFile(f"{path}: not an HDF5 file") from None
+
+    def _read(self, file):
+        if not {"model", "adfric_version"} <= set(file.attrs) or "status" not in file:
+            raise BadFile(f"{self.path}: not a results file of adfric")
+        self.model = _text(file.attrs["model"])
+        self.title = _text(file.attrs.get("title", ""))
+        self.status = file["status"][()]
+        names = _scales(file["status"])
+        self.axes = [_field(file, name) for name in names]
+        self.fields = {}
+        self.profiles = {}
+        self.profile_axes = []
+        for name, dataset in file.items():
+            if dataset.attrs.get("CLASS") == b"DIMENSION_SCALE" or dataset.dtype.kind != "f":
+                continue
+            scales = _scales(dataset)
+            if scales == names:
+                self.fields[name] = _field(file, name)
+            elif scales[: len(names)] == names:
+                self.profiles[name] = _field(file, name)
+                self.profile_axes = [_field(file, axis) for axis in scales[len(names):]]
+
+    @property
+    def axis_names(self):
+        return [axis.name for axis in self.axes]
+
+    def describe(self, index, skip=()):
+        """The swept values of a point, as pairs of axis and value."""
+        return [(axis, axis.values[i]) for axis, i in zip(self.axes, index) if axis.name not in skip]
+
+
+def _field(file, name):
+    return Field(name, _text(file[name].attrs.get("units", "-")), file[name][()])
+
+
+def _scales(dataset):
+    """Names of the axes of a dataset."""
+    return [dimension[0].name.rsplit("/", 1)[-1] if len(dimension) else f"dimension {k}"
+            for k, dimension in enumerate(dataset.dims)]
+
+
+def _text(value):
+    return value.decode() if isinstance(value, bytes) else str(value)

@@ -1,0 +1,58 @@
+"""How figures look."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+from matplotlib.colors import ListedColormap, LogNorm, Normalize
+import numpy as np
+
+# colours that stay apart for every kind of colour vision and in grey
+COLOURS = ("#000000", "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
+DASHES = ((0, (4, 2)), "-", ":", "-.")
+MISSED = "#c00000"
+
+
+def use_style():
+    plt.rcParams.update({
+        "font.size": 9,
+        "axes.linewidth": 0.7,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.titlesize": "medium",
+        "lines.linewidth": 1.4,
+        "legend.frameon": False,
+        "legend.fontsize": "small",
+        "xtick.labelsize": "small",
+        "ytick.labelsize": "small",
+        "figure.constrained_layout.use": True,
+        "figure.constrained_layout.w_pad": 0.08,
+        "figure.constrained_layout.h_pad": 0.06,
+        "savefig.dpi": 200,
+        "pdf.fonttype": 42,
+        "svg.fonttype": "none",
+    })
+
+
+def is_logarithmic(values):
+    """Are these values spread over decades in even ratios?"""
+    values = np.sort(np.asarray(values, dtype=float))
+    if values.size < 3 or not values[0] > 0 or values[-1] < 10 * values[0]:
+        return False
+    steps = np.diff(np.log(values))
+    return bool(steps.min() > 0 and steps.max() < 3 * steps.min())
+
+
+def norm_of(values):
+    """Colours along a swept variable."""
+    kind = LogNorm if is_logarithmic(values) else Normalize
+    return kind(np.min(values), np.max(values))
+
+
+def pressure_colours(lowest, highest):
+    """Compression red, tension blue, white where there is no pressure."""
+    strongest = max(abs(lowest), abs(highest)) or 1.0
+    where = np.linspace(min(lowest, 0), max(highest, 0), 256)
+    colours = plt.get_cmap("RdBu_r")(0.5 + 0.5 * where / strongest)
+    return ListedColormap(colours), Normalize(where[0], where[-1])

@@ -1,0 +1,144 @@
+"""The plot script on small files made here."""
+
+import contextlib
+import io
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from plotting import command, figures, labels  # noqa: E402
+from plotting.results import Results  # noqa: E402
+
+UNITS = {"stress": "Pa", "velocity": "m/s", "load": "N/m", "x": "m", "y": "m", "pressure": "Pa", "gap": "m",
+         "friction_force": "N/m", "contact_width": "m", "friction_coefficient": "-", "radius": "m"}
+
+
+def make_file(path, axes, profile_axes=(), model="wavy_sliding"):
+    """A file as adfric writes it, with made-up values; its last point did not converge."""
+    with h5py.File(path, "w") as file:
+        file.attrs.update(model=model, adfric_version="0.0.0", title="A title", input="&job /")
+        for name, values in [*axes, *profile_axes]:
+            file[name] = np.asarray(values, dtype=float)
+            file[name].make_scale(name)
+        shape = [len(values) for _, values in axes]
+        status = np.zeros(shape, dtype="i1")
+        if axes:
+            status[..., -1] = 2
+        values = np.where(status == 0, np.linspace(0.0, 1.0, max(status.size, 1)).reshape(shape), np.nan)
+        fields = {name: values for name in ("friction_force", "contact_width", "friction_coefficient")}
+        fields["status"] = status
+        if profile_axes:
+            surface = [*shape, *(len(values) for _, values in profile_axes)]
+            fields["pressure"] = np.linspace(-1.0, 2.0, int(np.prod(surface))).reshape(surface)
+            fields["gap"] = np.maximum(fields["pressure"], 0.0)
+        for name, data in fields.items():
+            file[name] = data
+            scales = [*axes, *profile_axes][: np.ndim(data)]
+            for dimension, (scale, _) in zip(file[name].dims, scales):
+                dimension.attach_scale(file[scale])
+        for name in file:
+            file[name].attrs["units"] = UNITS.get(name, "-")
+
+
+class PlotTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.file = self.folder / "run.h5"
+
+    def plot(self, *options):
+        """Exit status and what stands on the error output."""
+        errors = io.StringIO()
+        with contextlib.redirect_stderr(errors), contextlib.redirect_stdout(io.StringIO()):
+            try:
+                status = command.main([str(self.file), *options])
+            except SystemExit as end:
+                status = end.code
+        return status, errors.getvalue()
+
+    def assert_refused(self, words, *options):
+        status, errors = self.plot(*options)
+        self.assertEqual(status, 2)
+        self.assertIn(words, errors)
+        self.assertEqual(errors.count("\n"), 1)
+        self.assertEqual(list(self.folder.glob("*.p*")), [])
+
+    def test_figure_follows_from_what_is_swept(self):
+        stress, load, velocity = ("stress", [0.0, 5e3]), ("load", [-1.0, 0.0, 1.0]), ("velocity", [0.1, 1.0, 10.0])
+        radius, x, y = ("radius", [1.0, 2.0, 4.0]), ("x", [-1.0, 0.0, 1.0]), ("y", [-1.0, 0.0, 1.0, 2.0])
+        for expected, axes, surface in (
+            (figures.draw_width_and_friction, [stress, load], []),
+            (figures.draw_coefficient, [stress, velocity], []),
+            (figures.draw_friction, [velocity, stress, load], []),
+            (figures.draw_sweep, [radius], []),
+            (figures.draw_sweep, [radius, stress, velocity, load], []),
+            (figures.draw_stresses, [stress], [x]),
+            (figures.draw_pressure_maps, [stress], [y, x]),
+            (figures.draw_pressure_maps, [], [y, x]),
+            (figures.draw_stresses, [stress, load, velocity], [x]),
+        ):
+            with self.subTest(expected=expected.__name__, axes=[name for name, _ in axes]):
+                make_file(self.file, axes, surface)
+                self.assertIs(figures.choose_figure(Results(self.file)), expected)
+                self.assertEqual(self.plot(), (0, ""))
+                self.assertTrue(self.file.with_suffix(".png").read_bytes().startswith(b"\x89PNG"))
+
+    def test_other_models_have_the_general_figure(self):
+        make_file(self.file, [("stress", [0.0, 5e3]), ("load", [0.0, 1.0, 2.0])], model="sphere")
+        self.assertIs(figures.choose_figure(Results(self.file)), figures.draw_sweep)
+
+    def test_pdf(self):
+        make_file(self.file, [("load", [0.0, 1.0, 2.0])])
+        figure = self.folder / "figure.pdf"
+        self.assertEqual(self.plot("-o", str(figure)), (0, ""))
+        self.assertTrue(figure.read_bytes().startswith(b"%PDF"))
+
+    def test_missing_file(self):
+        self.assert_refused("no such file")
+
+    def test_text_file(self):
+        self.file.write_text("x, y\n")
+        self.assert_refused("not an HDF5 file")
+
+    def test_foreign_file(self):
+        with h5py.File(self.file, "w") as file:
+            file["x"] = [1.0]
+        self.assert_refused("not a results file of adfric")
+
+    def test_single_point(self):
+        make_file(self.file, [])
+        self.assert_refused("one point without profiles")
+
+    def test_unknown_format(self):
+        make_file(self.file, [("load", [0.0, 1.0])])
+        self.assert_refused(".png, .pdf, .svg", "-o", str(self.folder / "figure.gif"))
+
+    def test_unwritable_figure(self):
+        make_file(self.file, [("load", [0.0, 1.0, 2.0])])
+        self.assert_refused("cannot write", "-o", str(self.folder / "none" / "figure.png"))
+
+    def test_units(self):
+        for values, unit, expected in (
+            ([0.0, 8.3e-3], "N/m", (1e3, "mN/m")),
+            ([1e-4], "m", (1e6, "µm")),
+            ([5e-9], "m^2", (1e12, "µm²")),
+            ([2e-6], "m^2/m", (1e6, "µm²/µm")),
+            ([-5.5e6, 1.0], "Pa", (1e-6, "MPa")),
+            ([3e3], "m", (1.0, "m")),
+            ([0.2, np.nan], "-", (1.0, "")),
+            ([0.0], "N", (1.0, "N")),
+        ):
+            factor, text = labels.scale_of(values, unit)
+            self.assertEqual(text, expected[1])
+            self.assertAlmostEqual(factor / expected[0], 1.0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,32 @@
+!> The models that the program knows.
+module adfric
+   use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_model, only: model_t
+   use adfric_wavy_model, only: wavy_model_t, new_wavy_model
+   implicit none (type, external)
+   private
+   public :: known_models, new_model
+
+   !> Names of the models, separated by a blank.
+   character(*), parameter :: known_models = 'wavy_sliding'
+
+contains
+
+   !> The model of a name.
+   subroutine new_model(model, name, error)
+      class(model_t), allocatable, intent(out) :: model
+      character(*), intent(in) :: name
+      type(error_t), allocatable, intent(out) :: error
+      type(wavy_model_t), allocatable :: wavy
+
+      select case (name)
+      case ('wavy_sliding')
+         allocate (wavy)
+         call new_wavy_model(wavy)
+         call move_alloc(wavy, model)
+      case default
+         call set_error(error, input_failure, 'model '''//name//''' is unknown; known are '//known_models)
+      end select
+   end subroutine new_model
+
+end module adfric

@@ -1,0 +1,40 @@
+!> Lists of words separated by blanks.
+module adfric_base_words
+   implicit none (type, external)
+   private
+   public :: count_words, get_word
+
+contains
+
+   !> Number of words.
+   pure integer function count_words(list)
+      character(*), intent(in) :: list
+      integer :: i
+
+      count_words = 0
+      do i = 1, len(list)
+         if (list(i:i) == ' ') cycle
+         if (i == 1) then
+            count_words = 1
+         else if (list(i - 1:i - 1) == ' ') then
+            count_words = count_words + 1
+         end if
+      end do
+   end function count_words
+
+   !> A word; empty if there are fewer.
+   pure function get_word(list, number) result(word)
+      character(*), intent(in) :: list
+      !> From 1.
+      integer, intent(in) :: number
+      character(:), allocatable :: word
+      integer :: k
+
+      word = trim(adjustl(list))
+      do k = 2, number
+         word = adjustl(word(index(word//' ', ' '):))
+      end do
+      word = word(:index(word//' ', ' ') - 1)
+   end function get_word
+
+end module adfric_base_words

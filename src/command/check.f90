@@ -1,0 +1,87 @@
+!> `adfric check`: read and validate an input, and say what it means.
+module adfric_command_check
+   use adfric_base_model, only: model_t
+   use adfric_base_unset, only: is_set
+   use adfric_command_case, only: open_case
+   use adfric_command_line, only: command_t
+   use adfric_command_outcome, only: outcome_t, exit_success
+   use adfric_command_values, only: show_input_value, pad
+   use adfric_input_run, only: run_input_t
+   use adfric_input_text, only: newline, show_count, show_number
+   use adfric_output_resources, only: file_size_of, show_bytes
+   implicit none (type, external)
+   private
+   public :: check_case
+
+   !> Width of the column of names.
+   integer, parameter :: name_width = 28
+
+contains
+
+   !> Carry out the command.
+   subroutine check_case(command, outcome)
+      type(command_t), intent(in) :: command
+      type(outcome_t), intent(inout) :: outcome
+      class(model_t), allocatable :: model
+      type(run_input_t) :: run
+      character(:), allocatable :: text
+
+      call open_case(command%subject, model, run, outcome)
+      if (outcome%exit_status /= exit_success .or. command%is_quiet) return
+      if (len(run%title) > 0) call outcome%say(run%title//newline)
+      call outcome%say(pad('model', name_width)//model%name//newline)
+      call outcome%say(describe_values(model, run))
+      text = model%describe_case(run%plan%base)
+      if (len(text) > 0) then
+         call outcome%say(text)
+         if (text(len(text):) /= newline) call outcome%say(newline)
+      end if
+      call outcome%say(describe_sweep(model, run))
+      call outcome%say(pad('points', name_width)//show_count(run%plan%n_points())//newline)
+      call outcome%say(pad('results file', name_width)//run%output//', ' &
+         //show_bytes(file_size_of(model, run%plan))//newline)
+   end subroutine check_case
+
+   !> The variables that have one value, group by group.
+   function describe_values(model, run) result(lines)
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(in) :: run
+      character(:), allocatable :: lines
+      character(:), allocatable :: group
+      integer :: i
+
+      lines = ''
+      group = ''
+      do i = 1, size(model%variables)
+         associate (variable => model%variables(i), value => run%plan%base(i))
+            if (run%is_swept(i) .or. .not. is_set(value)) cycle
+            if (variable%group /= group) lines = lines//'&'//variable%group//newline
+            group = variable%group
+            lines = lines//pad('  '//variable%name, name_width)//show_input_value(variable, value)
+            if (len_trim(variable%unit) > 0 .and. variable%unit /= '-') lines = lines//' '//variable%unit
+            if (.not. run%is_given(i)) lines = lines//' (default)'
+            lines = lines//newline
+         end associate
+      end do
+   end function describe_values
+
+   !> The swept variables, the slowest first.
+   function describe_sweep(model, run) result(lines)
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(in) :: run
+      character(:), allocatable :: lines
+      integer :: k
+
+      lines = ''
+      do k = 1, size(run%plan%axes)
+         associate (variable => model%variables(run%plan%axes(k)%variable), values => run%plan%axes(k)%values)
+            lines = lines//pad('sweep of '//variable%group//'%'//variable%name, name_width)// &
+               show_count(size(values))//' values, '//show_number(values(1))
+            if (size(values) > 1) lines = lines//' to '//show_number(values(size(values)))
+            if (variable%unit /= '-') lines = lines//' '//variable%unit
+            lines = lines//newline
+         end associate
+      end do
+   end function describe_sweep
+
+end module adfric_command_check

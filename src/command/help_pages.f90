@@ -1,0 +1,59 @@
+!> Pages of `adfric help` that do not depend on the models.
+module adfric_command_help_pages
+   use adfric_input_text, only: newline
+   implicit none (type, external)
+   private
+   public :: usage_page, input_page, outputs_head
+
+   !> The commands; the list of the models follows.
+   character(*), parameter :: usage_page = &
+      'adfric: adhesion and friction of real surfaces'//newline// &
+      newline// &
+      '  adfric run INPUT.nml [--output FILE.h5] [--force] [--quiet]'//newline// &
+      '      solve every point of the input''s sweep and write one HDF5 file;'//newline// &
+      '      --force overwrites a file, --quiet shows nothing but errors'//newline// &
+      '  adfric check INPUT.nml'//newline// &
+      '      read and validate only; print the resolved case and the number of points'//newline// &
+      '  adfric help [TOPIC]'//newline// &
+      '      topics: input, outputs, the name of a model, of a group or of a variable'//newline// &
+      '  adfric --version'//newline// &
+      newline// &
+      'Exit status: 0 every point is answered, 1 some points did not converge,'//newline// &
+      '2 bad command line or input, 3 file error. Threads as OMP_NUM_THREADS says.'//newline// &
+      newline// &
+      'Models'//newline
+
+   !> The form of an input.
+   character(*), parameter :: input_page = &
+      'An input is a file of namelist groups, in any order, with comments after !. SI units.'//newline// &
+      newline// &
+      '  &job'//newline// &
+      '    model = ''NAME''       model to be solved (adfric help NAME shows its groups)'//newline// &
+      '    title = ''TEXT''       stands in the results file'//newline// &
+      '    output = ''FILE.h5''   results file; default: the name of the input with .h5'//newline// &
+      '  /'//newline// &
+      '  &GROUP'//newline// &
+      '    VARIABLE = VALUE     a group of the model'//newline// &
+      '  /'//newline// &
+      '  &sweep'//newline// &
+      '    variable = ''NAME''    or ''GROUP%NAME'': any numeric variable of the model'//newline// &
+      '    from = A, to = B, count = N, spacing = ''linear'' or ''log'''//newline// &
+      '    values = A, B, ...   instead of from, to, count and spacing'//newline// &
+      '  /'//newline// &
+      newline// &
+      'Several &sweep groups form the outer product; the first one varies slowest.'//newline
+
+   !> What stands in every results file; the results of the models follow.
+   character(*), parameter :: outputs_head = &
+      'Each swept variable is a dataset and a dimension scale. Each result is a dataset with a dimension'//newline// &
+      'for each &sweep, the first one slowest; NaN where there is no value. A result that is itself swept'//newline// &
+      'is not written again. Every dataset has units and long_name, every enumerated one flag_values and'//newline// &
+      'flag_meanings; -1 is an enumerated result without a value.'//newline// &
+      newline// &
+      'On every run'//newline// &
+      '  status [-]                      0 solved, 1 no_equilibrium, 2 not_converged'//newline// &
+      '  error_estimate [-]              relative error of the main result, estimated'//newline// &
+      '  attributes of the file          title, model, adfric_version, git_revision, compiler, created,'//newline// &
+      '                                  wall_seconds, input (the whole text)'//newline
+
+end module adfric_command_help_pages

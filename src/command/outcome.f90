@@ -1,0 +1,64 @@
+!> What a command leaves behind: what it has to say, and how it ended.
+module adfric_command_outcome
+   use adfric_base_error, only: error_t
+   use adfric_base_problems, only: problems_t
+   use adfric_input_text, only: newline
+   implicit none (type, external)
+   private
+   public :: outcome_t, exit_success, exit_not_converged, exit_input, exit_file
+
+   !> Exit status of the program.
+   integer, parameter :: exit_success = 0, exit_not_converged = 1, exit_input = 2, exit_file = 3
+
+   !> The end of a command.
+   type :: outcome_t
+      !> One of `exit_...`.
+      integer :: exit_status = exit_success
+      !> Lines for the standard output, each with its line end.
+      character(:), allocatable :: output
+      !> Lines for the standard error, each with its line end.
+      character(:), allocatable :: errors
+   contains
+      procedure :: say
+      procedure :: fail
+      procedure :: fail_with_problems
+   end type outcome_t
+
+contains
+
+   !> Add lines to the output.
+   pure subroutine say(self, lines)
+      class(outcome_t), intent(inout) :: self
+      !> With their line ends.
+      character(*), intent(in) :: lines
+
+      if (.not. allocated(self%output)) self%output = ''
+      self%output = self%output//lines
+   end subroutine say
+
+   !> End with an error.
+   pure subroutine fail(self, error)
+      class(outcome_t), intent(inout) :: self
+      type(error_t), intent(in) :: error
+
+      if (.not. allocated(self%errors)) self%errors = ''
+      self%errors = self%errors//error%message//newline
+      self%exit_status = error%code
+   end subroutine fail
+
+   !> End with everything that is wrong with an input.
+   pure subroutine fail_with_problems(self, problems, file)
+      class(outcome_t), intent(inout) :: self
+      type(problems_t), intent(in) :: problems
+      !> Name of the input.
+      character(*), intent(in) :: file
+      integer :: i
+
+      if (.not. allocated(self%errors)) self%errors = ''
+      do i = 1, problems%count()
+         self%errors = self%errors//problems%line_of(i, file)//newline
+      end do
+      self%exit_status = exit_input
+   end subroutine fail_with_problems
+
+end module adfric_command_outcome

@@ -1,0 +1,40 @@
+!> Values of namelist variables as they stand in an input.
+module adfric_command_values
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: variable_t, kind_logical, kind_choice
+   use adfric_base_unset, only: is_set
+   use adfric_base_words, only: get_word
+   use adfric_input_text, only: show_number
+   implicit none (type, external)
+   private
+   public :: show_input_value, pad
+
+contains
+
+   !> A value as it would be written in an input; `not given` where there is none.
+   pure function show_input_value(variable, value) result(text)
+      type(variable_t), intent(in) :: variable
+      real(dp), intent(in) :: value
+      character(:), allocatable :: text
+
+      if (.not. is_set(value)) then
+         text = 'not given'
+      else if (variable%kind == kind_logical) then
+         text = trim(merge('.true. ', '.false.', value > 0.5_dp))
+      else if (variable%kind == kind_choice) then
+         text = ''''//get_word(variable%choices, nint(value))//''''
+      else
+         text = show_number(value)
+      end if
+   end function show_input_value
+
+   !> A text with blanks to a width, and at least one.
+   pure function pad(text, width) result(padded)
+      character(*), intent(in) :: text
+      integer, intent(in) :: width
+      character(:), allocatable :: padded
+
+      padded = text//repeat(' ', max(1, width - len(text)))
+   end function pad
+
+end module adfric_command_values

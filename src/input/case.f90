@@ -1,0 +1,129 @@
+!> The case: a value for every variable of the model.
+module adfric_input_case
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: model_t
+   use adfric_base_problems, only: problems_t
+   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_suggestion, only: find_nearest
+   use adfric_input_variable, only: read_variable
+   use adfric_input_vocabulary, only: list_groups, list_variables, list_groups_of, has_word, &
+                                      say_unknown_group, say_unknown_variable
+   implicit none (type, external)
+   private
+   public :: case_t, read_groups
+
+   !> A value for every variable, each component of shape `(n_variables)`.
+   type :: case_t
+      !> As a model holds them; of a swept variable its first value.
+      real(dp), allocatable :: values(:)
+      !> Does the variable stand in its group?
+      logical, allocatable :: is_given(:)
+      !> Is the variable swept?
+      logical, allocatable :: is_swept(:)
+      !> Was something wrong with it, so that its value is not what the user wanted?
+      logical, allocatable :: is_broken(:)
+      !> Line where it is given or swept; 0 where it is neither.
+      integer, allocatable :: line(:)
+   end type case_t
+
+contains
+
+   !> Read the groups of a model.
+   subroutine read_groups(file, model, input, problems)
+      type(namelist_file_t), intent(in) :: file
+      class(model_t), intent(in) :: model
+      type(case_t), intent(out) :: input
+      type(problems_t), intent(inout) :: problems
+      integer :: i, n
+
+      n = size(model%variables)
+      allocate (input%is_given(n), input%is_swept(n), input%is_broken(n), source=.false.)
+      allocate (input%line(n), source=0)
+      input%values = [(model%variables(i)%default, i=1, n)]
+      call check_group_names(file, model, input, problems)
+      do i = 1, size(file%assignments)
+         associate (assignment => file%assignments(i))
+            if (file%groups(assignment%group)%index > 1) cycle
+            if (.not. has_word(list_groups(model), file%groups(assignment%group)%name)) cycle
+            if (file%find_assignment(assignment%group, trim(assignment%name)) /= i) cycle
+            call read_assignment(file, i, model, input, problems)
+         end associate
+      end do
+   end subroutine read_groups
+
+   !> Report groups that the model does not have.
+   subroutine check_group_names(file, model, input, problems)
+      type(namelist_file_t), intent(in) :: file
+      class(model_t), intent(in) :: model
+      type(case_t), intent(inout) :: input
+      type(problems_t), intent(inout) :: problems
+      integer :: i
+
+      do i = 1, size(file%groups)
+         associate (group => file%groups(i))
+            if (has_word('job sweep '//list_groups(model), group%name)) cycle
+            call file%report(problems, i, '', say_unknown_group(model, trim(group%name)), group%first)
+            call mark_group(model, find_nearest(trim(group%name), 'job sweep '//list_groups(model)), input)
+         end associate
+      end do
+   end subroutine check_group_names
+
+   !> Mark the variables of a group that an unknown name probably means.
+   subroutine mark_group(model, group, input)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: group
+      type(case_t), intent(inout) :: input
+      integer :: k
+
+      do k = 1, size(model%variables)
+         if (model%variables(k)%group == group) input%is_broken(k) = .true.
+      end do
+   end subroutine mark_group
+
+   !> Read the value of one variable.
+   subroutine read_assignment(file, number, model, input, problems)
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the assignment.
+      integer, intent(in) :: number
+      class(model_t), intent(in) :: model
+      type(case_t), intent(inout) :: input
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: group, name, flaw
+      integer :: i, place
+
+      associate (assignment => file%assignments(number))
+         group = trim(file%groups(assignment%group)%name)
+         name = trim(assignment%name)
+         i = model%index_of(group, name)
+         if (i == 0) then
+            call file%report(problems, assignment%group, name, say_unknown_variable(model, group, name), assignment%first)
+            call mark_meant(model, group, name, input)
+            return
+         end if
+         call read_variable(file%value_of(number), model%variables(i), input%values(i), flaw, place)
+         input%is_given(i) = .true.
+         input%line(i) = file%line_of(assignment%first)
+         input%is_broken(i) = input%is_broken(i) .or. len(flaw) > 0
+         if (len(flaw) > 0) &
+            call file%report(problems, assignment%group, name, flaw, assignment%value_first + place - 1)
+      end associate
+   end subroutine read_assignment
+
+   !> Mark the variables that an unknown name probably means: their absence needs no report of its own.
+   subroutine mark_meant(model, group, name, input)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: group
+      character(*), intent(in) :: name
+      type(case_t), intent(inout) :: input
+      character(:), allocatable :: meant
+      integer :: k
+
+      meant = name
+      if (len(list_groups_of(model, name)) == 0) meant = find_nearest(name, list_variables(model, group))
+      if (len(meant) == 0) meant = find_nearest(name, list_variables(model, ''))
+      do k = 1, size(model%variables)
+         if (model%variables(k)%name == meant) input%is_broken(k) = .true.
+      end do
+   end subroutine mark_meant
+
+end module adfric_input_case

@@ -1,0 +1,150 @@
+!> What the model says of the values together: asked at the first point and at the ends of each sweep.
+module adfric_input_consistency
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: model_t
+   use adfric_base_problems, only: problem_t, problems_t
+   use adfric_input_case, only: case_t
+   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_text, only: is_name_character
+   use adfric_input_variable, only: show_value
+   use adfric_sweep_plan, only: axis_t
+   implicit none (type, external)
+   private
+   public :: check_consistency
+
+contains
+
+   !> Let the model check the values.
+   subroutine check_consistency(file, model, input, axes, problems)
+      type(namelist_file_t), intent(in) :: file
+      class(model_t), intent(in) :: model
+      type(case_t), intent(in) :: input
+      type(axis_t), intent(in) :: axes(:)
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
+      call check_point(file, model, input, input%values, '', problems)
+      do k = 1, size(axes)
+         call check_end(file, model, input, axes(k), minloc(axes(k)%values, dim=1), problems)
+         call check_end(file, model, input, axes(k), maxloc(axes(k)%values, dim=1), problems)
+      end do
+   end subroutine check_consistency
+
+   !> Check where one swept variable takes another than its first value.
+   subroutine check_end(file, model, input, axis, number, problems)
+      type(namelist_file_t), intent(in) :: file
+      class(model_t), intent(in) :: model
+      type(case_t), intent(in) :: input
+      type(axis_t), intent(in) :: axis
+      !> Which value of the axis.
+      integer, intent(in) :: number
+      type(problems_t), intent(inout) :: problems
+      real(dp) :: values(size(input%values))
+
+      if (number == 1) return
+      values = input%values
+      values(axis%variable) = axis%values(number)
+      associate (variable => model%variables(axis%variable))
+         call check_point(file, model, input, values, ' (at '//variable%name//' = '// &
+            show_value(axis%values(number), variable)//')', problems)
+      end associate
+   end subroutine check_end
+
+   !> Check one point.
+   subroutine check_point(file, model, input, values, point, problems)
+      type(namelist_file_t), intent(in) :: file
+      class(model_t), intent(in) :: model
+      type(case_t), intent(in) :: input
+      real(dp), intent(in) :: values(:)
+      !> What to add to a problem to say at which point it is met; empty for the first.
+      character(*), intent(in) :: point
+      type(problems_t), intent(inout) :: problems
+      type(problems_t) :: found
+      integer :: i, n_before
+
+      call model%check_values(values, input%is_swept, found)
+      n_before = problems%count()
+      do i = 1, found%count()
+         associate (item => found%items(i))
+            if (is_consequence(item, model, input)) cycle
+            if (is_known(item, problems, n_before, len(point) > 0)) cycle
+            call problems%add(item%group, item%variable, item%text//point, item%index, &
+               line_of_variable(item, file, model, input))
+         end associate
+      end do
+   end subroutine check_point
+
+   !> Is the problem only that a variable has no value since something was wrong with it?
+   pure logical function is_consequence(item, model, input)
+      type(problem_t), intent(in) :: item
+      class(model_t), intent(in) :: model
+      type(case_t), intent(in) :: input
+      integer :: i
+
+      is_consequence = .true.
+      do i = 1, size(model%variables)
+         if (.not. input%is_broken(i)) cycle
+         if (item%variable == model%variables(i)%name .and. item%group == model%variables(i)%group) return
+         if (mentions(item%text, model%variables(i)%name)) return
+      end do
+      is_consequence = .false.
+   end function is_consequence
+
+   !> Does a name stand in a text as a word?
+   pure logical function mentions(text, name)
+      character(*), intent(in) :: text, name
+      character(:), allocatable :: padded
+      integer :: first, step
+
+      mentions = .true.
+      padded = ' '//text//' '
+      first = 1
+      do
+         step = index(padded(first + 1:), name)
+         if (step == 0) exit
+         first = first + step
+         if (is_name_character(padded(first - 1:first - 1))) cycle
+         if (.not. is_name_character(padded(first + len(name):first + len(name)))) return
+      end do
+      mentions = .false.
+   end function mentions
+
+   !> Has the same been said before? At the ends of a sweep, has anything been said of the variable?
+   pure logical function is_known(item, problems, n_before, is_end)
+      type(problem_t), intent(in) :: item
+      type(problems_t), intent(in) :: problems
+      !> Problems that were there before this point.
+      integer, intent(in) :: n_before
+      logical, intent(in) :: is_end
+      integer :: i
+
+      is_known = .true.
+      do i = 1, problems%count()
+         associate (old => problems%items(i))
+            if (old%group /= item%group .or. old%variable /= item%variable) cycle
+            if (old%text == item%text) return
+            if (is_end .and. i <= n_before .and. len(item%variable) > 0) return
+            if (index(old%text, item%text//' (at ') == 1) return
+         end associate
+      end do
+      is_known = .false.
+   end function is_known
+
+   !> Line of the variable that a problem names, else of its group; 0 if neither stands in the file.
+   pure integer function line_of_variable(item, file, model, input)
+      type(problem_t), intent(in) :: item
+      type(namelist_file_t), intent(in) :: file
+      class(model_t), intent(in) :: model
+      type(case_t), intent(in) :: input
+      integer :: i, group
+
+      line_of_variable = item%line
+      if (line_of_variable > 0) return
+      i = model%index_of(item%group, item%variable)
+      if (i > 0) line_of_variable = input%line(i)
+      if (line_of_variable > 0) return
+      group = file%find_group(item%group)
+      if (group > 0) line_of_variable = file%line_of(file%groups(group)%first)
+   end function line_of_variable
+
+end module adfric_input_consistency

@@ -1,0 +1,217 @@
+!> A namelist file in memory: its whole text, its groups and its assignments.
+module adfric_input_namelist_file
+   use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_problems, only: problems_t
+   use adfric_input_assignment_scan, only: assignment_t, scan_assignments
+   use adfric_input_group_scan, only: group_t, scan_groups
+   use adfric_input_source_text, only: strip_comments, line_at
+   use adfric_input_text, only: show_count
+   implicit none (type, external)
+   private
+   public :: namelist_file_t, open_namelist_file, new_namelist_file
+
+   !> More than anybody writes: something else was given by mistake [bytes].
+   integer, parameter :: largest_file = 100*1024**2
+
+   !> A namelist file.
+   type :: namelist_file_t
+      !> Name of the file, as the user gave it.
+      character(:), allocatable :: path
+      !> Its text, byte by byte.
+      character(:), allocatable :: text
+      !> The same without comments, at the same positions.
+      character(:), allocatable :: bare
+      !> In the order of the file.
+      type(group_t), allocatable :: groups(:)
+      !> In the order of the file.
+      type(assignment_t), allocatable :: assignments(:)
+   contains
+      procedure :: find_group
+      procedure :: find_assignment
+      procedure :: value_of
+      procedure :: line_of
+      procedure :: report
+   end type namelist_file_t
+
+contains
+
+   !> Read a file and find its groups and assignments.
+   subroutine open_namelist_file(self, path, problems, error)
+      type(namelist_file_t), intent(out) :: self
+      character(*), intent(in) :: path
+      !> What is wrong with the form of the file is added here.
+      type(problems_t), intent(inout) :: problems
+      !> The file cannot be read, or is no text.
+      type(error_t), allocatable, intent(out) :: error
+      character(:), allocatable :: text
+
+      call read_whole_file(path, text, error)
+      if (allocated(error)) return
+      if (index(text, achar(0)) > 0) then
+         call set_error(error, input_failure, path//': cannot be an input, it is not a text file')
+         return
+      end if
+      call new_namelist_file(self, path, text, problems)
+   end subroutine open_namelist_file
+
+   !> Find groups and assignments of a text; whatever stands twice is a problem.
+   subroutine new_namelist_file(self, path, text, problems)
+      type(namelist_file_t), intent(out) :: self
+      character(*), intent(in) :: path
+      character(*), intent(in) :: text
+      type(problems_t), intent(inout) :: problems
+
+      self%path = path
+      self%text = text
+      self%bare = strip_comments(text)
+      call scan_groups(self%bare, self%groups, problems)
+      call scan_assignments(self%bare, self%groups, self%assignments, problems)
+      call report_repeated_groups(self, problems)
+      call report_repeated_variables(self, problems)
+   end subroutine new_namelist_file
+
+   !> Read a file byte by byte.
+   subroutine read_whole_file(path, text, error)
+      character(*), intent(in) :: path
+      character(:), allocatable, intent(out) :: text
+      type(error_t), allocatable, intent(out) :: error
+      character(256) :: message
+      integer :: unit, status, length
+      logical :: exists
+
+      inquire (file=path, exist=exists)
+      if (.not. exists) then
+         call set_error(error, input_failure, path//': cannot open the input, there is no such file')
+         return
+      end if
+      open (newunit=unit, file=path, status='old', action='read', access='stream', form='unformatted', &
+         iostat=status, iomsg=message)
+      if (status /= 0) then
+         call set_error(error, input_failure, path//': cannot open the input, '//trim(message))
+         return
+      end if
+      inquire (unit=unit, size=length)
+      if (length > largest_file) then
+         call set_error(error, input_failure, path//': cannot be an input, it is larger than 100 MiB')
+      else if (length > 0) then
+         allocate (character(length) :: text)
+         read (unit, iostat=status, iomsg=message) text
+         if (status /= 0) call set_error(error, input_failure, path//': cannot read the input, '//trim(message))
+      else
+         call read_stream(unit, text)
+      end if
+      close (unit, iostat=status)
+   end subroutine read_whole_file
+
+   !> Read what has no known length, such as a pipe.
+   subroutine read_stream(unit, text)
+      integer, intent(in) :: unit
+      character(:), allocatable, intent(out) :: text
+      integer, parameter :: chunk = 4096
+      character(chunk) :: buffer
+      integer :: n, status
+
+      text = ''
+      n = 0
+      do
+         read (unit, iostat=status) buffer(n + 1:n + 1)
+         if (status /= 0 .or. len(text) > largest_file) exit
+         n = n + 1
+         if (n < chunk) cycle
+         text = text//buffer
+         n = 0
+      end do
+      text = text//buffer(:n)
+   end subroutine read_stream
+
+   !> Report groups that stand twice.
+   subroutine report_repeated_groups(self, problems)
+      type(namelist_file_t), intent(in) :: self
+      type(problems_t), intent(inout) :: problems
+      integer :: i, first
+
+      do i = 1, size(self%groups)
+         if (self%groups(i)%index < 2 .or. self%groups(i)%name == 'sweep') cycle
+         first = self%find_group(trim(self%groups(i)%name))
+         call self%report(problems, i, '', 'the group is given twice, first in line '// &
+            show_count(self%line_of(self%groups(first)%first))//', allowed: once', self%groups(i)%first)
+      end do
+   end subroutine report_repeated_groups
+
+   !> Report variables that stand twice in their group.
+   subroutine report_repeated_variables(self, problems)
+      type(namelist_file_t), intent(in) :: self
+      type(problems_t), intent(inout) :: problems
+      integer :: i, first
+
+      do i = 1, size(self%assignments)
+         first = self%find_assignment(self%assignments(i)%group, trim(self%assignments(i)%name))
+         if (first == i) cycle
+         call self%report(problems, self%assignments(i)%group, trim(self%assignments(i)%name), &
+            'the variable is given twice, first in line '//show_count(self%line_of(self%assignments(first)%first))// &
+            ', allowed: once', self%assignments(i)%first)
+      end do
+   end subroutine report_repeated_variables
+
+   !> Number of the first group of a name; 0 if there is none.
+   pure integer function find_group(self, name)
+      class(namelist_file_t), intent(in) :: self
+      character(*), intent(in) :: name
+
+      do find_group = 1, size(self%groups)
+         if (self%groups(find_group)%name == name) return
+      end do
+      find_group = 0
+   end function find_group
+
+   !> Number of the first assignment to a variable of a group; 0 if there is none.
+   pure integer function find_assignment(self, group, name)
+      class(namelist_file_t), intent(in) :: self
+      !> Number of the group.
+      integer, intent(in) :: group
+      character(*), intent(in) :: name
+
+      do find_assignment = 1, size(self%assignments)
+         if (self%assignments(find_assignment)%group /= group) cycle
+         if (self%assignments(find_assignment)%name == name) return
+      end do
+      find_assignment = 0
+   end function find_assignment
+
+   !> Text of the value of an assignment, without comments.
+   pure function value_of(self, assignment) result(text)
+      class(namelist_file_t), intent(in) :: self
+      !> Number of the assignment.
+      integer, intent(in) :: assignment
+      character(:), allocatable :: text
+
+      associate (item => self%assignments(assignment))
+         text = self%bare(item%value_first:item%value_last)
+      end associate
+   end function value_of
+
+   !> Line of a position in the text.
+   pure integer function line_of(self, position)
+      class(namelist_file_t), intent(in) :: self
+      integer, intent(in) :: position
+
+      line_of = line_at(self%bare, position)
+   end function line_of
+
+   !> Add a problem of a group to the list.
+   pure subroutine report(self, problems, group, variable, text, position)
+      class(namelist_file_t), intent(in) :: self
+      type(problems_t), intent(inout) :: problems
+      !> Number of the group.
+      integer, intent(in) :: group
+      character(*), intent(in) :: variable
+      !> What is wrong, what was given, what is allowed.
+      character(*), intent(in) :: text
+      !> Where in the text.
+      integer, intent(in) :: position
+
+      call problems%add(trim(self%groups(group)%name), variable, text, &
+         index=self%groups(group)%shown_index, line=self%line_of(position))
+   end subroutine report
+
+end module adfric_input_namelist_file

@@ -1,0 +1,201 @@
+!> A run as the user describes it, in two steps: which model is wanted, then its case and sweep.
+!>
+!> Between them the caller makes the model, so that nothing here knows of any particular one.
+module adfric_input_run
+   use adfric_base_error, only: error_t
+   use adfric_base_model, only: model_t
+   use adfric_base_problems, only: problems_t
+   use adfric_input_case, only: case_t, read_groups
+   use adfric_input_consistency, only: check_consistency
+   use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file
+   use adfric_input_suggestion, only: find_nearest, did_you_mean
+   use adfric_input_sweep, only: read_sweeps, find_size_problem
+   use adfric_input_text, only: join_words, show_count
+   use adfric_input_value_text, only: read_string
+   use adfric_input_vocabulary, only: job_names, has_word, say_unknown_name
+   use adfric_sweep_plan, only: plan_t
+   implicit none (type, external)
+   private
+   public :: run_input_t, read_job, read_case
+
+   !> A run.
+   type :: run_input_t
+      !> Name of the model; empty if the file names none that is known.
+      character(:), allocatable :: model
+      !> Title; empty if there is none.
+      character(:), allocatable :: title
+      !> Name of the results file.
+      character(:), allocatable :: output
+      !> The whole text of the input.
+      character(:), allocatable :: text
+      !> Every point; only to be used when there are no problems.
+      type(plan_t) :: plan
+      !> Which variables the file gives in their groups, shape `(n_variables)`.
+      logical, allocatable :: is_given(:)
+      !> Which variables it sweeps, shape `(n_variables)`.
+      logical, allocatable :: is_swept(:)
+   end type run_input_t
+
+contains
+
+   !> Open an input and find out which model it wants.
+   subroutine read_job(path, known_models, file, run, problems, error)
+      character(*), intent(in) :: path
+      !> Names of the models, separated by a blank.
+      character(*), intent(in) :: known_models
+      type(namelist_file_t), intent(out) :: file
+      type(run_input_t), intent(out) :: run
+      type(problems_t), intent(inout) :: problems
+      !> The file cannot be read.
+      type(error_t), allocatable, intent(out) :: error
+      integer :: group
+
+      run%model = ''
+      run%title = ''
+      run%output = default_output(path)
+      call open_namelist_file(file, path, problems, error)
+      if (allocated(error)) return
+      run%text = file%text
+      group = file%find_group('job')
+      if (group == 0) then
+         call report_missing_job(file, known_models, problems)
+         return
+      end if
+      call check_names(file, group, problems)
+      call read_word(file, group, 'title', run%title, problems)
+      call read_output(file, group, run%output, problems)
+      call read_model(file, group, known_models, run%model, problems)
+   end subroutine read_job
+
+   !> Read the case and the sweep of the model that the input wants.
+   subroutine read_case(file, model, run, problems)
+      type(namelist_file_t), intent(in) :: file
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(inout) :: run
+      type(problems_t), intent(inout) :: problems
+      type(case_t) :: input
+      character(:), allocatable :: text
+
+      call read_groups(file, model, input, problems)
+      call read_sweeps(file, model, input, run%plan%axes, problems)
+      call check_consistency(file, model, input, run%plan%axes, problems)
+      text = find_size_problem(run%plan)
+      if (len(text) > 0) call problems%add('sweep', '', text)
+      call move_alloc(input%values, run%plan%base)
+      call move_alloc(input%is_given, run%is_given)
+      call move_alloc(input%is_swept, run%is_swept)
+   end subroutine read_case
+
+   !> The name of the input, without folder and with `.h5` for its extension.
+   pure function default_output(path) result(name)
+      character(*), intent(in) :: path
+      character(:), allocatable :: name
+      integer :: dot
+
+      name = path(index(path, '/', back=.true.) + 1:)
+      dot = index(name, '.', back=.true.)
+      if (dot > 1) name = name(:dot - 1)
+      name = name//'.h5'
+   end function default_output
+
+   !> Report that there is no `&job`.
+   subroutine report_missing_job(file, known_models, problems)
+      type(namelist_file_t), intent(in) :: file
+      character(*), intent(in) :: known_models
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: text
+      integer :: i
+
+      text = 'the group is missing, needed: &job model = '''//join_words(known_models, ''' or ''')//''' /'
+      do i = 1, size(file%groups)
+         if (find_nearest(trim(file%groups(i)%name), 'job') /= 'job') cycle
+         text = text//'; did you mean it by &'//trim(file%groups(i)%name)//' in line '// &
+            show_count(file%line_of(file%groups(i)%first))//'?'
+         exit
+      end do
+      call problems%add('job', '', text)
+   end subroutine report_missing_job
+
+   !> Report variables that `&job` does not have.
+   subroutine check_names(file, group, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: name
+      integer :: i
+
+      do i = 1, size(file%assignments)
+         if (file%assignments(i)%group /= group) cycle
+         name = trim(file%assignments(i)%name)
+         if (has_word(job_names, name)) cycle
+         call file%report(problems, group, name, say_unknown_name(job_names, name), file%assignments(i)%first)
+      end do
+   end subroutine check_names
+
+   !> Read a text of `&job`; what is wrong, or not given, leaves it as it is.
+   subroutine read_word(file, group, name, word, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      character(*), intent(in) :: name
+      character(:), allocatable, intent(inout) :: word
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: given, flaw
+      integer :: number, place
+
+      number = file%find_assignment(group, name)
+      if (number == 0) return
+      call read_string(file%value_of(number), given, flaw, place)
+      if (len(flaw) == 0) then
+         word = given
+         return
+      end if
+      call file%report(problems, group, name, flaw//', allowed: a text in quotes', &
+         file%assignments(number)%value_first + place - 1)
+   end subroutine read_word
+
+   !> Read the name of the results file.
+   subroutine read_output(file, group, output, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      character(:), allocatable, intent(inout) :: output
+      type(problems_t), intent(inout) :: problems
+      integer :: position
+
+      call read_word(file, group, 'output', output, problems)
+      position = file%groups(group)%first
+      if (file%find_assignment(group, 'output') > 0) &
+         position = file%assignments(file%find_assignment(group, 'output'))%first
+      if (len(output) == 0) then
+         call file%report(problems, group, 'output', 'empty, allowed: the name of a file', position)
+      else if (output == file%path) then
+         call file%report(problems, group, 'output', 'the results would replace the input, given '''//output// &
+            ''', allowed: the name of another file', position)
+      end if
+   end subroutine read_output
+
+   !> Read the name of the model; empty if it is unknown.
+   subroutine read_model(file, group, known_models, model, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      character(*), intent(in) :: known_models
+      character(:), allocatable, intent(inout) :: model
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: choices
+      integer :: number, n_before
+
+      choices = ''''//join_words(known_models, ''', ''')//''''
+      number = file%find_assignment(group, 'model')
+      if (number == 0) then
+         call file%report(problems, group, 'model', 'not given, allowed: '//choices, file%groups(group)%first)
+         return
+      end if
+      n_before = problems%count()
+      call read_word(file, group, 'model', model, problems)
+      if (problems%count() > n_before) return
+      if (has_word(known_models, model)) return
+      call file%report(problems, group, 'model', 'unknown model, given '''//model//''', allowed: '//choices// &
+         did_you_mean(model, known_models), file%assignments(number)%first)
+      model = ''
+   end subroutine read_model
+
+end module adfric_input_run

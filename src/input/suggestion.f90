@@ -1,0 +1,76 @@
+!> What the user may have meant: the nearest of the words that are known.
+module adfric_input_suggestion
+   use adfric_base_words, only: count_words, get_word
+   use adfric_input_text, only: to_lower
+   implicit none (type, external)
+   private
+   public :: edit_distance, find_nearest, did_you_mean
+
+   !> A beginning of this length is enough to recognise a word.
+   integer, parameter :: shortest_beginning = 3
+
+contains
+
+   !> Number of letters to insert, delete, replace or swap with their neighbour that make one word the other.
+   pure integer function edit_distance(a, b)
+      character(*), intent(in) :: a, b
+      !> Rows i - 2, i - 1 and i of the table of distances between the beginnings of a and b.
+      integer :: previous(-1:len(b)), last(-1:len(b)), row(-1:len(b))
+      integer :: i, j, change
+
+      previous = 0
+      row = 0
+      last = [(j, j=-1, len(b))]
+      do i = 1, len(a)
+         row(0) = i
+         do j = 1, len(b)
+            change = merge(0, 1, a(i:i) == b(j:j))
+            row(j) = min(last(j) + 1, row(j - 1) + 1, last(j - 1) + change)
+            if (i == 1 .or. j == 1) cycle
+            if (a(i:i) == b(j - 1:j - 1) .and. a(i - 1:i - 1) == b(j:j)) row(j) = min(row(j), previous(j - 2) + 1)
+         end do
+         previous = last
+         last = row
+      end do
+      edit_distance = last(len(b))
+   end function edit_distance
+
+   !> The known word that is near enough to be meant; empty if there is none. Capitals do not count.
+   pure function find_nearest(word, known) result(nearest)
+      character(*), intent(in) :: word
+      !> Words, separated by a blank.
+      character(*), intent(in) :: known
+      character(:), allocatable :: nearest
+      character(:), allocatable :: candidate
+      integer :: k, distance, best
+
+      nearest = ''
+      best = max(1, len_trim(word)/3) + 1
+      do k = 1, count_words(known)
+         candidate = get_word(known, k)
+         distance = edit_distance(to_lower(trim(word)), to_lower(candidate))
+         if (distance >= best) cycle
+         best = distance
+         nearest = candidate
+      end do
+      if (len(nearest) > 0 .or. len_trim(word) < shortest_beginning) return
+      do k = 1, count_words(known)
+         candidate = get_word(known, k)
+         if (index(to_lower(candidate), to_lower(trim(word))) /= 1) cycle
+         nearest = candidate
+         return
+      end do
+   end function find_nearest
+
+   !> The end of a message: `; did you mean 'velocity'?`, or nothing.
+   pure function did_you_mean(word, known) result(question)
+      character(*), intent(in) :: word
+      !> Words, separated by a blank.
+      character(*), intent(in) :: known
+      character(:), allocatable :: question
+
+      question = find_nearest(word, known)
+      if (len(question) > 0) question = '; did you mean '''//question//'''?'
+   end function did_you_mean
+
+end module adfric_input_suggestion

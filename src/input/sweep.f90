@@ -1,0 +1,248 @@
+!> The `&sweep` groups: which variables take which values.
+module adfric_input_sweep
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_model, only: model_t, kind_real, kind_integer
+   use adfric_base_problems, only: problems_t
+   use adfric_base_words, only: count_words
+   use adfric_input_case, only: case_t
+   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_suggestion, only: did_you_mean
+   use adfric_input_sweep_range, only: read_sweep_values
+   use adfric_input_text, only: join_words, to_lower, show_count
+   use adfric_input_value_text, only: read_string
+   use adfric_input_variable, only: is_in_range, describe_allowed, show_value
+   use adfric_input_vocabulary, only: sweep_names, list_groups_of, list_variables, say_unknown_name
+   use adfric_sweep_plan, only: axis_t, plan_t
+   implicit none (type, external)
+   private
+   public :: read_sweeps, find_size_problem
+
+   !> Largest number of points: up to it a real number counts exactly.
+   real(dp), parameter :: most_points = 2.0_dp**53
+
+contains
+
+   !> Read all sweeps. An axis that cannot be used is left out; there is a problem then.
+   subroutine read_sweeps(file, model, input, axes, problems)
+      type(namelist_file_t), intent(in) :: file
+      class(model_t), intent(in) :: model
+      type(case_t), intent(inout) :: input
+      !> In the order of the file.
+      type(axis_t), allocatable, intent(out) :: axes(:)
+      type(problems_t), intent(inout) :: problems
+      type(axis_t) :: axis
+      integer :: i, n
+
+      allocate (axes(count(file%groups%name == 'sweep')))
+      n = 0
+      do i = 1, size(file%groups)
+         if (file%groups(i)%name /= 'sweep') cycle
+         call read_axis(file, i, model, input, axis, problems)
+         if (axis%variable == 0) cycle
+         n = n + 1
+         axes(n)%variable = axis%variable
+         call move_alloc(axis%values, axes(n)%values)
+      end do
+      if (n < size(axes)) axes = axes(:n)
+   end subroutine read_sweeps
+
+   !> Read one sweep; the variable is 0 if the axis cannot be used.
+   subroutine read_axis(file, group, model, input, axis, problems)
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the group.
+      integer, intent(in) :: group
+      class(model_t), intent(in) :: model
+      type(case_t), intent(inout) :: input
+      type(axis_t), intent(out) :: axis
+      type(problems_t), intent(inout) :: problems
+      integer :: variable, n_before
+
+      call check_names(file, group, problems)
+      call read_sweep_values(file, group, axis%values, problems)
+      call find_swept_variable(file, group, model, variable, problems)
+      if (variable == 0) return
+      n_before = problems%count()
+      call check_not_twice(file, group, model, variable, input, problems)
+      if (size(axis%values) > 0) call check_swept_range(file, group, model, variable, axis%values, problems)
+      if (problems%count() > n_before .or. size(axis%values) == 0) then
+         input%is_broken(variable) = .true.
+         if (input%line(variable) > 0) return
+      else
+         axis%variable = variable
+         input%values(variable) = axis%values(1)
+      end if
+      input%is_swept(variable) = .true.
+      input%line(variable) = file%line_of(file%groups(group)%first)
+   end subroutine read_axis
+
+   !> Report variables that `&sweep` does not have.
+   subroutine check_names(file, group, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: name
+      integer :: i
+
+      do i = 1, size(file%assignments)
+         if (file%assignments(i)%group /= group) cycle
+         name = trim(file%assignments(i)%name)
+         if (index(' '//sweep_names//' ', ' '//name//' ') > 0) cycle
+         call file%report(problems, group, name, say_unknown_name(sweep_names, name), file%assignments(i)%first)
+      end do
+   end subroutine check_names
+
+   !> Find which variable of the model is swept; 0 if it cannot be.
+   subroutine find_swept_variable(file, group, model, variable, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      class(model_t), intent(in) :: model
+      integer, intent(out) :: variable
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: name, flaw
+      integer :: number, place
+
+      variable = 0
+      number = file%find_assignment(group, 'variable')
+      if (number == 0) then
+         call file%report(problems, group, 'variable', 'not given, needed: the name of a variable of the model', &
+            file%groups(group)%first)
+         return
+      end if
+      call read_string(file%value_of(number), name, flaw, place)
+      if (len(flaw) > 0) then
+         flaw = flaw//', allowed: the name of a variable of the model'
+      else
+         call look_up(model, to_lower(name), variable, flaw)
+      end if
+      if (len(flaw) > 0) call file%report(problems, group, 'variable', flaw, file%assignments(number)%first)
+   end subroutine find_swept_variable
+
+   !> Look up `name` or `group%name`.
+   subroutine look_up(model, name, variable, flaw)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: name
+      !> 0 if there is none.
+      integer, intent(out) :: variable
+      character(:), allocatable, intent(out) :: flaw
+      character(:), allocatable :: groups, bare_name
+      integer :: percent
+
+      flaw = ''
+      variable = 0
+      percent = index(name, '%')
+      bare_name = name(percent + 1:)
+      groups = list_groups_of(model, bare_name)
+      if (len(groups) == 0) then
+         flaw = 'unknown variable, given '''//name//''', allowed: '//join_words(list_swept(model), ', ')// &
+            did_you_mean(bare_name, list_variables(model, ''))
+      else if (percent > 0) then
+         variable = model%index_of(name(:percent - 1), bare_name)
+         if (variable == 0) flaw = 'unknown variable, given '''//name//''', it belongs to &'//join_words(groups, ' or &')
+      else if (count_words(groups) > 1) then
+         flaw = 'stands in several groups, given '''//name//''', allowed: '''// &
+            join_words(groups, '%'//name//''' or ''')//'%'//name//''''
+      else
+         variable = model%index_of(groups, name)
+      end if
+      if (variable == 0) return
+      if (is_numeric(model, variable)) return
+      flaw = 'not a number, it cannot be swept, given '''//name//''', allowed: '//join_words(list_swept(model), ', ')
+      variable = 0
+   end subroutine look_up
+
+   !> Is a variable of the model a number?
+   pure logical function is_numeric(model, variable)
+      class(model_t), intent(in) :: model
+      integer, intent(in) :: variable
+
+      is_numeric = any(model%variables(variable)%kind == [kind_real, kind_integer])
+   end function is_numeric
+
+   !> Variables that can be swept, separated by a blank.
+   pure function list_swept(model) result(list)
+      class(model_t), intent(in) :: model
+      character(:), allocatable :: list
+      character(:), allocatable :: name
+      integer :: i
+
+      list = ''
+      do i = 1, size(model%variables)
+         if (.not. is_numeric(model, i)) cycle
+         name = model%variables(i)%name
+         if (count_words(list_groups_of(model, name)) > 1) name = model%variables(i)%group//'%'//name
+         list = list//' '//name
+      end do
+   end function list_swept
+
+   !> A variable is given in one place.
+   subroutine check_not_twice(file, group, model, variable, input, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      class(model_t), intent(in) :: model
+      integer, intent(in) :: variable
+      type(case_t), intent(in) :: input
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: where_else
+
+      if (input%is_swept(variable)) then
+         where_else = 'in another &sweep'
+      else if (input%is_given(variable)) then
+         where_else = 'in &'//model%variables(variable)%group
+      else
+         return
+      end if
+      call file%report(problems, group, 'variable', model%variables(variable)%name//' is given twice, here and '// &
+         where_else//' in line '//show_count(input%line(variable))//', allowed: one of them', &
+         file%groups(group)%first)
+   end subroutine check_not_twice
+
+   !> Every value is within the range of the variable.
+   subroutine check_swept_range(file, group, model, variable, values, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      class(model_t), intent(in) :: model
+      integer, intent(in) :: variable
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: name, text
+      integer :: i, first, number, n
+
+      n = 0
+      do i = size(values), 1, -1
+         if (is_in_range(values(i), model%variables(variable))) cycle
+         n = n + 1
+         first = i
+      end do
+      if (n == 0) return
+      name = 'values'
+      if (file%find_assignment(group, name) == 0) name = merge('to  ', 'from', first == size(values))
+      number = file%find_assignment(group, trim(name))
+      text = model%variables(variable)%name//' out of range at value '//show_count(first)//' of '// &
+         show_count(size(values))
+      if (n > 1) text = text//' and at '//show_count(n - 1)//' more'
+      text = text//', given '//show_value(values(first), model%variables(variable))//', allowed: '// &
+         describe_allowed(model%variables(variable))
+      call file%report(problems, group, trim(name), text, file%assignments(number)%first)
+   end subroutine check_swept_range
+
+   !> Is the number of points beyond all counting? Empty if it is not.
+   pure function find_size_problem(plan) result(text)
+      type(plan_t), intent(in) :: plan
+      character(:), allocatable :: text
+      character(:), allocatable :: counts
+      real(dp) :: n_points
+      integer :: k
+
+      text = ''
+      counts = ''
+      n_points = 1
+      do k = 1, size(plan%axes)
+         n_points = min(n_points*real(size(plan%axes(k)%values, kind=i8), dp), 2*most_points)
+         if (k > 1) counts = counts//' x '
+         counts = counts//show_count(size(plan%axes(k)%values, kind=i8))
+      end do
+      if (n_points > most_points) text = 'the sweep has too many points, given '//counts// &
+         ', allowed: 2**53 points in all'
+   end function find_size_problem
+
+end module adfric_input_sweep

@@ -1,0 +1,225 @@
+!> The values of one `&sweep` group: a list, or a range from one end to the other.
+module adfric_input_sweep_range
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_problems, only: problems_t
+   use adfric_base_words, only: get_word
+   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_suggestion, only: did_you_mean
+   use adfric_input_sweep_values, only: fill_linear, fill_logarithmic
+   use adfric_input_text, only: show_number, show_count
+   use adfric_input_value_text, only: read_reals, read_real, read_integer, read_string, most_values
+   implicit none (type, external)
+   private
+   public :: read_sweep_values
+
+   !> Variables of `&sweep` that describe a range.
+   character(*), parameter :: range_names = 'from to count spacing'
+
+   !> A range of values.
+   type :: range_t
+      real(dp) :: from = 0, to = 0
+      integer(i8) :: count = 0
+      logical :: is_logarithmic = .false.
+   end type range_t
+
+contains
+
+   !> Read the values of a sweep; size 0 if something is wrong.
+   subroutine read_sweep_values(file, group, values, problems)
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the group.
+      integer, intent(in) :: group
+      real(dp), allocatable, intent(out) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      type(range_t) :: interval
+      integer :: n_before, status
+
+      n_before = problems%count()
+      if (file%find_assignment(group, 'values') > 0) then
+         call check_alone(file, group, problems)
+         call read_list(file, group, values, problems)
+      else
+         call check_complete(file, group, problems)
+         call read_range(file, group, interval, problems)
+         if (problems%count() == n_before) call check_range(file, group, interval, problems)
+         if (problems%count() == n_before) then
+            allocate (values(interval%count), stat=status)
+            if (status /= 0) call complain(file, group, 'count', 'too many values for the memory, given '// &
+               show_count(interval%count), problems)
+         end if
+         if (problems%count() == n_before) call fill_range(interval, values)
+      end if
+      if (problems%count() == n_before) return
+      if (allocated(values)) deallocate (values)
+      allocate (values(0))
+   end subroutine read_sweep_values
+
+   !> Add a problem with a variable of the group, whether it stands there or not.
+   subroutine complain(file, group, name, text, problems, place)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      character(*), intent(in) :: name
+      character(*), intent(in) :: text
+      type(problems_t), intent(inout) :: problems
+      !> Position in the text of the value.
+      integer, intent(in), optional :: place
+      integer :: number, position
+
+      number = file%find_assignment(group, name)
+      position = file%groups(group)%first
+      if (number > 0) position = file%assignments(number)%first
+      if (number > 0 .and. present(place)) position = file%assignments(number)%value_first + place - 1
+      call file%report(problems, group, name, text, position)
+   end subroutine complain
+
+   !> A list stands alone.
+   subroutine check_alone(file, group, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
+      do k = 1, 4
+         if (file%find_assignment(group, get_word(range_names, k)) == 0) cycle
+         call complain(file, group, get_word(range_names, k), 'contradicts values, given both, '// &
+            'allowed: values, or from, to and count', problems)
+      end do
+   end subroutine check_alone
+
+   !> Read a list.
+   subroutine read_list(file, group, values, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      real(dp), allocatable, intent(out) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: flaw
+      integer :: place
+
+      call read_reals(file%value_of(file%find_assignment(group, 'values')), values, flaw, place)
+      if (len(flaw) > 0) call complain(file, group, 'values', flaw//', allowed: numbers', problems, place)
+   end subroutine read_list
+
+   !> A range has both ends and a count.
+   subroutine check_complete(file, group, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      type(problems_t), intent(inout) :: problems
+      logical :: is_there(3)
+      integer :: k
+
+      is_there = [(file%find_assignment(group, get_word(range_names, k)) > 0, k=1, 3)]
+      if (.not. any(is_there)) then
+         call complain(file, group, '', 'no values given, allowed: values, or from, to and count', problems)
+         return
+      end if
+      do k = 1, 3
+         if (is_there(k)) cycle
+         call complain(file, group, get_word(range_names, k), 'not given, needed: from, to and count', problems)
+      end do
+   end subroutine check_complete
+
+   !> Read a range.
+   subroutine read_range(file, group, interval, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      type(range_t), intent(out) :: interval
+      type(problems_t), intent(inout) :: problems
+
+      call read_end(file, group, 'from', interval%from, problems)
+      call read_end(file, group, 'to', interval%to, problems)
+      call read_count(file, group, interval%count, problems)
+      call read_spacing(file, group, interval%is_logarithmic, problems)
+   end subroutine read_range
+
+   !> Read an end of the range.
+   subroutine read_end(file, group, name, value, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      character(*), intent(in) :: name
+      real(dp), intent(out) :: value
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: flaw
+      integer :: number, place
+
+      value = 0
+      number = file%find_assignment(group, name)
+      if (number == 0) return
+      call read_real(file%value_of(number), value, flaw, place)
+      if (len(flaw) > 0) call complain(file, group, name, flaw//', allowed: a number', problems, place)
+   end subroutine read_end
+
+   !> Read the number of values.
+   subroutine read_count(file, group, n_values, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      integer(i8), intent(out) :: n_values
+      type(problems_t), intent(inout) :: problems
+      character(*), parameter :: allowed = ', allowed: an integer >= 1 and <= '
+      character(:), allocatable :: flaw
+      integer :: number, place
+
+      n_values = 0
+      number = file%find_assignment(group, 'count')
+      if (number == 0) return
+      call read_integer(file%value_of(number), n_values, flaw, place)
+      if (len(flaw) == 0 .and. n_values < 1) flaw = 'out of range, given '//show_count(n_values)
+      if (len(flaw) == 0 .and. n_values > most_values) flaw = 'too many values, given '//show_count(n_values)
+      if (len(flaw) > 0) call complain(file, group, 'count', flaw//allowed//show_count(most_values), problems, place)
+   end subroutine read_count
+
+   !> Read the spacing.
+   subroutine read_spacing(file, group, is_logarithmic, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      logical, intent(out) :: is_logarithmic
+      type(problems_t), intent(inout) :: problems
+      character(*), parameter :: allowed = ', allowed: ''linear'', ''log'''
+      character(:), allocatable :: word, flaw
+      integer :: number, place
+
+      is_logarithmic = .false.
+      number = file%find_assignment(group, 'spacing')
+      if (number == 0) return
+      call read_string(file%value_of(number), word, flaw, place)
+      is_logarithmic = word == 'log'
+      if (len(flaw) == 0 .and. word /= 'log' .and. word /= 'linear') &
+         flaw = 'unknown choice, given '''//word//''''
+      if (len(flaw) > 0) call complain(file, group, 'spacing', flaw//allowed//did_you_mean(word, 'linear log'), &
+         problems, place)
+   end subroutine read_spacing
+
+   !> Do the ends, the count and the spacing agree?
+   subroutine check_range(file, group, interval, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      type(range_t), intent(in) :: interval
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: ends
+      logical :: is_one_value
+
+      ends = 'from = '//show_number(interval%from)//' and to = '//show_number(interval%to)
+      is_one_value = .not. (interval%from < interval%to .or. interval%from > interval%to)
+      if (interval%count == 1 .and. .not. is_one_value) call complain(file, group, 'count', &
+         'contradicts the ends, given 1 with '//ends//', allowed: 2 or more between different ends', problems)
+      if (interval%count > 1 .and. is_one_value) call complain(file, group, 'count', &
+         'contradicts the ends, given '//show_count(interval%count)//' with '//ends// &
+         ', allowed: 1 between equal ends', problems)
+      if (.not. interval%is_logarithmic) return
+      if (min(interval%from, interval%to) > 0 .or. max(interval%from, interval%to) < 0) return
+      call complain(file, group, 'spacing', 'a logarithmic sweep cannot reach or pass zero, given '//ends// &
+         ', allowed: ends of one sign', problems)
+   end subroutine check_range
+
+   !> Set the values of a range.
+   pure subroutine fill_range(interval, values)
+      type(range_t), intent(in) :: interval
+      real(dp), intent(out) :: values(:)
+
+      if (interval%is_logarithmic) then
+         call fill_logarithmic(interval%from, interval%to, values)
+      else
+         call fill_linear(interval%from, interval%to, values)
+      end if
+   end subroutine fill_range
+
+end module adfric_input_sweep_range

@@ -1,0 +1,144 @@
+!> The values of a model's variables: read from their groups, and held against what the model's table allows.
+module adfric_input_variable
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_model, only: variable_t, kind_real, kind_integer, kind_logical
+   use adfric_base_unset, only: unset
+   use adfric_base_words, only: count_words, get_word
+   use adfric_input_suggestion, only: did_you_mean
+   use adfric_input_text, only: join_words, show_number
+   use adfric_input_value_text, only: read_real, read_integer, read_logical, read_string
+   implicit none (type, external)
+   private
+   public :: read_variable, is_in_range, describe_allowed, show_value
+
+contains
+
+   !> Read the value of a variable as it is held, as a real number.
+   subroutine read_variable(text, variable, value, flaw, place)
+      !> Text of the value.
+      character(*), intent(in) :: text
+      type(variable_t), intent(in) :: variable
+      !> The default where something is wrong.
+      real(dp), intent(out) :: value
+      !> What is wrong, what was given, what is allowed; empty if the value is good.
+      character(:), allocatable, intent(out) :: flaw
+      !> Position of what is wrong in the text.
+      integer, intent(out) :: place
+      logical :: is_on
+      integer(i8) :: n
+
+      select case (variable%kind)
+      case (kind_real)
+         call read_real(text, value, flaw, place)
+      case (kind_integer)
+         call read_integer(text, n, flaw, place)
+         value = real(n, dp)
+      case (kind_logical)
+         call read_logical(text, is_on, flaw, place)
+         value = merge(1.0_dp, 0.0_dp, is_on)
+      case default
+         call read_choice(text, variable%choices, value, flaw, place)
+      end select
+      if (len(flaw) > 0) then
+         if (index(flaw, 'allowed: ') == 0) flaw = flaw//', allowed: '//describe_allowed(variable)
+      else if (.not. is_in_range(value, variable)) then
+         flaw = 'out of range, given '//show_value(value, variable)//', allowed: '//describe_allowed(variable)
+      end if
+      if (len(flaw) > 0) value = variable%default
+   end subroutine read_variable
+
+   !> Read one of several words.
+   subroutine read_choice(text, choices, value, flaw, place)
+      character(*), intent(in) :: text
+      !> Separated by a blank.
+      character(*), intent(in) :: choices
+      !> Place of the word in `choices`.
+      real(dp), intent(out) :: value
+      character(:), allocatable, intent(out) :: flaw
+      integer, intent(out) :: place
+      character(:), allocatable :: word
+      integer :: k
+
+      value = unset
+      call read_string(text, word, flaw, place)
+      if (len(flaw) > 0) return
+      do k = 1, count_words(choices)
+         if (get_word(choices, k) /= word .or. len(word) == 0) cycle
+         value = real(k, dp)
+         return
+      end do
+      flaw = 'unknown choice, given '''//word//''', allowed: '//list_choices(choices)//did_you_mean(word, choices)
+   end subroutine read_choice
+
+   !> Is a value within the range of its variable?
+   elemental logical function is_in_range(value, variable)
+      real(dp), intent(in) :: value
+      type(variable_t), intent(in) :: variable
+
+      is_in_range = abs(value) < unset .and. value >= variable%lower .and. value <= variable%upper
+      if (variable%lower_open) is_in_range = is_in_range .and. value > variable%lower
+      if (variable%upper_open) is_in_range = is_in_range .and. value < variable%upper
+      if (variable%kind == kind_integer) is_in_range = is_in_range .and. is_integer(value)
+   end function is_in_range
+
+   !> Can a value be held as an integer of default kind?
+   elemental logical function is_integer(value)
+      real(dp), intent(in) :: value
+
+      is_integer = .false.
+      if (abs(value) <= real(huge(1), dp)) is_integer = .not. abs(value - anint(value)) > 0
+   end function is_integer
+
+   !> What a variable may be, in words.
+   pure function describe_allowed(variable) result(text)
+      type(variable_t), intent(in) :: variable
+      character(:), allocatable :: text
+      logical :: has_lower, has_upper
+
+      select case (variable%kind)
+      case (kind_real)
+         text = 'a number'
+      case (kind_integer)
+         text = 'an integer'
+      case (kind_logical)
+         text = '.true. or .false.'
+         return
+      case default
+         text = list_choices(variable%choices)
+         return
+      end select
+      has_lower = abs(variable%lower) < unset
+      has_upper = abs(variable%upper) < unset
+      if (has_lower) text = text//trim(merge(' > ', ' >=', variable%lower_open))//' '//show_number(variable%lower)
+      if (has_lower .and. has_upper) text = text//' and'
+      if (has_upper) text = text//trim(merge(' < ', ' <=', variable%upper_open))//' '//show_number(variable%upper)
+      if (has_unit(variable)) text = text//' ['//variable%unit//']'
+   end function describe_allowed
+
+   !> Words in quotes, with commas between them.
+   pure function list_choices(choices) result(text)
+      character(*), intent(in) :: choices
+      character(:), allocatable :: text
+
+      text = ''''//join_words(choices, ''', ''')//''''
+   end function list_choices
+
+   !> A value with its unit.
+   pure function show_value(value, variable) result(text)
+      real(dp), intent(in) :: value
+      type(variable_t), intent(in) :: variable
+      character(:), allocatable :: text
+
+      text = show_number(value)
+      if (has_unit(variable)) text = text//' '//variable%unit
+   end function show_value
+
+   !> Has the variable a unit?
+   pure logical function has_unit(variable)
+      type(variable_t), intent(in) :: variable
+
+      has_unit = .false.
+      if (allocated(variable%unit)) has_unit = len_trim(variable%unit) > 0 .and. variable%unit /= '-'
+   end function has_unit
+
+end module adfric_input_variable

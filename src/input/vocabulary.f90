@@ -1,0 +1,115 @@
+!> The names that an input may use, and what to say of a name that is not among them.
+module adfric_input_vocabulary
+   use adfric_base_model, only: model_t
+   use adfric_input_suggestion, only: find_nearest, did_you_mean
+   use adfric_input_text, only: join_words
+   implicit none (type, external)
+   private
+   public :: job_names, sweep_names, list_groups, list_variables, list_groups_of, has_word
+   public :: say_unknown_group, say_unknown_variable, say_unknown_name
+
+   !> Variables of `&job`.
+   character(*), parameter :: job_names = 'model title output'
+   !> Variables of `&sweep`.
+   character(*), parameter :: sweep_names = 'variable from to count spacing values'
+
+contains
+
+   !> Is a word in a blank-separated list?
+   pure logical function has_word(list, word)
+      character(*), intent(in) :: list, word
+
+      has_word = len_trim(word) > 0 .and. index(' '//list//' ', ' '//trim(word)//' ') > 0
+   end function has_word
+
+   !> Groups of a model, separated by a blank.
+   pure function list_groups(model) result(list)
+      class(model_t), intent(in) :: model
+      character(:), allocatable :: list
+      integer :: i
+
+      list = ''
+      do i = 1, size(model%variables)
+         if (.not. has_word(list, model%variables(i)%group)) list = list//' '//model%variables(i)%group
+      end do
+      list = trim(adjustl(list))
+   end function list_groups
+
+   !> Variables of one group of a model, separated by a blank; of all groups if `group` is empty.
+   pure function list_variables(model, group) result(list)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: group
+      character(:), allocatable :: list
+      integer :: i
+
+      list = ''
+      do i = 1, size(model%variables)
+         if (len_trim(group) > 0 .and. model%variables(i)%group /= group) cycle
+         if (.not. has_word(list, model%variables(i)%name)) list = list//' '//model%variables(i)%name
+      end do
+      list = trim(adjustl(list))
+   end function list_variables
+
+   !> Groups of a model that have a variable of this name, separated by a blank.
+   pure function list_groups_of(model, name) result(list)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: name
+      character(:), allocatable :: list
+      integer :: i
+
+      list = ''
+      do i = 1, size(model%variables)
+         if (model%variables(i)%name == name) list = list//' '//model%variables(i)%group
+      end do
+      list = trim(adjustl(list))
+   end function list_groups_of
+
+   !> What to say of a group that a model does not have.
+   pure function say_unknown_group(model, group) result(text)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: group
+      character(:), allocatable :: text
+      character(:), allocatable :: known
+
+      known = 'job sweep '//list_groups(model)
+      text = 'unknown group for the model '''//model%name//''', allowed: &'//join_words(known, ', &')
+      if (len(find_nearest(group, known)) > 0) text = text//'; did you mean &'//find_nearest(group, known)//'?'
+   end function say_unknown_group
+
+   !> What to say of a variable that a group does not have; the model may have it elsewhere.
+   pure function say_unknown_variable(model, group, name) result(text)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: group
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+      character(:), allocatable :: near
+
+      text = 'unknown variable'
+      near = find_nearest(name, list_variables(model, ''))
+      if (len(list_groups_of(model, name)) > 0) then
+         text = text//', it belongs to &'//join_words(list_groups_of(model, name), ' or &')
+      else if (has_word(job_names, name)) then
+         text = text//', it belongs to &job'
+      else if (has_word(sweep_names, name)) then
+         text = text//', it belongs to &sweep'
+      end if
+      text = text//', allowed: '//join_words(list_variables(model, group), ', ')
+      if (index(text, 'belongs') > 0) return
+      if (len(find_nearest(name, list_variables(model, group))) > 0) then
+         text = text//did_you_mean(name, list_variables(model, group))
+      else if (len(near) > 0) then
+         text = text//'; did you mean '''//near//''' of &'//join_words(list_groups_of(model, near), ' or &')//'?'
+      end if
+   end function say_unknown_variable
+
+   !> What to say of a variable that `&job` or `&sweep` does not have.
+   pure function say_unknown_name(known, name) result(text)
+      !> Names that the group has, separated by a blank.
+      character(*), intent(in) :: known
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+
+      text = 'unknown variable, allowed: '//join_words(known, ', ')//did_you_mean(name, known)
+   end function say_unknown_name
+
+end module adfric_input_vocabulary

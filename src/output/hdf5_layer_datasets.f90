@@ -1,0 +1,203 @@
+!> Datasets of fixed size in HDF5 files: contiguous, laid out on the disk and filled when they are created.
+!>
+!> Shapes, starts and counts are in C order, the slowest dimension first, as h5py shows them; a shape of size 0 is
+!> a scalar.
+module adfric_output_hdf5_layer_datasets
+   use, intrinsic :: iso_c_binding, only: c_loc
+   use, intrinsic :: iso_fortran_env, only: int8
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use hdf5, only: hid_t, hsize_t, h5screate_f, h5screate_simple_f, h5sselect_hyperslab_f, h5dcreate_f, h5dwrite_f, &
+      h5dclose_f, h5pcreate_f, h5pset_layout_f, h5pset_alloc_time_f, h5pset_fill_time_f, h5pset_fill_value_f, &
+      h5kind_to_type, H5S_SCALAR_F, H5S_SELECT_SET_F, H5P_DATASET_CREATE_F, H5D_CONTIGUOUS_F, &
+      H5D_ALLOC_TIME_EARLY_F, H5D_FILL_TIME_ALLOC_F, H5T_IEEE_F64LE, H5T_STD_I8LE, H5T_NATIVE_DOUBLE, H5_INTEGER_KIND
+   use h5ds, only: h5dsset_scale_f, h5dsattach_scale_f
+   use adfric_base_kinds, only: dp, i8
+   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
+   implicit none (type, external)
+   private
+   public :: create_space, select_box, create_real_dataset, create_state_dataset, write_values, close_dataset
+   public :: make_scale, attach_scale, no_state
+
+   !> What stands in a dataset of states where there is none.
+   integer(int8), parameter :: no_state = -1
+
+   !> Write values into a part of a dataset.
+   interface write_values
+      module procedure write_reals
+      module procedure write_states
+   end interface write_values
+
+contains
+
+   !> Create a space of a shape.
+   subroutine create_space(calls, shape, space)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(i8), intent(in) :: shape(:)
+      integer(hid_t), intent(out) :: space
+
+      space = no_id
+      if (.not. calls%is_good()) return
+      if (size(shape) == 0) then
+         call h5screate_f(H5S_SCALAR_F, space, calls%status)
+      else
+         call h5screate_simple_f(size(shape), to_fortran(shape), space, calls%status)
+      end if
+      call calls%check()
+   end subroutine create_space
+
+   !> Select a part of a space; a scalar is always selected as a whole.
+   subroutine select_box(calls, space, start, count)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: space
+      !> First place of the part, from 0, and how many.
+      integer(i8), intent(in) :: start(:), count(:)
+
+      if (size(start) == 0 .or. .not. calls%is_good()) return
+      call h5sselect_hyperslab_f(space, H5S_SELECT_SET_F, to_fortran(start), to_fortran(count), calls%status)
+      call calls%check()
+   end subroutine select_box
+
+   !> Numbers of the dimensions in Fortran order.
+   pure function to_fortran(numbers) result(reversed)
+      integer(i8), intent(in) :: numbers(:)
+      integer(hsize_t) :: reversed(size(numbers))
+
+      reversed = int(numbers(size(numbers):1:-1), hsize_t)
+   end function to_fortran
+
+   !> Create a dataset of real numbers, all NaN.
+   subroutine create_real_dataset(calls, file, name, space, dataset)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      character(*), intent(in) :: name
+      integer(hid_t), intent(in) :: space
+      integer(hid_t), intent(out) :: dataset
+      real(dp), target :: fill
+      integer(hid_t) :: list
+
+      fill = ieee_value(fill, ieee_quiet_nan)
+      call create_list(calls, list)
+      if (calls%is_good()) then
+         call h5pset_fill_value_f(list, H5T_NATIVE_DOUBLE, c_loc(fill), calls%status)
+         call calls%check()
+      end if
+      call create_dataset(calls, file, name, H5T_IEEE_F64LE, space, list, dataset)
+      call calls%close_id(list)
+   end subroutine create_real_dataset
+
+   !> Create a dataset of states, all `no_state`.
+   subroutine create_state_dataset(calls, file, name, space, dataset)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      character(*), intent(in) :: name
+      integer(hid_t), intent(in) :: space
+      integer(hid_t), intent(out) :: dataset
+      integer(int8), target :: fill
+      integer(hid_t) :: list
+
+      fill = no_state
+      call create_list(calls, list)
+      if (calls%is_good()) then
+         call h5pset_fill_value_f(list, h5kind_to_type(int8, H5_INTEGER_KIND), c_loc(fill), calls%status)
+         call calls%check()
+      end if
+      call create_dataset(calls, file, name, H5T_STD_I8LE, space, list, dataset)
+      call calls%close_id(list)
+   end subroutine create_state_dataset
+
+   !> Create a list of properties: contiguous, laid out and filled at once.
+   subroutine create_list(calls, list)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(out) :: list
+
+      list = no_id
+      if (.not. calls%is_good()) return
+      call h5pcreate_f(H5P_DATASET_CREATE_F, list, calls%status)
+      call calls%check()
+      if (.not. calls%is_good()) return
+      call h5pset_layout_f(list, H5D_CONTIGUOUS_F, calls%status)
+      call calls%check()
+      if (.not. calls%is_good()) return
+      call h5pset_alloc_time_f(list, H5D_ALLOC_TIME_EARLY_F, calls%status)
+      call calls%check()
+      if (.not. calls%is_good()) return
+      call h5pset_fill_time_f(list, H5D_FILL_TIME_ALLOC_F, calls%status)
+      call calls%check()
+   end subroutine create_list
+
+   !> Create a dataset.
+   subroutine create_dataset(calls, file, name, file_type, space, list, dataset)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      character(*), intent(in) :: name
+      integer(hid_t), intent(in) :: file_type, space, list
+      integer(hid_t), intent(out) :: dataset
+
+      dataset = no_id
+      if (.not. calls%is_good()) return
+      call h5dcreate_f(file, name, file_type, space, dataset, calls%status, dcpl_id=list)
+      call calls%check()
+   end subroutine create_dataset
+
+   !> Write real numbers.
+   subroutine write_reals(calls, dataset, memory_space, file_space, values)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: dataset
+      !> Space of as many values, and a space of the dataset's shape with the part selected.
+      integer(hid_t), intent(in) :: memory_space, file_space
+      real(dp), intent(in), contiguous, target :: values(:)
+
+      if (.not. calls%is_good()) return
+      call h5dwrite_f(dataset, H5T_NATIVE_DOUBLE, c_loc(values), calls%status, memory_space, file_space)
+      call calls%check()
+   end subroutine write_reals
+
+   !> Write states.
+   subroutine write_states(calls, dataset, memory_space, file_space, values)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: dataset
+      !> Space of as many values, and a space of the dataset's shape with the part selected.
+      integer(hid_t), intent(in) :: memory_space, file_space
+      integer(int8), intent(in), contiguous, target :: values(:)
+
+      if (.not. calls%is_good()) return
+      call h5dwrite_f(dataset, h5kind_to_type(int8, H5_INTEGER_KIND), c_loc(values), calls%status, &
+         memory_space, file_space)
+      call calls%check()
+   end subroutine write_states
+
+   !> Close a dataset, even if its last writing fails.
+   subroutine close_dataset(calls, dataset)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(inout) :: dataset
+
+      if (dataset == no_id) return
+      call h5dclose_f(dataset, calls%status)
+      call calls%check()
+      dataset = no_id
+   end subroutine close_dataset
+
+   !> Make a dataset of one dimension a scale.
+   subroutine make_scale(calls, dataset, name)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: dataset
+      character(*), intent(in) :: name
+
+      if (.not. calls%is_good()) return
+      call h5dsset_scale_f(dataset, calls%status, name)
+      call calls%check()
+   end subroutine make_scale
+
+   !> Attach a scale to a dimension of a dataset.
+   subroutine attach_scale(calls, dataset, scale, dimension)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: dataset, scale
+      !> From 1, the slowest first.
+      integer, intent(in) :: dimension
+
+      if (.not. calls%is_good()) return
+      call h5dsattach_scale_f(dataset, scale, dimension, calls%status)
+      call calls%check()
+   end subroutine attach_scale
+
+end module adfric_output_hdf5_layer_datasets

@@ -1,0 +1,59 @@
+!> HDF5 files as a whole.
+module adfric_output_hdf5_layer_file
+   use hdf5, only: hid_t, h5fcreate_f, h5fflush_f, h5fclose_f, h5pcreate_f, h5pset_fclose_degree_f, &
+      H5F_ACC_EXCL_F, H5F_SCOPE_GLOBAL_F, H5F_CLOSE_SEMI_F, H5P_FILE_ACCESS_F
+   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
+   implicit none (type, external)
+   private
+   public :: create_file, flush_file, close_file
+
+contains
+
+   !> Create a file; there must be none of this name.
+   subroutine create_file(calls, path, file)
+      type(hdf5_calls_t), intent(inout) :: calls
+      character(*), intent(in) :: path
+      integer(hid_t), intent(out) :: file
+      integer(hid_t) :: list
+
+      file = no_id
+      list = no_id
+      call calls%open_library()
+      if (calls%is_good()) then
+         call h5pcreate_f(H5P_FILE_ACCESS_F, list, calls%status)
+         call calls%check()
+      end if
+      if (calls%is_good()) then
+         ! Closing the file fails as long as anything in it is open.
+         call h5pset_fclose_degree_f(list, H5F_CLOSE_SEMI_F, calls%status)
+         call calls%check()
+      end if
+      if (calls%is_good()) then
+         call h5fcreate_f(path, H5F_ACC_EXCL_F, file, calls%status, access_prp=list)
+         call calls%check()
+      end if
+      call calls%close_id(list)
+   end subroutine create_file
+
+   !> Hand everything written so far to the operating system.
+   subroutine flush_file(calls, file)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+
+      if (.not. calls%is_good()) return
+      call h5fflush_f(file, H5F_SCOPE_GLOBAL_F, calls%status)
+      call calls%check()
+   end subroutine flush_file
+
+   !> Close a file.
+   subroutine close_file(calls, file)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(inout) :: file
+
+      if (file == no_id) return
+      call h5fclose_f(file, calls%status)
+      call calls%check()
+      file = no_id
+   end subroutine close_file
+
+end module adfric_output_hdf5_layer_file

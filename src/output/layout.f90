@@ -1,0 +1,206 @@
+!> Which datasets a results file has, of what shape and size.
+module adfric_output_layout
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_model, only: model_t, result_t, status_meanings
+   use adfric_base_words, only: count_words, get_word
+   use adfric_sweep_plan, only: plan_t
+   implicit none (type, external)
+   private
+   public :: layout_t, new_layout, scale_t, field_t
+
+   !> Meaning of the state `no_state` of a result.
+   character(*), parameter :: no_state_meaning = 'no_value'
+   !> Bytes of a real number and of a state.
+   integer, parameter :: real_bytes = 8, state_bytes = 1
+   !> Room for names, attributes and the file's own tables, for each dataset [bytes].
+   integer, parameter :: bytes_per_dataset = 4096
+
+   !> A dataset of one dimension with the values along a dimension of others.
+   type :: scale_t
+      character(:), allocatable :: name
+      character(:), allocatable :: unit
+      character(:), allocatable :: long_name
+      real(dp), allocatable :: values(:)
+   end type scale_t
+
+   !> A dataset with a value at every point.
+   type :: field_t
+      character(:), allocatable :: name
+      character(:), allocatable :: unit
+      character(:), allocatable :: long_name
+      !> Meanings of `first_flag`, `first_flag + 1`, ... separated by a blank; empty for real numbers.
+      character(:), allocatable :: flag_meanings
+      integer :: first_flag = 0
+      !> Place in the results of the model; 0 for `error_estimate` and `status`, which every model has.
+      integer :: column = 0
+   end type field_t
+
+   !> The datasets of a results file.
+   type :: layout_t
+      !> Swept variables, the slowest first.
+      type(scale_t), allocatable :: axes(:)
+      !> Axes of a profile, the slowest first, without those of size 1.
+      type(scale_t), allocatable :: profile_axes(:)
+      !> Results, and last `error_estimate` and `status`.
+      type(field_t), allocatable :: fields(:)
+      !> Profiles.
+      type(field_t), allocatable :: profiles(:)
+   contains
+      procedure :: point_shape
+      procedure :: profile_shape
+      procedure :: n_bytes
+   end type layout_t
+
+contains
+
+   !> Find the datasets of a run.
+   subroutine new_layout(self, model, plan)
+      type(layout_t), intent(out) :: self
+      class(model_t), intent(in) :: model
+      type(plan_t), intent(in) :: plan
+      type(result_t), allocatable :: results(:)
+
+      results = model%describe_results(plan%base)
+      call find_axes(model, plan, results, self%axes)
+      call find_fields(results, self%axes, self%fields)
+      if (model%wants_profiles(plan%base)) then
+         call find_profile_axes(model, plan%base, self%profile_axes)
+         call find_profiles(model, self%profiles)
+      else
+         allocate (self%profile_axes(0), self%profiles(0))
+      end if
+   end subroutine new_layout
+
+   !> Name the swept variables: by their own names or, where two of them share it, with the group before it.
+   subroutine find_axes(model, plan, results, axes)
+      class(model_t), intent(in) :: model
+      type(plan_t), intent(in) :: plan
+      type(result_t), intent(in) :: results(:)
+      type(scale_t), allocatable, intent(out) :: axes(:)
+      integer :: k, i, n_same
+
+      allocate (axes(size(plan%axes)))
+      do k = 1, size(axes)
+         associate (variable => model%variables(plan%axes(k)%variable), axis => axes(k))
+            n_same = 0
+            do i = 1, size(axes)
+               if (model%variables(plan%axes(i)%variable)%name == variable%name) n_same = n_same + 1
+            end do
+            axis%name = variable%name
+            if (n_same > 1) axis%name = variable%group//'_'//variable%name
+            axis%unit = variable%unit
+            axis%long_name = variable%meaning
+            axis%values = plan%axes(k)%values
+            ! The unit of a result can depend on the case, and is then that of the variable, too.
+            do i = 1, size(results)
+               if (results(i)%name == axis%name) axis%unit = results(i)%unit
+            end do
+         end associate
+      end do
+   end subroutine find_axes
+
+   !> Results that are written. One that is swept itself stands in the file as an axis and is left out.
+   subroutine find_fields(results, axes, fields)
+      type(result_t), intent(in) :: results(:)
+      type(scale_t), intent(in) :: axes(:)
+      type(field_t), allocatable, intent(out) :: fields(:)
+      integer :: i, k, n
+
+      allocate (fields(size(results) + 2))
+      n = 0
+      outer: do i = 1, size(results)
+         do k = 1, size(axes)
+            if (axes(k)%name == results(i)%name) cycle outer
+         end do
+         n = n + 1
+         call set_field(fields(n), results(i)%name, results(i)%unit, results(i)%long_name)
+         fields(n)%column = i
+         if (.not. allocated(results(i)%flag_meanings)) cycle outer
+         if (len(results(i)%flag_meanings) == 0) cycle outer
+         fields(n)%flag_meanings = no_state_meaning//' '//results(i)%flag_meanings
+         fields(n)%first_flag = -1
+      end do outer
+      call set_field(fields(n + 1), 'error_estimate', '-', 'relative error of the main result, estimated')
+      call set_field(fields(n + 2), 'status', '-', 'whether the point was solved')
+      fields(n + 2)%flag_meanings = status_meanings
+      fields = fields(:n + 2)
+   end subroutine find_fields
+
+   !> Set what is written beside a dataset of real numbers.
+   pure subroutine set_field(field, name, unit, long_name)
+      type(field_t), intent(inout) :: field
+      character(*), intent(in) :: name, unit, long_name
+
+      field%name = name
+      field%unit = unit
+      field%long_name = long_name
+      field%flag_meanings = ''
+   end subroutine set_field
+
+   !> Axes along which a profile has more than one value.
+   subroutine find_profile_axes(model, values, axes)
+      class(model_t), intent(in) :: model
+      real(dp), intent(in) :: values(:)
+      type(scale_t), allocatable, intent(out) :: axes(:)
+      type(scale_t) :: axis
+      integer :: k
+
+      allocate (axes(0))
+      do k = 1, count_words(model%profile_axes)
+         axis%name = get_word(model%profile_axes, k)
+         axis%unit = 'm'
+         axis%long_name = 'coordinate '//axis%name//' of the profiles'
+         axis%values = model%get_profile_axis(values, k)
+         if (size(axis%values) > 1) axes = [axes, axis]
+      end do
+   end subroutine find_profile_axes
+
+   !> Profiles that are written.
+   subroutine find_profiles(model, profiles)
+      class(model_t), intent(in) :: model
+      type(field_t), allocatable, intent(out) :: profiles(:)
+      integer :: i
+
+      allocate (profiles(size(model%profiles)))
+      do i = 1, size(profiles)
+         call set_field(profiles(i), model%profiles(i)%name, model%profiles(i)%unit, model%profiles(i)%long_name)
+         profiles(i)%column = i
+      end do
+   end subroutine find_profiles
+
+   !> Number of points along each swept variable, the slowest first.
+   pure function point_shape(self) result(counts)
+      class(layout_t), intent(in) :: self
+      integer(i8), allocatable :: counts(:)
+      integer :: k
+
+      counts = [(size(self%axes(k)%values, kind=i8), k=1, size(self%axes))]
+   end function point_shape
+
+   !> Shape of a profile, the slowest axis first.
+   pure function profile_shape(self) result(counts)
+      class(layout_t), intent(in) :: self
+      integer(i8), allocatable :: counts(:)
+      integer :: k
+
+      counts = [(size(self%profile_axes(k)%values, kind=i8), k=1, size(self%profile_axes))]
+   end function profile_shape
+
+   !> Size of the file [bytes]; a real number, since no integer would be large enough for a sweep that is
+   !> too large.
+   pure real(dp) function n_bytes(self)
+      class(layout_t), intent(in) :: self
+      real(dp) :: n_points, per_point
+      integer :: i
+
+      n_points = product(real(self%point_shape(), dp))
+      per_point = real_bytes*size(self%profiles)*product(real(self%profile_shape(), dp))
+      do i = 1, size(self%fields)
+         per_point = per_point + merge(state_bytes, real_bytes, len(self%fields(i)%flag_meanings) > 0)
+      end do
+      n_bytes = n_points*per_point + real_bytes*(sum(real(self%point_shape(), dp)) &
+         + sum(real(self%profile_shape(), dp))) + bytes_per_dataset &
+         *(size(self%axes) + size(self%profile_axes) + size(self%fields) + size(self%profiles))
+   end function n_bytes
+
+end module adfric_output_layout

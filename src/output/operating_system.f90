@@ -1,0 +1,187 @@
+!> What neither Fortran nor HDF5 says about files, with the bindings of `operating_system.c`.
+module adfric_output_operating_system
+   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_null_char, c_size_t
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t, set_error, file_failure
+   implicit none (type, external)
+   private
+   public :: kind_of_path, path_free, path_file, path_other
+   public :: folder_of, is_locked, free_space, free_memory, utc_time
+   public :: move_file, remove_file, ignore_file_size_signal
+
+   !> What can stand at a path: nothing, a regular file, anything else.
+   integer, parameter :: path_free = 0, path_file = 1, path_other = 2
+   !> Room for a text that C gives back.
+   integer, parameter :: text_length = 256
+
+   interface
+
+      integer(c_int) function c_kind_of_path(path) bind(c, name='adfric_kind_of_path')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end function c_kind_of_path
+
+      integer(c_int) function c_is_locked(path) bind(c, name='adfric_is_locked')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end function c_is_locked
+
+      real(c_double) function c_free_space(folder) bind(c, name='adfric_free_space')
+         import :: c_char, c_double
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: folder(*)
+      end function c_free_space
+
+      integer(c_int) function c_move_file(from, to, overwrite) bind(c, name='adfric_move_file')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: from(*), to(*)
+         integer(c_int), intent(in), value :: overwrite
+      end function c_move_file
+
+      integer(c_int) function c_remove_file(path) bind(c, name='adfric_remove_file')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end function c_remove_file
+
+      subroutine c_error_text(number, text, size) bind(c, name='adfric_error_text')
+         import :: c_char, c_int, c_size_t
+         implicit none (type, external)
+         integer(c_int), intent(in), value :: number
+         character(kind=c_char), intent(out) :: text(*)
+         integer(c_size_t), intent(in), value :: size
+      end subroutine c_error_text
+
+      subroutine c_utc_time(text, size) bind(c, name='adfric_utc_time')
+         import :: c_char, c_size_t
+         implicit none (type, external)
+         character(kind=c_char), intent(out) :: text(*)
+         integer(c_size_t), intent(in), value :: size
+      end subroutine c_utc_time
+
+      !> Make a write over the limit of the file size an error that can be reported.
+      subroutine ignore_file_size_signal() bind(c, name='adfric_ignore_file_size_signal')
+         implicit none (type, external)
+      end subroutine ignore_file_size_signal
+
+   end interface
+
+contains
+
+   !> One of `path_...`.
+   integer function kind_of_path(path)
+      character(*), intent(in) :: path
+
+      kind_of_path = int(c_kind_of_path(path//c_null_char))
+   end function kind_of_path
+
+   !> Folder of a file.
+   pure function folder_of(path) result(folder)
+      character(*), intent(in) :: path
+      character(:), allocatable :: folder
+      integer :: slash
+
+      slash = index(path, '/', back=.true.)
+      if (slash == 0) then
+         folder = '.'
+      else if (slash == 1) then
+         folder = '/'
+      else
+         folder = path(:slash - 1)
+      end if
+   end function folder_of
+
+   !> Is a file being written by another run?
+   logical function is_locked(path)
+      character(*), intent(in) :: path
+
+      is_locked = c_is_locked(path//c_null_char) /= 0
+   end function is_locked
+
+   !> Bytes that may still be written into a folder; huge if it cannot be said.
+   real(dp) function free_space(folder)
+      character(*), intent(in) :: folder
+
+      free_space = c_free_space(folder//c_null_char)
+      if (free_space < 0) free_space = huge(1.0_dp)
+   end function free_space
+
+   !> Bytes of memory that are free for this process; huge if it cannot be said.
+   real(dp) function free_memory()
+      character(*), parameter :: key = 'MemAvailable:'
+      character(text_length) :: line
+      integer :: unit, status
+
+      free_memory = huge(1.0_dp)
+      open (newunit=unit, file='/proc/meminfo', action='read', status='old', iostat=status)
+      if (status /= 0) return
+      do
+         read (unit, '(a)', iostat=status) line
+         if (status /= 0) exit
+         if (index(line, key) /= 1) cycle
+         read (line(len(key) + 1:), *, iostat=status) free_memory
+         if (status == 0) free_memory = 1024*free_memory
+         exit
+      end do
+      close (unit, iostat=status)
+   end function free_memory
+
+   !> The time now, as in `2025-01-31T13:45:00Z`.
+   function utc_time() result(text)
+      character(:), allocatable :: text
+      character(kind=c_char) :: buffer(text_length)
+
+      call c_utc_time(buffer, size(buffer, kind=c_size_t))
+      text = text_of(buffer)
+   end function utc_time
+
+   !> Rename a file within its folder, in one step.
+   subroutine move_file(from, to, overwrite, error)
+      character(*), intent(in) :: from, to
+      !> May a file of the new name be replaced?
+      logical, intent(in) :: overwrite
+      type(error_t), allocatable, intent(out) :: error
+      integer(c_int) :: number
+
+      number = c_move_file(from//c_null_char, to//c_null_char, merge(1_c_int, 0_c_int, overwrite))
+      if (number /= 0) call set_error(error, file_failure, &
+         to//': cannot rename '//from//' to this name: '//error_text(number))
+   end subroutine move_file
+
+   !> Remove a file.
+   subroutine remove_file(path, error)
+      character(*), intent(in) :: path
+      type(error_t), allocatable, intent(out) :: error
+      integer(c_int) :: number
+
+      number = c_remove_file(path//c_null_char)
+      if (number /= 0) call set_error(error, file_failure, path//': cannot remove: '//error_text(number))
+   end subroutine remove_file
+
+   !> What an error number of the system means.
+   function error_text(number) result(text)
+      integer(c_int), intent(in) :: number
+      character(:), allocatable :: text
+      character(kind=c_char) :: buffer(text_length)
+
+      call c_error_text(number, buffer, size(buffer, kind=c_size_t))
+      text = text_of(buffer)
+   end function error_text
+
+   !> A text of C up to its null character.
+   pure function text_of(buffer) result(text)
+      character(kind=c_char), intent(in) :: buffer(:)
+      character(:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, size(buffer)
+         if (buffer(i) == c_null_char) return
+         text = text//buffer(i)
+      end do
+   end function text_of
+
+end module adfric_output_operating_system

@@ -1,0 +1,68 @@
+!> Is there room for a run?
+module adfric_output_resources
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_model, only: model_t
+   use adfric_output_layout, only: layout_t, new_layout
+   use adfric_output_operating_system, only: folder_of, free_memory, free_space
+   use adfric_sweep_plan, only: plan_t
+   use adfric_sweep_runner, only: memory_needed
+   implicit none (type, external)
+   private
+   public :: check_resources, file_size_of, show_bytes
+
+contains
+
+   !> Refuse a run that is too large for the disk or the memory.
+   subroutine check_resources(model, plan, path, error)
+      class(model_t), intent(in) :: model
+      type(plan_t), intent(in) :: plan
+      !> Name of the results file.
+      character(*), intent(in) :: path
+      type(error_t), allocatable, intent(out) :: error
+      character(:), allocatable :: folder
+
+      folder = folder_of(path)
+      if (file_size_of(model, plan) > free_space(folder)) then
+         call set_error(error, input_failure, 'the sweep is too large for the disk, needed: ' &
+            //show_bytes(file_size_of(model, plan))//', free in '//folder//': '//show_bytes(free_space(folder)))
+      else if (memory_needed(model, plan) > free_memory()) then
+         call set_error(error, input_failure, 'the run is too large for the memory, needed: ' &
+            //show_bytes(memory_needed(model, plan))//', free: '//show_bytes(free_memory()))
+      end if
+   end subroutine check_resources
+
+   !> Size of the results file [bytes].
+   real(dp) function file_size_of(model, plan)
+      class(model_t), intent(in) :: model
+      type(plan_t), intent(in) :: plan
+      type(layout_t) :: layout
+
+      call new_layout(layout, model, plan)
+      file_size_of = layout%n_bytes()
+   end function file_size_of
+
+   !> A number of bytes for people.
+   pure function show_bytes(n_bytes) result(text)
+      real(dp), intent(in) :: n_bytes
+      character(:), allocatable :: text
+      character(*), parameter :: units(0:*) = ['bytes', 'kB   ', 'MB   ', 'GB   ', 'TB   ', 'PB   ', 'EB   ']
+      character(24) :: buffer
+      real(dp) :: rest
+      integer :: k
+
+      rest = n_bytes
+      do k = 0, size(units) - 2
+         if (rest < 999.5_dp) exit
+         rest = rest/1000
+      end do
+      if (rest < 9.95_dp .and. k > 0) then
+         write (buffer, '(f4.1)') rest
+      else
+         write (buffer, '(f20.0)') rest
+         buffer = buffer(:index(buffer, '.') - 1)
+      end if
+      text = trim(adjustl(buffer))//' '//trim(units(k))
+   end function show_bytes
+
+end module adfric_output_resources

@@ -1,0 +1,118 @@
+!> The short table at the end of a run.
+module adfric_output_run_table
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_model, only: result_t, status_meanings, status_solved, n_status
+   use adfric_base_words, only: count_words, get_word
+   use adfric_sweep_summary, only: run_summary_t
+   implicit none (type, external)
+   private
+   public :: new_run_table
+
+   character(*), parameter :: newline = achar(10)
+   !> Width of the first column, and of a number of points.
+   integer, parameter :: name_width = 38, count_width = 12
+
+contains
+
+   !> Points by status and state, range of each main result, wall time and file.
+   function new_run_table(summary, results, path) result(text)
+      type(run_summary_t), intent(in) :: summary
+      !> With the units of this run.
+      type(result_t), intent(in) :: results(:)
+      !> Name of the results file.
+      character(*), intent(in) :: path
+      character(:), allocatable :: text
+      integer :: i
+
+      text = count_line('points', summary%n_points)
+      do i = 0, n_status - 1
+         if (summary%by_status(i) == 0 .and. i /= status_solved) cycle
+         text = text//count_line('  '//words_of(get_word(status_meanings, i + 1)), summary%by_status(i))
+      end do
+      do i = 1, size(results)
+         if (any(summary%enumerated == i)) text = text//state_lines(results(i), summary%by_state(:, i))
+      end do
+      do i = 1, size(results)
+         if (any(summary%main == i)) text = text//range_line(results(i), summary%lowest(i), summary%highest(i))
+      end do
+      text = text//time_line(summary)//pad('file', 6)//path//newline
+   end function new_run_table
+
+   !> A number of points.
+   function count_line(name, n) result(line)
+      character(*), intent(in) :: name
+      integer(i8), intent(in) :: n
+      character(:), allocatable :: line
+      character(count_width) :: buffer
+
+      write (buffer, '(i12)') n
+      line = pad(name, name_width)//buffer//newline
+   end function count_line
+
+   !> Numbers of points in each state that was met.
+   function state_lines(result, counts) result(lines)
+      type(result_t), intent(in) :: result
+      integer(i8), intent(in) :: counts(0:)
+      character(:), allocatable :: lines
+      integer :: i
+
+      lines = ''
+      if (all(counts == 0)) return
+      lines = words_of(result%name)//newline
+      do i = 0, count_words(result%flag_meanings) - 1
+         if (counts(i) == 0) cycle
+         lines = lines//count_line('  '//words_of(get_word(result%flag_meanings, i + 1)), counts(i))
+      end do
+   end function state_lines
+
+   !> Range of a result.
+   function range_line(result, lowest, highest) result(line)
+      type(result_t), intent(in) :: result
+      real(dp), intent(in) :: lowest, highest
+      character(:), allocatable :: line
+      character(32) :: buffer
+
+      line = pad(words_of(result%name), name_width - 12)
+      if (lowest > highest) then
+         line = line//'no value'//newline
+         return
+      end if
+      write (buffer, '(es12.5, a, es12.5)') lowest, ' to ', highest
+      line = line//trim(buffer)
+      if (result%unit /= '-') line = line//' '//result%unit
+      line = line//newline
+   end function range_line
+
+   !> Duration of the run.
+   function time_line(summary) result(line)
+      type(run_summary_t), intent(in) :: summary
+      character(:), allocatable :: line
+      character(20) :: whole, per_point
+
+      write (whole, '(f20.3)') summary%wall_seconds
+      write (per_point, '(es20.2)') summary%wall_seconds/max(1.0_dp, real(summary%n_points, dp))
+      line = pad('time', 6)//trim(adjustl(whole))//' s ('//trim(adjustl(per_point))//' s per point)'//newline
+   end function time_line
+
+   !> A name as words: without underscores.
+   pure function words_of(name) result(words)
+      character(*), intent(in) :: name
+      character(len(name)) :: words
+      integer :: i
+
+      words = name
+      do i = 1, len(name)
+         if (name(i:i) == '_') words(i:i) = ' '
+      end do
+   end function words_of
+
+   !> A text with blanks to a width, and at least one.
+   pure function pad(text, width) result(padded)
+      character(*), intent(in) :: text
+      integer, intent(in) :: width
+      character(:), allocatable :: padded
+
+      padded = text//repeat(' ', max(1, width - len(text)))
+   end function pad
+
+end module adfric_output_run_table

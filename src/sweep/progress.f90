@@ -1,0 +1,41 @@
+!> Who is told how far a sweep is.
+module adfric_sweep_progress
+   use adfric_base_kinds, only: i8
+   implicit none (type, external)
+   private
+   public :: progress_t, silent_progress_t
+
+   !> A listener. It is called often, always by the same thread, and decides itself what it shows.
+   type, abstract :: progress_t
+   contains
+      procedure(report_i), deferred :: report
+   end type progress_t
+
+   !> A listener that shows nothing.
+   type, extends(progress_t) :: silent_progress_t
+   contains
+      procedure :: report => report_nothing
+   end type silent_progress_t
+
+   abstract interface
+      !> Take note of the points solved so far.
+      subroutine report_i(self, n_done, n_total)
+         import :: progress_t, i8
+         implicit none (type, external)
+         class(progress_t), intent(inout) :: self
+         integer(i8), intent(in) :: n_done, n_total
+      end subroutine report_i
+   end interface
+
+contains
+
+   !> Show nothing.
+   subroutine report_nothing(self, n_done, n_total)
+      class(silent_progress_t), intent(inout) :: self
+      integer(i8), intent(in) :: n_done, n_total
+
+      associate (unused => self, unused_too => n_done + n_total)
+      end associate
+   end subroutine report_nothing
+
+end module adfric_sweep_progress

@@ -1,0 +1,117 @@
+!> What a run found, in a few numbers.
+module adfric_sweep_summary
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_model, only: attribute_t, result_t, n_status, status_solved
+   use adfric_base_words, only: count_words
+   implicit none (type, external)
+   private
+   public :: run_summary_t, new_summary, add_attributes
+
+   !> Counts and ranges over the points of a run, or of a part of it.
+   type :: run_summary_t
+      integer(i8) :: n_points = 0
+      !> Points by status; shape `(0:n_status - 1)`.
+      integer(i8) :: by_status(0:n_status - 1) = 0
+      !> Points by the states 0, 1, 2, ... of each enumerated result; shape `(0:n_states - 1, n_results)`.
+      integer(i8), allocatable :: by_state(:, :)
+      !> Range of each main result over the solved points, empty (lowest > highest) if there is none; shape
+      !> `(n_results)`.
+      real(dp), allocatable :: lowest(:), highest(:)
+      !> Sums over all points of what the model counts.
+      type(attribute_t), allocatable :: attributes(:)
+      !> Duration of the run [s].
+      real(dp) :: wall_seconds = 0
+      !> Time in the solver, summed over the threads, and time in the output [s].
+      real(dp) :: solver_seconds = 0, output_seconds = 0
+      !> Places of the enumerated and of the main results.
+      integer, allocatable :: enumerated(:), main(:)
+   contains
+      procedure :: add_points
+      procedure :: merge => merge_summary
+   end type run_summary_t
+
+contains
+
+   !> Start with no points.
+   pure subroutine new_summary(self, results)
+      type(run_summary_t), intent(out) :: self
+      type(result_t), intent(in) :: results(:)
+      integer :: i, n_states
+
+      allocate (self%enumerated(0), self%main(0), self%attributes(0))
+      n_states = 0
+      do i = 1, size(results)
+         if (allocated(results(i)%flag_meanings)) then
+            if (len_trim(results(i)%flag_meanings) > 0) then
+               self%enumerated = [self%enumerated, i]
+               n_states = max(n_states, count_words(results(i)%flag_meanings))
+               cycle
+            end if
+         end if
+         if (results(i)%is_main) self%main = [self%main, i]
+      end do
+      allocate (self%by_state(0:n_states - 1, size(results)), source=0_i8)
+      allocate (self%lowest(size(results)), source=huge(1.0_dp))
+      allocate (self%highest(size(results)), source=-huge(1.0_dp))
+   end subroutine new_summary
+
+   !> Add points.
+   pure subroutine add_points(self, results, status)
+      class(run_summary_t), intent(inout) :: self
+      !> Shape `(n_results, n_points)`.
+      real(dp), intent(in) :: results(:, :)
+      integer, intent(in) :: status(:)
+      integer :: i, k, state
+
+      self%n_points = self%n_points + size(status)
+      do i = 1, size(status)
+         self%by_status(status(i)) = self%by_status(status(i)) + 1
+         if (status(i) /= status_solved) cycle
+         do k = 1, size(self%enumerated)
+            associate (column => self%enumerated(k))
+               if (.not. ieee_is_finite(results(column, i))) cycle
+               state = nint(results(column, i))
+               self%by_state(state, column) = self%by_state(state, column) + 1
+            end associate
+         end do
+         do k = 1, size(self%main)
+            associate (column => self%main(k))
+               if (.not. ieee_is_finite(results(column, i))) cycle
+               self%lowest(column) = min(self%lowest(column), results(column, i))
+               self%highest(column) = max(self%highest(column), results(column, i))
+            end associate
+         end do
+      end do
+   end subroutine add_points
+
+   !> Add the points of another part of the run. The result does not depend on the order of the parts.
+   pure subroutine merge_summary(self, other)
+      class(run_summary_t), intent(inout) :: self
+      type(run_summary_t), intent(in) :: other
+
+      self%n_points = self%n_points + other%n_points
+      self%by_status = self%by_status + other%by_status
+      self%by_state = self%by_state + other%by_state
+      self%lowest = min(self%lowest, other%lowest)
+      self%highest = max(self%highest, other%highest)
+      self%solver_seconds = self%solver_seconds + other%solver_seconds
+   end subroutine merge_summary
+
+   !> Add what a model counted to sums by name.
+   pure subroutine add_attributes(sums, attributes)
+      type(attribute_t), allocatable, intent(inout) :: sums(:)
+      type(attribute_t), intent(in) :: attributes(:)
+      integer :: i, k
+
+      outer: do i = 1, size(attributes)
+         do k = 1, size(sums)
+            if (sums(k)%name /= attributes(i)%name) cycle
+            sums(k)%value = sums(k)%value + attributes(i)%value
+            cycle outer
+         end do
+         sums = [sums, attributes(i)]
+      end do outer
+   end subroutine add_attributes
+
+end module adfric_sweep_summary

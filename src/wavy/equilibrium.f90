@@ -1,0 +1,316 @@
+!> A wavy surface under a given penetration or a given load.
+!>
+!> Under load the penetration is sought on the chosen branch where the load rises with it. On the adhered branch
+!> that is the largest such penetration, where unloading arrives; on the approach branch the smallest, where loading
+!> arrives. A gap is never negative and the mean displacement is K times the mean pressure, so the load of
+!> endless contact is the least that a penetration can have: it bounds the penetration from above.
+module adfric_wavy_equilibrium
+   use adfric_base_kinds, only: dp
+   use adfric_base_unset, only: is_set
+   use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_wavy_crosswise, only: memory_t, get_totals
+   use adfric_wavy_steady_state, only: branch_adhered
+   use adfric_wavy_surface, only: surface_t, totals_t
+   implicit none (type, external)
+   private
+   public :: equilibrium_t, solve_penetration, solve_load
+
+   integer, parameter :: max_iterations = 100, max_steps = 1000, max_refinements = 6
+   !> Mean level of the profile below its crest [h], in 2-D and 3-D.
+   real(dp), parameter :: mean_depth_2d = 0.5_dp, mean_depth_3d = 0.75_dp
+   !> Longest and shortest step of the penetration on the way to a bracket [h].
+   real(dp), parameter :: longest_step = 0.05_dp, shortest_step = 1.0e-6_dp
+   !> A minimum of the load is known well enough when its place is known to this [h].
+   real(dp), parameter :: closest = 1.0e-10_dp
+   !> Relative tolerance of what is known in closed form.
+   real(dp), parameter :: round_off = 1.0e-13_dp
+   !> Below this share of the sum of their terms, load and friction are as good as zero.
+   real(dp), parameter :: share_of_scale = 0.01_dp
+
+   !> A point: its penetration, what it carries, and how well that is known.
+   type :: equilibrium_t
+      !> One of `status_...`.
+      integer :: status = status_solved
+      !> [h]
+      real(dp) :: penetration = 0
+      type(totals_t) :: totals
+      !> Relative error of friction and load.
+      real(dp) :: error_estimate = 0
+   end type equilibrium_t
+
+   !> The load less the one that is sought, at a penetration.
+   type :: trial_t
+      real(dp) :: penetration = 0, excess = 0
+      type(totals_t) :: totals
+      real(dp) :: error(2) = 0
+   end type trial_t
+
+contains
+
+   !> Solve a point of given penetration.
+   pure subroutine solve_penetration(surface, penetration, memory, equilibrium)
+      type(surface_t), intent(in) :: surface
+      !> [h]
+      real(dp), intent(in) :: penetration
+      type(memory_t), intent(inout) :: memory
+      type(equilibrium_t), intent(out) :: equilibrium
+      type(trial_t) :: trial
+
+      call try_penetration(surface, penetration, 0.0_dp, memory, trial)
+      call finish(trial, equilibrium)
+   end subroutine solve_penetration
+
+   !> Solve a point of given load.
+   pure subroutine solve_load(surface, load, guess, memory, equilibrium)
+      type(surface_t), intent(in) :: surface
+      !> Per period in x (and y) [h/K].
+      real(dp), intent(in) :: load
+      !> Penetration of a neighbouring load on this branch; `unset` if there is none.
+      real(dp), intent(in) :: guess
+      type(memory_t), intent(inout) :: memory
+      type(equilibrium_t), intent(out) :: equilibrium
+      type(trial_t) :: low, high
+      logical :: is_found
+
+      call refine_guess(surface, load, guess, memory, high, is_found)
+      if (.not. is_found) then
+         call bracket_load(surface, load, memory, low, high, is_found)
+         if (is_found) call close_bracket(surface, load, memory, low, high)
+      end if
+      if (is_found) then
+         call finish(high, equilibrium)
+      else
+         equilibrium%status = status_no_equilibrium
+      end if
+   end subroutine solve_load
+
+   !> Load at a penetration.
+   pure subroutine try_penetration(surface, penetration, load, memory, trial)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration, load
+      type(memory_t), intent(inout) :: memory
+      type(trial_t), intent(out) :: trial
+
+      trial%penetration = penetration
+      call get_totals(surface, penetration, memory, trial%totals, trial%error)
+      trial%excess = trial%totals%load - load
+   end subroutine try_penetration
+
+   !> Does a trial carry the load, to a tenth of the tolerance (in 2-D to round-off)?
+   pure logical function carries_load(surface, trial)
+      type(surface_t), intent(in) :: surface
+      type(trial_t), intent(in) :: trial
+      real(dp) :: tolerance
+
+      tolerance = round_off
+      if (surface%is_3d .and. surface%n_strips == 0) tolerance = max(surface%tolerance/10, round_off)
+      carries_load = abs(trial%excess) <= tolerance*max(abs(trial%totals%load), share_of_scale*trial%totals%load_scale)
+   end function carries_load
+
+   !> Newton's method from a neighbour's penetration, where it cannot lead to another branch.
+   pure subroutine refine_guess(surface, load, guess, memory, trial, is_found)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: load, guess
+      type(memory_t), intent(inout) :: memory
+      type(trial_t), intent(out) :: trial
+      logical, intent(out) :: is_found
+      type(trial_t) :: last
+      real(dp) :: penetration, step, slope
+      integer :: k
+
+      is_found = .false.
+      ! a 2-D surface loses adhesion all at once: its branches overlap
+      if (.not. is_set(guess) .or. (surface%stress > 0 .and. .not. surface%is_3d)) return
+      penetration = guess
+      do k = 1, max_refinements
+         call try_penetration(surface, penetration, load, memory, trial)
+         if (.not. trial%totals%is_converged .or. .not. trial%totals%load_slope > 0) return
+         is_found = carries_load(surface, trial)
+         if (is_found) return
+         ! regimes that spread add to the slope of the strips: the chord sees that
+         slope = trial%totals%load_slope
+         if (k > 1) slope = (trial%excess - last%excess)/(trial%penetration - last%penetration)
+         step = -trial%excess/slope
+         if (.not. (slope > 0 .and. abs(step) < longest_step)) return
+         penetration = penetration + step
+         last = trial
+      end do
+   end subroutine refine_guess
+
+   !> A penetration that carries too little and a larger one that carries enough, next to each other on the branch.
+   pure subroutine bracket_load(surface, load, memory, low, high, has_bracket)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: load
+      type(memory_t), intent(inout) :: memory
+      type(trial_t), intent(out) :: low, high
+      logical, intent(out) :: has_bracket
+      real(dp) :: highest
+
+      highest = load + merge(mean_depth_3d, mean_depth_2d, surface%is_3d)
+      if (surface%stress <= 0) then
+         low%excess = -load
+         has_bracket = load >= 0
+         if (has_bracket) call try_penetration(surface, highest, load, memory, high)
+         ! nothing is carried by just touching
+         if (.not. load > 0) high = low
+      else if (surface%branch == branch_adhered) then
+         call try_penetration(surface, highest, load, memory, high)
+         call descend(surface, load, memory, low, high, has_bracket)
+      else
+         call ascend(surface, load, highest, memory, low, high, has_bracket)
+      end if
+   end subroutine bracket_load
+
+   !> Go down from a penetration that carries enough, until one carries too little.
+   pure subroutine descend(surface, load, memory, low, high, has_bracket)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: load
+      type(memory_t), intent(inout) :: memory
+      type(trial_t), intent(out) :: low
+      !> In: the highest penetration.
+      type(trial_t), intent(inout) :: high
+      logical, intent(out) :: has_bracket
+      real(dp) :: step, lowest
+      integer :: k, regime
+
+      ! adhesion does not reach further down than this
+      lowest = -(surface%stress + surface%range)
+      low = high
+      has_bracket = carries_load(surface, high)
+      if (has_bracket) return
+      do k = 1, max_steps
+         step = longest_step
+         if (high%totals%load_slope > 0) step = min(step, 1.2_dp*high%excess/high%totals%load_slope + shortest_step)
+         if (high%penetration < lowest) return
+         regime = memory%crest%regime
+         call try_penetration(surface, high%penetration - step, load, memory, low)
+         has_bracket = low%excess < 0
+         if (has_bracket) return
+         if (low%totals%load_slope <= 0 .or. (.not. surface%is_3d .and. memory%crest%regime /= regime)) then
+            call find_dip(surface, load, regime, memory, low, high, has_bracket)
+            if (has_bracket) return
+         end if
+         high = low
+      end do
+   end subroutine descend
+
+   !> The load may pass through a minimum between two penetrations, smooth or at the end of a regime: close in on it
+   !> from above, where the load falls on the way down.
+   pure subroutine find_dip(surface, load, regime, memory, low, high, has_bracket)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: load
+      !> Regime of the crest strip at `high`.
+      integer, intent(in) :: regime
+      type(memory_t), intent(inout) :: memory
+      !> In: a penetration below the minimum. Out, with a bracket: one that carries too little.
+      type(trial_t), intent(inout) :: low
+      type(trial_t), intent(inout) :: high
+      logical, intent(out) :: has_bracket
+      type(trial_t) :: middle
+      real(dp) :: near, far
+      integer :: k
+
+      near = high%penetration
+      far = low%penetration
+      has_bracket = .false.
+      do k = 1, max_iterations
+         if (abs(near - far) <= closest*max(abs(near), 1.0_dp)) return
+         call try_penetration(surface, near + (far - near)/2, load, memory, middle)
+         has_bracket = middle%excess < 0
+         if (has_bracket) then
+            low = middle
+            return
+         end if
+         if (middle%totals%load_slope > 0 .and. (surface%is_3d .or. memory%crest%regime == regime)) then
+            near = middle%penetration
+         else
+            far = middle%penetration
+         end if
+      end do
+   end subroutine find_dip
+
+   !> Go up from where nothing is touched, until a penetration carries enough after one that did not.
+   pure subroutine ascend(surface, load, highest, memory, low, high, has_bracket)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: load, highest
+      type(memory_t), intent(inout) :: memory
+      type(trial_t), intent(out) :: low, high
+      logical, intent(out) :: has_bracket
+      real(dp) :: step
+      integer :: k
+
+      has_bracket = .false.
+      ! just inside the range, where adhesion draws the crest in
+      call try_penetration(surface, -surface%range*(1 - closest), load, memory, low)
+      if (low%excess >= 0) then
+         high = low
+         return
+      end if
+      do k = 1, max_steps
+         step = longest_step
+         if (low%totals%load_slope > 0) step = min(step, -1.2_dp*low%excess/low%totals%load_slope + shortest_step)
+         call try_penetration(surface, min(low%penetration + step, highest), load, memory, high)
+         has_bracket = high%excess >= 0
+         if (has_bracket) return
+         low = high
+      end do
+   end subroutine ascend
+
+   !> Close a bracket: Newton's method from its better end, with bisection wherever that gains too little.
+   pure subroutine close_bracket(surface, load, memory, low, high)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: load
+      type(memory_t), intent(inout) :: memory
+      type(trial_t), intent(inout) :: low
+      !> Out: the penetration that carries the load.
+      type(trial_t), intent(inout) :: high
+      type(trial_t) :: middle
+      real(dp) :: width, penetration
+      integer :: k
+
+      do k = 1, max_iterations
+         if (carries_load(surface, high)) return
+         width = high%penetration - low%penetration
+         if (width <= 2*epsilon(width)*max(abs(high%penetration), abs(low%penetration))) return
+         penetration = low%penetration + width/2
+         if (mod(k, 3) > 0) then
+            middle = high
+            if (abs(low%excess) < abs(high%excess)) middle = low
+            if (middle%totals%load_slope > 0) then
+               penetration = middle%penetration - middle%excess/middle%totals%load_slope
+            end if
+            ! outside the bracket: the chord, which is always inside
+            if (penetration <= low%penetration .or. penetration >= high%penetration) then
+               penetration = low%penetration - low%excess*width/(high%excess - low%excess)
+            end if
+         end if
+         call try_penetration(surface, penetration, load, memory, middle)
+         if (middle%excess < 0 .and. .not. carries_load(surface, middle)) then
+            low = middle
+         else
+            high = middle
+         end if
+      end do
+      high%totals%is_converged = .false.
+   end subroutine close_bracket
+
+   !> What is known of the point, and how well.
+   pure subroutine finish(trial, equilibrium)
+      type(trial_t), intent(in) :: trial
+      type(equilibrium_t), intent(out) :: equilibrium
+      real(dp) :: errors(2), sizes(2), scales(2)
+
+      equilibrium%penetration = trial%penetration
+      equilibrium%totals = trial%totals
+      associate (t => trial%totals)
+         scales = [t%load_scale, t%friction_scale]
+         sizes = max(abs([t%load, t%friction]), share_of_scale*scales)
+         errors = trial%error + 8*epsilon(1.0_dp)*scales + abs([t%load_mismatch, t%energy_mismatch])
+         equilibrium%error_estimate = maxval(errors/max(sizes, tiny(1.0_dp)))
+         if (.not. t%is_converged .or. .not. equilibrium%error_estimate < 1) then
+            equilibrium%status = status_not_converged
+         end if
+      end associate
+   end subroutine finish
+
+end module adfric_wavy_equilibrium

@@ -1,0 +1,78 @@
+!> One point of the model `wavy_sliding`: from the values of a namelist to reduced units.
+module adfric_wavy_case
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_base_unset, only: is_set
+   use adfric_wavy_foundation, only: new_foundation
+   use adfric_wavy_surface, only: surface_t
+   use adfric_wavy_variables
+   implicit none (type, external)
+   private
+   public :: wavy_case_t, resolve_case, kind_2d, kind_3d
+
+   !> Places of the words in the choice of the surface.
+   integer, parameter :: kind_2d = 1, kind_3d = 2
+   integer, parameter :: slope_finite = 2
+
+   !> A point in reduced units, and the units.
+   type :: wavy_case_t
+      type(surface_t) :: surface
+      logical :: is_load_given = .false.
+      !> Load [h/K per period] or penetration [h].
+      real(dp) :: load = 0, penetration = 0
+      !> Units: period [m], height [m], pressure h/K [Pa], load [N/m or N], friction [N/m or N], area [m or m^2].
+      real(dp) :: period = 1, height = 1, pressure_unit = 1, load_unit = 1, friction_unit = 1, area_unit = 1
+   end type wavy_case_t
+
+contains
+
+   !> The point that the values describe; they have been checked.
+   pure subroutine resolve_case(values, self)
+      !> In the order of `adfric_wavy_variables`.
+      real(dp), intent(in) :: values(:)
+      type(wavy_case_t), intent(out) :: self
+      real(dp) :: stiffness, range
+
+      self%period = values(v_period)
+      self%height = values(v_height)
+      stiffness = values(v_stiffness)
+      if (.not. is_set(stiffness)) stiffness = values(v_young_modulus) &
+         & /((1 - values(v_poisson_ratio)**2)*values(v_thickness))
+      self%pressure_unit = stiffness*self%height
+      self%load_unit = self%pressure_unit*self%period
+      self%friction_unit = self%pressure_unit*self%height
+      self%area_unit = self%period
+
+      associate (surface => self%surface)
+         surface%is_3d = nint(values(v_kind)) == kind_3d
+         if (surface%is_3d) then
+            self%load_unit = self%load_unit*self%period
+            self%friction_unit = self%friction_unit*self%period
+            self%area_unit = self%area_unit*self%period
+         end if
+         call new_foundation(surface%foundation, &
+            & two_pi*(values(v_velocity)*values(v_relaxation_time)/self%period), values(v_retardation_ratio))
+         surface%edge = nint(values(v_edge))
+         surface%branch = nint(values(v_branch))
+         if (nint(values(v_slope)) == slope_finite) surface%steepness = two_pi*self%height/self%period
+         surface%tolerance = values(v_relative_tolerance)
+         surface%n_strips = nint(values(v_strips))
+         if (is_set(values(v_stress))) then
+            if (values(v_stress) > 0) then
+               surface%stress = values(v_stress)/self%pressure_unit
+               range = values(v_range)
+               if (.not. is_set(range)) range = values(v_surface_energy)/values(v_stress)
+               surface%range = range/self%height
+            end if
+         end if
+      end associate
+
+      self%is_load_given = is_set(values(v_load))
+      if (self%is_load_given) then
+         self%load = values(v_load)/self%load_unit
+      else
+         self%penetration = values(v_penetration)/self%height
+      end if
+   end subroutine resolve_case
+
+end module adfric_wavy_case

@@ -1,0 +1,122 @@
+!> What is missing, contradictory or impossible in an input of the model `wavy_sliding`.
+module adfric_wavy_check
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: variable_t, kind_choice
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_wavy_case, only: wavy_case_t, resolve_case
+   use adfric_wavy_variables
+   implicit none (type, external)
+   private
+   public :: check_wavy_values
+
+contains
+
+   !> Add to `problems` what is wrong with the values together.
+   subroutine check_wavy_values(variables, values, is_swept, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      logical, intent(in) :: is_swept(:)
+      type(problems_t), intent(inout) :: problems
+      integer :: before
+
+      before = problems%count()
+      call need(v_kind)
+      call need(v_period)
+      call need(v_height)
+      call check_foundation()
+      call check_adhesion()
+      call need(v_velocity)
+      if (is_set(values(v_load)) .and. is_set(values(v_penetration))) then
+         call add(v_load, 'stands beside penetration; give one of them')
+      else if (.not. is_set(values(v_load)) .and. .not. is_set(values(v_penetration))) then
+         call add(v_load, 'is missing; load or penetration is needed')
+      end if
+      if (values(v_profiles) > 0 .and. is_swept(v_period)) then
+         call add(v_profiles, 'need one period, which is swept; sweep another variable or switch profiles off')
+      end if
+      if (problems%count() == before) call check_reduced()
+
+   contains
+
+      subroutine add(v, text)
+         integer, intent(in) :: v
+         character(*), intent(in) :: text
+
+         call problems%add(variables(v)%group, variables(v)%name, text)
+      end subroutine add
+
+      subroutine need(v)
+         integer, intent(in) :: v
+
+         if (is_set(values(v))) return
+         if (variables(v)%kind == kind_choice) then
+            call add(v, 'is missing, one of '//variables(v)%choices)
+         else
+            call add(v, 'is missing ['//variables(v)%unit//']')
+         end if
+      end subroutine need
+
+      subroutine check_foundation()
+         logical :: has_layer(3)
+         integer, parameter :: layer(3) = [v_young_modulus, v_poisson_ratio, v_thickness]
+         integer :: k
+
+         has_layer = is_set(values(layer))
+         if (is_set(values(v_stiffness)) .and. any(has_layer)) then
+            call add(v_stiffness, 'stands beside '//variables(layer(findloc(has_layer, .true., 1)))%name// &
+               & '; give stiffness, or young_modulus, poisson_ratio and thickness')
+         else if (.not. is_set(values(v_stiffness)) .and. .not. any(has_layer)) then
+            call add(v_stiffness, 'is missing [Pa/m]; give it, or young_modulus, poisson_ratio and thickness')
+         else if (any(has_layer)) then
+            do k = 1, 3
+               call need(layer(k))
+            end do
+         end if
+         call need(v_relaxation_time)
+         call need(v_retardation_ratio)
+      end subroutine check_foundation
+
+      subroutine check_adhesion()
+         if (.not. is_set(values(v_stress))) then
+            if (is_set(values(v_surface_energy))) call add(v_stress, 'is missing [Pa]; surface_energy needs it')
+            if (is_set(values(v_range))) call add(v_stress, 'is missing [Pa]; range needs it')
+         else if (is_set(values(v_surface_energy)) .and. is_set(values(v_range))) then
+            call add(v_surface_energy, 'stands beside range; give one of them, their ratio is the stress')
+         else if (.not. is_set(values(v_surface_energy)) .and. .not. is_set(values(v_range))) then
+            if (values(v_stress) > 0) call add(v_surface_energy, &
+               & 'is missing [J/m^2]; stress needs it, or range')
+         end if
+      end subroutine check_adhesion
+
+      !> Values that are possible one by one, and beyond all numbers together.
+      subroutine check_reduced()
+         type(wavy_case_t) :: resolved
+         real(dp), parameter :: largest = 1.0e100_dp
+
+         call resolve_case(values, resolved)
+         associate (s => resolved%surface)
+            if (.not. (in_bounds(resolved%pressure_unit) .and. in_bounds(resolved%friction_unit) &
+               & .and. in_bounds(resolved%load_unit))) then
+               call add(v_height, 'gives stresses and forces beyond all numbers with this period and stiffness')
+            end if
+            if (.not. s%foundation%v < largest) call add(v_velocity, &
+               & 'times relaxation_time and retardation_ratio is too large for the period')
+            if (.not. max(s%stress, s%range) < largest) call add(v_stress, &
+               & 'or its range is too large for this height and stiffness')
+            if (.not. max(abs(resolved%load), abs(resolved%penetration)) < largest) call add(merge(v_load, &
+               & v_penetration, resolved%is_load_given), 'is too large for this height and stiffness')
+         end associate
+      end subroutine check_reduced
+
+   end subroutine check_wavy_values
+
+   !> Is a unit a number that can be divided by?
+   pure logical function in_bounds(unit)
+      real(dp), intent(in) :: unit
+      real(dp), parameter :: smallest = 1.0e-200_dp
+
+      in_bounds = unit > smallest .and. unit < 1/smallest
+   end function in_bounds
+
+end module adfric_wavy_check

@@ -1,0 +1,214 @@
+!> The model `wavy_sliding`: a rigid wavy surface sliding on a viscoelastic foundation (GM 2011).
+module adfric_wavy_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi, pi
+   use adfric_base_model, only: model_t, result_t, attribute_t, status_solved
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: unset
+   use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
+   use adfric_wavy_check, only: check_wavy_values
+   use adfric_wavy_crosswise, only: memory_t
+   use adfric_wavy_equilibrium, only: equilibrium_t, solve_penetration, solve_load
+   use adfric_wavy_profiles, only: get_profiles
+   use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only, regime_saturated
+   use adfric_wavy_variables
+   implicit none (type, external)
+   private
+   public :: wavy_model_t, new_wavy_model
+
+   !> Load or friction below this share of the sum of its terms is zero but for round-off.
+   real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
+
+   type, extends(model_t) :: wavy_model_t
+   contains
+      procedure :: check_values
+      procedure :: describe_results
+      procedure :: wants_profiles
+      procedure :: get_profile_axis
+      procedure :: solve_block
+      procedure :: solve_profiles
+      procedure :: describe_case
+   end type wavy_model_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_wavy_model(self)
+      type(wavy_model_t), intent(out) :: self
+
+      self%name = 'wavy_sliding'
+      self%summary = 'a rigid wavy surface sliding on a viscoelastic foundation, with adhesion'
+      self%variables = get_wavy_variables()
+      self%results = get_wavy_results(.false.)
+      self%profiles = get_wavy_profiles()
+      self%profile_axes = 'y x'
+   end subroutine new_wavy_model
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      class(wavy_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      logical, intent(in) :: is_swept(:)
+      type(problems_t), intent(inout) :: problems
+
+      call check_wavy_values(self%variables, values, is_swept, problems)
+   end subroutine check_values
+
+   !> See `model_t`.
+   function describe_results(self, values) result(results)
+      class(wavy_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      if (size(self%results) == 0) return
+      results = get_wavy_results(nint(values(v_kind)) == kind_3d)
+   end function describe_results
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      class(wavy_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = size(self%profiles) > 0 .and. values(v_profiles) > 0
+   end function wants_profiles
+
+   !> See `model_t`: one period about the crest.
+   function get_profile_axis(self, values, axis) result(coordinate)
+      class(wavy_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      integer, intent(in) :: axis
+      real(dp), allocatable :: coordinate(:)
+      integer :: n, k
+
+      n = nint(values(v_n_x))
+      if (axis == 1) n = merge(nint(values(v_n_y)), 1, nint(values(v_kind)) == kind_3d)
+      allocate (coordinate(n), source=0.0_dp)
+      if (n == 1 .or. size(self%profiles) == 0) return
+      coordinate = [(values(v_period)*(real(k, dp)/(n - 1) - 0.5_dp), k=0, n - 1)]
+   end function get_profile_axis
+
+   !> See `model_t`.
+   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      class(wavy_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :)
+      real(dp), intent(out) :: error_estimate(:)
+      integer, intent(out) :: status(:)
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      type(wavy_case_t) :: point
+      type(equilibrium_t) :: equilibrium
+      type(memory_t) :: memory
+      real(dp) :: last(2), guess, n_strips, n_closed_form
+      integer :: i
+
+      n_strips = 0
+      n_closed_form = 0
+      last = unset
+      if (size(self%variables) == 0) return
+      do i = 1, size(values, 2)
+         call resolve_case(values(:, i), point)
+         memory%is_even = .not. point%is_load_given
+         memory%needs_slope = point%is_load_given
+         if (point%is_load_given) then
+            guess = last(1)
+            if (last(2) < unset) guess = 2*last(1) - last(2)
+            call solve_load(point%surface, point%load, guess, memory, equilibrium)
+            last = [merge(equilibrium%penetration, unset, equilibrium%status == status_solved), last(1)]
+         else
+            call solve_penetration(point%surface, point%penetration, memory, equilibrium)
+         end if
+         call store(point, memory%crest, equilibrium, results(:, i))
+         status(i) = equilibrium%status
+         error_estimate(i) = equilibrium%error_estimate
+         if (status(i) /= status_solved) error_estimate(i) = not_a_number()
+         n_strips = n_strips + equilibrium%totals%n_strips
+         n_closed_form = n_closed_form + equilibrium%totals%n_closed_form
+      end do
+      attributes = [attribute_t('strips_per_point', n_strips), &
+         & attribute_t('closed_form_strips_per_point', n_closed_form)]
+   end subroutine solve_block
+
+   !> Results of a point in SI units.
+   pure subroutine store(point, crest, equilibrium, results)
+      type(wavy_case_t), intent(in) :: point
+      type(steady_state_t), intent(in) :: crest
+      type(equilibrium_t), intent(in) :: equilibrium
+      real(dp), intent(out) :: results(:)
+      real(dp) :: width, losses
+
+      results = not_a_number()
+      if (equilibrium%status /= status_solved) return
+      associate (t => equilibrium%totals)
+         results(r_load) = t%load*point%load_unit
+         if (point%is_load_given) results(r_load) = point%load*point%load_unit
+         results(r_penetration) = equilibrium%penetration*point%height
+         results(r_friction_force) = t%friction*point%friction_unit
+         if (abs(t%load) > as_good_as_zero*t%load_scale) then
+            results(r_friction_coefficient) = results(r_friction_force)/results(r_load)
+         end if
+         results(r_contact_area) = t%contact*point%area_unit
+         results(r_adhesion_area) = t%adhesion*point%area_unit
+         results(r_dissipation) = t%dissipation*point%friction_unit
+         results(r_edge_loss) = t%edge_loss*point%friction_unit
+         losses = t%friction_scale + t%dissipation + abs(t%edge_loss)
+         results(r_energy_imbalance) = 0
+         if (losses > 0) results(r_energy_imbalance) = t%energy_mismatch/losses
+      end associate
+      width = 2*crest%half_width
+      if (crest%regime == regime_free .or. crest%regime == regime_adhesion_only) width = 0
+      results(r_contact_width) = width/two_pi*point%period
+      results(r_contact_shift) = merge(crest%shift, 0.0_dp, width > 0 .and. crest%half_width < pi)/two_pi*point%period
+      results(r_regime) = crest%regime
+   end subroutine store
+
+   !> A quiet NaN, which stands for `no value`.
+   pure real(dp) function not_a_number()
+      not_a_number = ieee_value(1.0_dp, ieee_quiet_nan)
+   end function not_a_number
+
+   !> See `model_t`.
+   subroutine solve_profiles(self, values, results, profiles)
+      class(wavy_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(in) :: results(:)
+      real(dp), intent(out) :: profiles(:, :, :)
+      type(wavy_case_t) :: point
+
+      call resolve_case(values, point)
+      call get_profiles(point, results(r_penetration), self%get_profile_axis(values, 2), &
+         & self%get_profile_axis(values, 1), profiles)
+   end subroutine solve_profiles
+
+   !> See `model_t`.
+   function describe_case(self, values) result(text)
+      class(wavy_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      type(wavy_case_t) :: point
+
+      text = ''
+      if (size(self%variables) == 0) return
+      call resolve_case(values, point)
+      associate (s => point%surface, f => point%surface%foundation)
+         text = line('relaxation phase k V Ts', f%u, '-')//line('retardation phase k V Te', f%v, '-') &
+            & //line('loss modulus over stiffness', f%loss, '-') &
+            & //line('pressure unit, height times stiffness', point%pressure_unit, 'Pa') &
+            & //line('adhesion stress over it', s%stress, '-')//line('range of adhesion over height', s%range, '-')
+      end associate
+
+   contains
+
+      function line(name, value, unit)
+         character(*), intent(in) :: name, unit
+         real(dp), intent(in) :: value
+         character(:), allocatable :: line
+         character(24) :: number
+
+         write (number, '(es14.6)') value
+         line = name//' = '//trim(adjustl(number))//' '//unit//new_line('a')
+      end function line
+
+   end function describe_case
+
+end module adfric_wavy_model

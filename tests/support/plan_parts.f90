@@ -1,0 +1,39 @@
+!> Parts of plans for tests.
+module plan_parts
+   use adfric_base_kinds, only: dp
+   use adfric_sweep_plan, only: plan_t, axis_t
+   implicit none (type, external)
+   private
+   public :: new_plan, add_axis
+
+contains
+
+   !> A single point.
+   subroutine new_plan(plan, base)
+      type(plan_t), intent(out) :: plan
+      real(dp), intent(in) :: base(:)
+
+      plan%base = base
+      allocate (plan%axes(0))
+   end subroutine new_plan
+
+   !> Add a swept variable that varies faster than those before it. (The shorter `[axis_t(...), ...]` loses its memory
+   !> under gfortran 12.)
+   subroutine add_axis(plan, variable, values)
+      type(plan_t), intent(inout) :: plan
+      integer, intent(in) :: variable
+      real(dp), intent(in) :: values(:)
+      type(axis_t), allocatable :: axes(:)
+      integer :: k, n
+
+      n = size(plan%axes)
+      allocate (axes(n + 1))
+      do k = 1, n
+         axes(k) = plan%axes(k)
+      end do
+      axes(n + 1)%variable = variable
+      axes(n + 1)%values = values
+      call move_alloc(axes, plan%axes)
+   end subroutine add_axis
+
+end module plan_parts
