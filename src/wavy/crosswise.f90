@@ -88,6 +88,7 @@ contains
       change(2:4) = [-change(1), next%trailing - memory%before%trailing, next%leading - memory%before%leading]
       if (any(abs(change) > lengths/2)) return
       next%half_width = next%half_width + change(1)
+      next%bound_width = 2*next%bound_width - memory%before%bound_width
       next%shift = 2*next%shift - memory%before%shift
       next%trailing = next%trailing + change(3)
       next%leading = next%leading + change(4)

@@ -179,7 +179,7 @@ contains
       has_bracket = carries_load(surface, high)
       if (has_bracket) return
       do k = 1, max_steps
-         step = longest_step
+         step = longest_step*max(1.0_dp, surface%stress + surface%range)
          if (high%totals%load_slope > 0) step = min(step, 1.2_dp*high%excess/high%totals%load_slope + shortest_step)
          if (high%penetration < lowest) return
          regime = memory%crest%regime
@@ -247,7 +247,7 @@ contains
          return
       end if
       do k = 1, max_steps
-         step = longest_step
+         step = longest_step*max(1.0_dp, surface%stress + surface%range)
          if (low%totals%load_slope > 0) step = min(step, -1.2_dp*low%excess/low%totals%load_slope + shortest_step)
          call try_penetration(surface, min(low%penetration + step, highest), load, memory, high)
          has_bracket = high%excess >= 0

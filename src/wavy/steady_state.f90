@@ -40,6 +40,7 @@ contains
       !> Is this strip known to be in the regime of the guess, if it is stable there? Then nothing else is tried.
       logical, intent(in), optional :: is_regime_known
       logical :: is_found, is_known
+      real(dp) :: bound_width
 
       if (strip%stress <= 0) then
          call find_without_release(strip, state, guess)
@@ -61,13 +62,13 @@ contains
          if (.not. state%is_converged) return
          if (get_range_margin(strip, state) >= 0) return
       end if
+      bound_width = state%bound_width
+      is_found = .false.
       if (present(guess)) then
-         if (guess%regime == regime_adhesion_zones) then
-            call continue_state(strip, guess, state, is_found)
-            if (is_found) return
-         end if
+         if (guess%regime == regime_adhesion_zones) call continue_state(strip, guess, state, is_found)
       end if
-      call search_with_release(strip, branch, state)
+      if (.not. is_found) call search_with_release(strip, branch, state)
+      state%bound_width = bound_width
    end subroutine find_steady_state
 
    !> The state of this strip that continues a neighbour's in the same regime, if there is a stable one.
@@ -111,8 +112,9 @@ contains
       else
          state%regime = regime_saturated_adhesion
          start = 0
-         if (present(guess)) start = guess%half_width
+         if (present(guess)) start = guess%bound_width
          call half_width_of_depth(strip%foundation, strip%depth, start, state%half_width, state%is_converged)
+         state%bound_width = state%half_width
          state%shift = shift_of_half_width(strip%foundation, state%half_width)
       end if
    end subroutine find_without_release

@@ -51,6 +51,8 @@ module adfric_wavy_strip
       !> Centre of contact and adhesion zones together, shift + (leading - trailing)/2; kept apart because in fast
       !> sliding it is much smaller than the lengths from which it follows.
       real(dp) :: outer_shift = 0
+      !> Half width that the contact would have with adhesion in the whole gap; the next strip's first guess of it.
+      real(dp) :: bound_width = 0
       !> Stress above -stress with which the contact starts (snap into contact, else 0) [c/K].
       real(dp) :: entry = 0
       !> Derivative of the return map: what one period leaves of a disturbance; < 1 is stable.
