@@ -39,10 +39,8 @@ module adfric_wavy_march
       !> One of `period_...`.
       integer :: outcome = period_closed
       !> Lengths of the zones: leading adhesion, contact, trailing adhesion, free. Without contact all adhesion
-      !> is `trailing`.
+      !> is `leading`.
       real(dp) :: leading = 0, contact = 0, trailing = 0, free = 0
-      !> Phase at which the contact (or the adhesion, without contact) began.
-      real(dp) :: contact_start = 0
       logical :: has_contact = .false.
       !> Derivative of the end with respect to the start.
       real(dp) :: slope = 0
@@ -229,7 +227,6 @@ contains
       period%slope = 1
       do event = 1, 4
          zone = column%zone
-         if (zone == in_contact) period%contact_start = column%xi
          call advance(strip, column, passed, slope, has_event)
          period%slope = period%slope*slope
          if (.not. has_event) then

@@ -19,7 +19,9 @@ module adfric_wavy_panels
    !> Edges that may be known in closed form: saturation, first contact, range.
    integer, parameter :: n_known = 3
    !> Strips that are looked at on each stretch between edges known in closed form.
-   integer, parameter :: n_probes = 8
+   integer, parameter :: n_probes = 10
+   !> How far from the ends of a stretch the first and last of them are, as a share of it.
+   real(dp), parameter :: at_end = 1.0e-5_dp
    !> An edge known to this phase moves no result by more than round-off does.
    real(dp), parameter :: sharp = 1.0e-12_dp
    integer, parameter :: max_trials = 60
@@ -179,16 +181,27 @@ contains
       count = 1
       ! without release the closed forms know every edge
       if (surface%stress > 0) count = n_probes
-      last = probe(surface, penetration, start + (finish - start)*0.5_dp/count)
+      last = probe(surface, penetration, start + (finish - start)*place(1, count))
       call add_panel(division, start, last%state%regime, kind)
       do k = 2, count
-         next = probe(surface, penetration, start + (finish - start)*(k - 0.5_dp)/count, last%state)
+         next = probe(surface, penetration, start + (finish - start)*place(k, count), last%state)
          call divide_between(surface, penetration, last, next, division)
          last = next
       end do
       division%panels(division%n_panels)%finish = finish
       division%n_strips = division%n_strips + count
    end subroutine divide_stretch
+
+   !> Where to look on a stretch: close to its ends, where regimes are born, and evenly between.
+   pure real(dp) function place(k, count)
+      integer, intent(in) :: k, count
+
+      if (count == 1) then
+         place = 0.5_dp
+      else
+         place = min(max(real(k - 1, dp)/(count - 1), at_end), 1 - at_end)
+      end if
+   end function place
 
    !> Find the edges between two strips: one edge of a regime at an end, then what lies beyond it.
    pure recursive subroutine divide_between(surface, penetration, one, two, division)

@@ -24,6 +24,8 @@ module adfric_wavy_steady_state
    integer, parameter :: branch_adhered = 1, branch_approach = 2
 
    integer, parameter :: max_periods = 2000, max_bisections = 60
+   !> Width of a contact that has just begun, as a share of the adhesion zone around it.
+   real(dp), parameter :: narrow = 1.0e-4_dp
    !> Phase after which a period counts as closed; Newton's method on the edges does the rest.
    real(dp), parameter :: closed = 1.0e-9_dp
 
@@ -334,28 +336,37 @@ contains
       end do
    end subroutine look_between
 
-   !> Edges of the zones of a closed period, made exact.
+   !> Edges of the zones of a closed period, made exact. Where contact is about to be lost the march cannot tell
+   !> contact from none, so both are tried.
    pure subroutine read_edges(strip, xi, period, state)
       type(strip_t), intent(in) :: strip
       real(dp), intent(in) :: xi
       type(period_t), intent(in) :: period
       type(steady_state_t), intent(inout) :: state
+      real(dp) :: length
+      integer :: try
+      logical :: has_contact
 
-      if (period%has_contact) then
-         state%regime = regime_adhesion_zones
-         state%half_width = period%contact/2
-         state%shift = centred(period%contact_start - period%contact/2)
-         state%leading = period%leading
-         state%trailing = period%trailing
-         call refine_edges(strip, state)
-         state%is_converged = is_admissible(strip, state)
-      else
-         state%regime = regime_adhesion_only
-         state%half_width = period%leading/2
-         state%shift = centred(xi - period%leading/2)
-         call refine_adhesion_edges(strip, state)
-      end if
-      state%multiplier = period%slope
+      length = period%leading + period%contact + period%trailing
+      do try = 1, 2
+         has_contact = period%has_contact .eqv. try == 1
+         if (has_contact) then
+            state%half_width = max(period%contact, narrow*length)/2
+            state%shift = centred(xi - period%leading - period%contact/2)
+            state%leading = period%leading
+            state%trailing = period%trailing
+            if (.not. period%has_contact) state%leading = length/2
+            if (.not. period%has_contact) state%trailing = length/2
+            call refine_edges(strip, state)
+            state%is_converged = is_admissible(strip, state)
+         else
+            state%half_width = length/2
+            state%shift = centred(xi - length/2)
+            call refine_adhesion_edges(strip, state)
+            state%is_converged = is_admissible_adhesion(strip, state)
+         end if
+         if (state%is_converged) exit
+      end do
    end subroutine read_edges
 
    !> A phase brought into (-pi, pi].
