@@ -153,14 +153,17 @@ contains
                two = probe(surface, penetration, this%start + reach)
                is_tracked = one%state%regime == before%regime .and. two%state%regime == this%regime
                if (.not. is_tracked) return
-               if (ends_first(surface, before%regime, this%regime)) then
-                  call locate_edge(surface, penetration, one, two%theta, edge, division%n_strips)
-               else
-                  call locate_edge(surface, penetration, two, one%theta, edge, division%n_strips)
+               if (.not. ends_first(surface, before%regime, this%regime)) then
+                  two = one
+                  one = probe(surface, penetration, this%start + reach)
                end if
-               division%n_strips = division%n_strips + 2
+               call locate_edge(surface, penetration, one, two%theta, edge, division%n_strips)
+               ! nothing may have come between
+               one = probe(surface, penetration, edge + beyond_edge*(two%theta - edge))
+               is_tracked = one%state%regime == two%state%regime
+               division%n_strips = division%n_strips + 4
             end if
-            is_tracked = edge > before%start
+            is_tracked = is_tracked .and. edge > before%start
             if (.not. is_tracked) return
             before%finish = edge
             this%start = edge
