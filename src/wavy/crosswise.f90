@@ -37,6 +37,8 @@ module adfric_wavy_crosswise
    !> A stretch of the mapped phase on one panel, and what its strips add up to.
    type :: interval_t
       type(panel_t) :: panel
+      !> Number under which its strips are remembered.
+      integer :: place = 0
       real(dp) :: start = 0, finish = pi
       type(totals_t) :: totals
       !> Errors of load and friction.
@@ -129,7 +131,7 @@ contains
       real(dp), intent(out) :: error(2)
       type(interval_t), allocatable :: intervals(:)
       type(totals_t) :: closed
-      integer :: n, worst, k
+      integer :: n, worst, k, last_place
       logical :: is_fine, is_uniform, was_tracked
 
       if (.not. allocated(memory%states)) allocate (memory%states(n_nodes, n_remembered))
@@ -148,6 +150,7 @@ contains
          totals = closed
       end do
       is_fine = n == 0
+      last_place = n
       do while (.not. is_fine)
          call find_worst(surface%tolerance, totals, intervals(:n), worst, is_fine)
          if (is_fine .or. n == max_intervals) exit
@@ -156,8 +159,12 @@ contains
          intervals(n) = intervals(worst)
          intervals(worst)%finish = (intervals(worst)%start + intervals(worst)%finish)/2
          intervals(n)%start = intervals(worst)%finish
-         call integrate_interval(surface, penetration, worst, intervals(worst), memory)
-         call integrate_interval(surface, penetration, n, intervals(n), memory)
+         ! halves are remembered apart from the whole, which comes first next time
+         intervals(worst)%place = last_place + 1
+         intervals(n)%place = last_place + 2
+         last_place = last_place + 2
+         call integrate_interval(surface, penetration, intervals(worst), memory)
+         call integrate_interval(surface, penetration, intervals(n), memory)
       end do
       error = 0
       do k = 1, n
@@ -190,8 +197,8 @@ contains
             cycle
          end if
          n = n + 1
-         intervals(n) = interval_t(panel)
-         call integrate_interval(surface, penetration, n, intervals(n), memory)
+         intervals(n) = interval_t(panel, n)
+         call integrate_interval(surface, penetration, intervals(n), memory)
          is_uniform = is_uniform .and. intervals(n)%is_uniform
       end do
    end subroutine start_intervals
@@ -229,11 +236,9 @@ contains
    end subroutine find_worst
 
    !> Gauss-Kronrod pair on one interval.
-   pure subroutine integrate_interval(surface, penetration, place, interval, memory)
+   pure subroutine integrate_interval(surface, penetration, interval, memory)
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: penetration
-      !> Number of the interval, under which its strips are remembered.
-      integer, intent(in) :: place
       type(interval_t), intent(inout) :: interval
       type(memory_t), intent(inout) :: memory
       type(totals_t) :: node
@@ -245,7 +250,7 @@ contains
       interval%totals = totals_t()
       state = steady_state_t()
       half = (interval%finish - interval%start)/2
-      associate (panel => interval%panel)
+      associate (panel => interval%panel, place => interval%place)
          do k = 1, n_nodes
             phi = (interval%start + interval%finish)/2 + half*kronrod_nodes(k)
             share = share_at(panel%start + (panel%finish - panel%start)*sin(phi/2)**2)
