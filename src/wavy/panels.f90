@@ -339,13 +339,15 @@ contains
       real(dp), intent(out) :: edge
       integer, intent(inout) :: n_strips
       type(probe_t) :: near, far, next
-      real(dp) :: limit, guess
+      real(dp) :: limit, guess, left, last_left
       integer :: trial
-      logical :: is_inside
+      logical :: is_inside, is_secant
 
       near = inside
       far = inside
       limit = outside
+      last_left = abs(limit - near%theta)
+      is_secant = .false.
       edge = near%theta + (limit - near%theta)/2
       do trial = 1, max_trials
          next = probe(surface, penetration, edge, near%state, .true.)
@@ -359,12 +361,13 @@ contains
          if (abs(limit - near%theta) <= sharp) exit
          edge = near%theta + (limit - near%theta)/2
          guess = nearest_end(near, far, limit)
-         if (abs(guess - near%theta) <= sharp) exit
-         ! just short of the guess, but bisection where the last step gained too little
-         if (is_inside .and. (guess - near%theta)*(guess - limit) < 0 &
-            & .and. (trial < 3 .or. abs(guess - near%theta) < abs(near%theta - far%theta)/4)) then
-            edge = near%theta + (guess - near%theta)*0.999_dp
-         end if
+         left = abs(guess - near%theta)
+         if (left <= sharp) exit
+         ! just short of the guess, as long as every step gains; then bisection once
+         is_secant = is_inside .and. (guess - near%theta)*(guess - limit) < 0 &
+            & .and. (.not. is_secant .or. left < last_left/4)
+         last_left = left
+         if (is_secant) edge = near%theta + (guess - near%theta)*0.999_dp
       end do
       edge = near%theta
       n_strips = n_strips + trial

@@ -225,7 +225,7 @@ contains
       !> The closed period, or one that shows that none closes (see its outcome).
       type(period_t), intent(out) :: period
       logical, intent(out) :: is_converged
-      real(dp) :: excess, step, last_xi, last_slope
+      real(dp) :: excess, step, last_xi, last_slope, dip
       integer :: k
 
       step = 0
@@ -245,8 +245,12 @@ contains
             return
          end if
          if (last_slope < 1 .and. (period%slope > 1 .or. period%outcome /= period_closed)) then
-            call look_between(strip, direction, last_xi, xi, period, is_converged)
-            if (is_converged) return
+            dip = xi
+            call look_between(strip, direction, last_xi, dip, period, is_converged)
+            if (is_converged) then
+               xi = dip
+               return
+            end if
             call march_excess(strip, direction, xi, period, excess)
          end if
       end do
@@ -304,7 +308,8 @@ contains
       end do
    end subroutine bisect_period
 
-   !> The excess falls at `near` and rises at `far` (or there is no period there): does it touch zero between?
+   !> The excess falls at `near` and rises at `far` (or there is no period there): does it touch zero between? The
+   !> tangents at both ends bound a convex excess from below; where they meet is looked at next.
    pure subroutine look_between(strip, direction, near, far, period, is_converged)
       type(strip_t), intent(in) :: strip
       integer, intent(in) :: direction
@@ -313,26 +318,41 @@ contains
       real(dp), intent(inout) :: far
       type(period_t), intent(out) :: period
       logical, intent(out) :: is_converged
-      real(dp) :: low, high, xi, excess
+      type(period_t) :: low_period, high_period
+      real(dp) :: low, high, at_low, at_high, excess, width, meeting
       integer :: k
 
       low = near
       high = far
       is_converged = .false.
+      call march_excess(strip, direction, low, low_period, at_low)
+      call march_excess(strip, direction, high, high_period, at_high)
       do k = 1, max_bisections
-         xi = low + (high - low)/2
-         call march_excess(strip, direction, xi, period, excess)
+         width = abs(high - low)
+         if (width <= closed) return
+         meeting = width/2
+         if (high_period%outcome == period_closed) then
+            associate (fall => low_period%slope - 1, rise => high_period%slope - 1)
+               meeting = (at_low - at_high + rise*width)/(rise - fall)
+               if (at_low + fall*meeting > closed) return
+               meeting = min(max(meeting, 0.05_dp*width), 0.95_dp*width)
+            end associate
+         end if
+         far = low - direction*meeting
+         call march_excess(strip, direction, far, period, excess)
          if (excess <= 0) then
-            far = xi
             call bisect_period(strip, direction, near, far, period, is_converged)
             return
          end if
          if (period%outcome == period_closed .and. period%slope < 1) then
-            low = xi
+            low = far
+            at_low = excess
+            low_period = period
          else
-            high = xi
+            high = far
+            at_high = excess
+            high_period = period
          end if
-         if (abs(high - low) <= closed) return
       end do
    end subroutine look_between
 
