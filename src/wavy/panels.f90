@@ -25,6 +25,8 @@ module adfric_wavy_panels
    !> An edge known to this phase moves no result by more than round-off does.
    real(dp), parameter :: sharp = 1.0e-12_dp
    integer, parameter :: max_trials = 60
+   !> A contact of this half width carries next to nothing, and the edge where it is lost need not be sharper.
+   real(dp), parameter :: narrow = 1.0e-3_dp, sharp_enough = 1.0e-9_dp
    !> How far beyond an edge the next regime is looked at, as a share of the way left.
    real(dp), parameter :: beyond_edge = 1.0e-4_dp
 
@@ -339,7 +341,7 @@ contains
       real(dp), intent(out) :: edge
       integer, intent(inout) :: n_strips
       type(probe_t) :: near, far, next
-      real(dp) :: limit, guess, left, last_left
+      real(dp) :: limit, guess, left, last_left, short, enough
       integer :: trial
       logical :: is_inside, is_secant
 
@@ -358,16 +360,20 @@ contains
          else
             limit = edge
          end if
-         if (abs(limit - near%theta) <= sharp) exit
+         ! forces fade out with the width of the contact, but jump at a fold
+         enough = max(sharp, 0.01_dp*surface%tolerance)
+         if (near%state%half_width < narrow) enough = max(enough, sharp_enough)
+         if (abs(limit - near%theta) <= enough) exit
          edge = near%theta + (limit - near%theta)/2
          guess = nearest_end(near, far, limit)
          left = abs(guess - near%theta)
-         if (left <= sharp) exit
-         ! just short of the guess, as long as every step gains; then bisection once
+         if (left <= enough) exit
+         ! short of the guess by what its error may be, as long as every step gains; then bisection once
          is_secant = is_inside .and. (guess - near%theta)*(guess - limit) < 0 &
             & .and. (.not. is_secant .or. left < last_left/4)
          last_left = left
-         if (is_secant) edge = near%theta + (guess - near%theta)*0.999_dp
+         short = min(0.1_dp, 10*abs(near%theta - far%theta)) + 0.001_dp
+         if (is_secant) edge = near%theta + (guess - near%theta)*(1 - short)
       end do
       edge = near%theta
       n_strips = n_strips + trial
