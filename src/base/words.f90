@@ -2,7 +2,7 @@
 module adfric_base_words
    implicit none (type, external)
    private
-   public :: count_words, get_word
+   public :: count_words, get_word, pad
 
 contains
 
@@ -36,5 +36,14 @@ contains
       end do
       word = word(:index(word//' ', ' ') - 1)
    end function get_word
+
+   !> A text with blanks to a width, and at least one.
+   pure function pad(text, width) result(padded)
+      character(*), intent(in) :: text
+      integer, intent(in) :: width
+      character(:), allocatable :: padded
+
+      padded = text//repeat(' ', max(1, width - len(text)))
+   end function pad
 
 end module adfric_base_words

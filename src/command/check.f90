@@ -5,7 +5,8 @@ module adfric_command_check
    use adfric_command_case, only: open_case
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_success
-   use adfric_command_values, only: show_input_value, pad
+   use adfric_base_words, only: pad
+   use adfric_command_values, only: show_input_value
    use adfric_input_run, only: run_input_t
    use adfric_input_text, only: newline, show_count, show_number
    use adfric_output_resources, only: file_size_of, show_bytes

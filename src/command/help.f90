@@ -4,11 +4,11 @@ module adfric_command_help
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_model, only: model_t, variable_t
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: count_words, get_word
+   use adfric_base_words, only: count_words, get_word, pad
    use adfric_command_help_pages, only: usage_page, input_page, outputs_head
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t
-   use adfric_command_values, only: show_input_value, pad
+   use adfric_command_values, only: show_input_value
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_text, only: newline
    use adfric_input_variable, only: describe_allowed

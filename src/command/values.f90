@@ -7,7 +7,7 @@ module adfric_command_values
    use adfric_input_text, only: show_number
    implicit none (type, external)
    private
-   public :: show_input_value, pad
+   public :: show_input_value
 
 contains
 
@@ -27,14 +27,5 @@ contains
          text = show_number(value)
       end if
    end function show_input_value
-
-   !> A text with blanks to a width, and at least one.
-   pure function pad(text, width) result(padded)
-      character(*), intent(in) :: text
-      integer, intent(in) :: width
-      character(:), allocatable :: padded
-
-      padded = text//repeat(' ', max(1, width - len(text)))
-   end function pad
 
 end module adfric_command_values

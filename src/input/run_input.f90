@@ -12,7 +12,7 @@ module adfric_input_run
    use adfric_input_sweep, only: read_sweeps, find_size_problem
    use adfric_input_text, only: join_words, show_count
    use adfric_input_value_text, only: read_string
-   use adfric_input_vocabulary, only: job_names, has_word, say_unknown_name
+   use adfric_input_vocabulary, only: job_names, has_word, report_unknown_names
    use adfric_sweep_plan, only: plan_t
    implicit none (type, external)
    private
@@ -61,7 +61,7 @@ contains
          call report_missing_job(file, known_models, problems)
          return
       end if
-      call check_names(file, group, problems)
+      call report_unknown_names(file, group, job_names, problems)
       call read_word(file, group, 'title', run%title, problems)
       call read_output(file, group, run%output, problems)
       call read_model(file, group, known_models, run%model, problems)
@@ -115,22 +115,6 @@ contains
       end do
       call problems%add('job', '', text)
    end subroutine report_missing_job
-
-   !> Report variables that `&job` does not have.
-   subroutine check_names(file, group, problems)
-      type(namelist_file_t), intent(in) :: file
-      integer, intent(in) :: group
-      type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: name
-      integer :: i
-
-      do i = 1, size(file%assignments)
-         if (file%assignments(i)%group /= group) cycle
-         name = trim(file%assignments(i)%name)
-         if (has_word(job_names, name)) cycle
-         call file%report(problems, group, name, say_unknown_name(job_names, name), file%assignments(i)%first)
-      end do
-   end subroutine check_names
 
    !> Read a text of `&job`; what is wrong, or not given, leaves it as it is.
    subroutine read_word(file, group, name, word, problems)

@@ -11,7 +11,7 @@ module adfric_input_sweep
    use adfric_input_text, only: join_words, to_lower, show_count
    use adfric_input_value_text, only: read_string
    use adfric_input_variable, only: is_in_range, describe_allowed, show_value
-   use adfric_input_vocabulary, only: sweep_names, list_groups_of, list_variables, say_unknown_name
+   use adfric_input_vocabulary, only: sweep_names, list_groups_of, list_variables, report_unknown_names
    use adfric_sweep_plan, only: axis_t, plan_t
    implicit none (type, external)
    private
@@ -57,7 +57,7 @@ contains
       type(problems_t), intent(inout) :: problems
       integer :: variable, n_before
 
-      call check_names(file, group, problems)
+      call report_unknown_names(file, group, sweep_names, problems)
       call read_sweep_values(file, group, axis%values, problems)
       call find_swept_variable(file, group, model, variable, problems)
       if (variable == 0) return
@@ -74,22 +74,6 @@ contains
       input%is_swept(variable) = .true.
       input%line(variable) = file%line_of(file%groups(group)%first)
    end subroutine read_axis
-
-   !> Report variables that `&sweep` does not have.
-   subroutine check_names(file, group, problems)
-      type(namelist_file_t), intent(in) :: file
-      integer, intent(in) :: group
-      type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: name
-      integer :: i
-
-      do i = 1, size(file%assignments)
-         if (file%assignments(i)%group /= group) cycle
-         name = trim(file%assignments(i)%name)
-         if (index(' '//sweep_names//' ', ' '//name//' ') > 0) cycle
-         call file%report(problems, group, name, say_unknown_name(sweep_names, name), file%assignments(i)%first)
-      end do
-   end subroutine check_names
 
    !> Find which variable of the model is swept; 0 if it cannot be.
    subroutine find_swept_variable(file, group, model, variable, problems)

@@ -1,12 +1,14 @@
 !> The names that an input may use, and what to say of a name that is not among them.
 module adfric_input_vocabulary
    use adfric_base_model, only: model_t
+   use adfric_base_problems, only: problems_t
+   use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_input_text, only: join_words
    implicit none (type, external)
    private
    public :: job_names, sweep_names, list_groups, list_variables, list_groups_of, has_word
-   public :: say_unknown_group, say_unknown_variable, say_unknown_name
+   public :: say_unknown_group, say_unknown_variable, report_unknown_names
 
    !> Variables of `&job`.
    character(*), parameter :: job_names = 'model title output'
@@ -111,5 +113,23 @@ contains
 
       text = 'unknown variable, allowed: '//join_words(known, ', ')//did_you_mean(name, known)
    end function say_unknown_name
+
+   !> Report the variables of a group that are not among the known ones.
+   subroutine report_unknown_names(file, group, known, problems)
+      type(namelist_file_t), intent(in) :: file
+      integer, intent(in) :: group
+      !> Separated by a blank.
+      character(*), intent(in) :: known
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: name
+      integer :: i
+
+      do i = 1, size(file%assignments)
+         if (file%assignments(i)%group /= group) cycle
+         name = trim(file%assignments(i)%name)
+         if (has_word(known, name)) cycle
+         call file%report(problems, group, name, say_unknown_name(known, name), file%assignments(i)%first)
+      end do
+   end subroutine report_unknown_names
 
 end module adfric_input_vocabulary

@@ -2,7 +2,7 @@
 module adfric_output_run_table
    use adfric_base_kinds, only: dp, i8
    use adfric_base_model, only: result_t, status_meanings, status_solved, n_status
-   use adfric_base_words, only: count_words, get_word
+   use adfric_base_words, only: count_words, get_word, pad
    use adfric_sweep_summary, only: run_summary_t
    implicit none (type, external)
    private
@@ -105,14 +105,5 @@ contains
          if (name(i:i) == '_') words(i:i) = ' '
       end do
    end function words_of
-
-   !> A text with blanks to a width, and at least one.
-   pure function pad(text, width) result(padded)
-      character(*), intent(in) :: text
-      integer, intent(in) :: width
-      character(:), allocatable :: padded
-
-      padded = text//repeat(' ', max(1, width - len(text)))
-   end function pad
 
 end module adfric_output_run_table

@@ -5,7 +5,9 @@ module adfric_wavy_case
    use adfric_base_unset, only: is_set
    use adfric_wavy_foundation, only: new_foundation
    use adfric_wavy_surface, only: surface_t
-   use adfric_wavy_variables
+   use adfric_wavy_variables, only: v_branch, v_edge, v_height, v_kind, v_load, v_penetration, v_period, v_poisson_ratio, v_range, &
+      & v_relative_tolerance, v_relaxation_time, v_retardation_ratio, v_slope, v_stiffness, v_stress, &
+      & v_strips, v_surface_energy, v_thickness, v_velocity, v_young_modulus
    implicit none (type, external)
    private
    public :: wavy_case_t, resolve_case, kind_2d, kind_3d

@@ -5,7 +5,9 @@ module adfric_wavy_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_wavy_case, only: wavy_case_t, resolve_case
-   use adfric_wavy_variables
+   use adfric_wavy_variables, only: v_height, v_kind, v_load, v_penetration, v_period, v_poisson_ratio, v_profiles, v_range, &
+      & v_relaxation_time, v_retardation_ratio, v_stiffness, v_stress, v_surface_energy, v_thickness, &
+      & v_velocity, v_young_modulus
    implicit none (type, external)
    private
    public :: check_wavy_values

@@ -12,7 +12,10 @@ module adfric_wavy_model
    use adfric_wavy_equilibrium, only: equilibrium_t, solve_penetration, solve_load
    use adfric_wavy_profiles, only: get_profiles
    use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only, regime_saturated
-   use adfric_wavy_variables
+   use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
+      & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, &
+      & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_regime, v_kind, v_n_x, &
+      & v_n_y, v_period, v_profiles
    implicit none (type, external)
    private
    public :: wavy_model_t, new_wavy_model
