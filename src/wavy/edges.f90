@@ -13,6 +13,7 @@ module adfric_wavy_edges
    implicit none (type, external)
    private
    public :: refine_edges, refine_adhesion_edges, is_admissible, is_admissible_adhesion, get_multiplier, get_edge_rates
+   public :: get_adhesion_rate
 
    integer, parameter :: max_iterations = 30
    !> Relative step after which nothing but round-off is left, for convergence is quadratic.
@@ -251,7 +252,7 @@ contains
       type(strip_t), intent(in) :: strip
       !> In: a guess of half_width and shift of the adhesion zone. Out: the edges; `is_converged` tells.
       type(steady_state_t), intent(inout) :: state
-      real(dp) :: e(2), j(2, 2), step(2), a, b, n, lost, w, determinant, size_now, size_last
+      real(dp) :: value(2), by_depth(2), jacobian(2, 2), step(2), size_now, size_last
       integer :: iteration
 
       state%is_converged = .false.
@@ -261,26 +262,8 @@ contains
       state%entry = 0
       size_last = huge(1.0_dp)
       do iteration = 1, max_iterations
-         associate (v => strip%foundation%v, width => state%half_width, shift => state%shift)
-            a = width - shift
-            b = width + shift
-            n = two_pi - 2*width
-            ! adhesion from b to -a: gap = range again at its end
-            lost = decay(2*width/v)
-            w = lifted_profile(strip, b) + strip%range - strip%jump
-            e(1) = -w*lost - 2*sin(width)*sin(shift) - strip%jump
-            j(1, 2) = -(sin(b) + w/v)*(1 - lost)
-            j(1, 1) = sin(a) - w*(1 - lost)/v
-            ! free from -a to b
-            lost = decay(n/v)
-            w = profile(strip, a) + strip%range + strip%jump
-            e(2) = -w*lost + 2*sin(width)*sin(shift) + strip%jump
-            j(2, 1) = (w/v - sin(a))*(1 - lost)
-            j(2, 2) = w*(1 - lost)/v + sin(b)
-         end associate
-         determinant = j(1, 1)*j(2, 2) - j(1, 2)*j(2, 1)
-         if (abs(determinant) < tiny(1.0_dp)) return
-         step = [e(2)*j(1, 2) - e(1)*j(2, 2), e(1)*j(2, 1) - e(2)*j(1, 1)]/determinant
+         call get_adhesion_equations(strip, state, value, jacobian, by_depth)
+         step = solve_pair(jacobian, value)
          size_now = maxval(abs(step))/state%half_width
          if (.not. size_now < 0.5_dp) return
          state%half_width = state%half_width + (step(1) + step(2))/2
@@ -292,6 +275,57 @@ contains
       end do
       if (state%is_converged) state%multiplier = get_multiplier(strip, state)
    end subroutine refine_adhesion_edges
+
+   !> The conditions that the gap is the range at both ends of an adhesion zone without contact.
+   pure subroutine get_adhesion_equations(strip, state, value, jacobian, by_depth)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      real(dp), intent(out) :: value(2)
+      !> Derivatives of both by the edges a and b, and by the depth of the strip.
+      real(dp), intent(out) :: jacobian(2, 2), by_depth(2)
+      real(dp) :: a, b, lost, w, change
+
+      associate (v => strip%foundation%v)
+         a = state%half_width - state%shift
+         b = state%half_width + state%shift
+         ! F(-a) - F(b)
+         change = 2*sin(state%half_width)*sin(state%shift)
+         ! adhesion from b to -a
+         lost = decay(2*state%half_width/v)
+         w = lifted_profile(strip, b) + strip%range - strip%jump
+         value(1) = -w*lost - change - strip%jump
+         jacobian(1, :) = [sin(a) - w*(1 - lost)/v, -(sin(b) + w/v)*(1 - lost)]
+         by_depth(1) = -lost
+         ! free from -a to b
+         lost = decay((two_pi - 2*state%half_width)/v)
+         w = profile(strip, a) + strip%range + strip%jump
+         value(2) = -w*lost + change + strip%jump
+         jacobian(2, :) = [(w/v - sin(a))*(1 - lost), w*(1 - lost)/v + sin(b)]
+         by_depth(2) = -lost
+      end associate
+   end subroutine get_adhesion_equations
+
+   !> The step that takes away `value`, by Cramer's rule; huge if there is none.
+   pure function solve_pair(jacobian, value) result(step)
+      real(dp), intent(in) :: jacobian(2, 2), value(2)
+      real(dp) :: step(2), determinant
+
+      determinant = jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1)
+      step = huge(1.0_dp)
+      if (abs(determinant) < tiny(1.0_dp)) return
+      step(1) = (value(2)*jacobian(1, 2) - value(1)*jacobian(2, 2))/determinant
+      step(2) = (value(1)*jacobian(2, 1) - value(2)*jacobian(1, 1))/determinant
+   end function solve_pair
+
+   !> Change of the half width of an adhesion zone without contact with the depth of the strip.
+   pure real(dp) function get_adhesion_rate(strip, state) result(rate)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      real(dp) :: value(2), jacobian(2, 2), by_depth(2)
+
+      call get_adhesion_equations(strip, state, value, jacobian, by_depth)
+      rate = sum(solve_pair(jacobian, by_depth))/2
+   end function get_adhesion_rate
 
    !> Do the edges of contact with adhesion zones fulfil every inequality of the model? The closed forms
    !> then have no earlier event (see `march`), so signs at the edges are enough.
