@@ -81,6 +81,9 @@ contains
          call finish(high, equilibrium)
       else
          equilibrium%status = status_no_equilibrium
+         if (.not. (low%totals%is_converged .and. high%totals%is_converged)) then
+            equilibrium%status = status_not_converged
+         end if
       end if
    end subroutine solve_load
 
@@ -170,7 +173,7 @@ contains
       !> In: the highest penetration.
       type(trial_t), intent(inout) :: high
       logical, intent(out) :: has_bracket
-      real(dp) :: step, lowest
+      real(dp) :: lowest
       integer :: k, regime
 
       ! adhesion does not reach further down than this
@@ -179,20 +182,30 @@ contains
       has_bracket = carries_load(surface, high)
       if (has_bracket) return
       do k = 1, max_steps
-         step = longest_step*max(1.0_dp, surface%stress + surface%range)
-         if (high%totals%load_slope > 0) step = min(step, 1.2_dp*high%excess/high%totals%load_slope + shortest_step)
          if (high%penetration < lowest) return
          regime = memory%crest%regime
-         call try_penetration(surface, high%penetration - step, load, memory, low)
+         call try_penetration(surface, high%penetration - get_step(surface, high), load, memory, low)
          has_bracket = low%excess < 0
-         if (has_bracket) return
+         if (has_bracket .or. .not. low%totals%is_converged) return
          if (low%totals%load_slope <= 0 .or. (.not. surface%is_3d .and. memory%crest%regime /= regime)) then
             call find_dip(surface, load, regime, memory, low, high, has_bracket)
             if (has_bracket) return
          end if
          high = low
       end do
+      low%totals%is_converged = .false.
    end subroutine descend
+
+   !> How far the next penetration on the way to a bracket is: a little beyond the tangent, and not too far.
+   pure real(dp) function get_step(surface, trial) result(step)
+      type(surface_t), intent(in) :: surface
+      type(trial_t), intent(in) :: trial
+
+      step = longest_step*max(1.0_dp, surface%stress + surface%range)
+      if (trial%totals%load_slope > 0) then
+         step = min(step, 1.2_dp*abs(trial%excess)/trial%totals%load_slope + shortest_step)
+      end if
+   end function get_step
 
    !> The load may pass through a minimum between two penetrations, smooth or at the end of a regime: close in on it
    !> from above, where the load falls on the way down.
@@ -217,10 +230,8 @@ contains
          if (abs(near - far) <= closest*max(abs(near), 1.0_dp)) return
          call try_penetration(surface, near + (far - near)/2, load, memory, middle)
          has_bracket = middle%excess < 0
-         if (has_bracket) then
-            low = middle
-            return
-         end if
+         if (has_bracket) low = middle
+         if (has_bracket .or. .not. middle%totals%is_converged) return
          if (middle%totals%load_slope > 0 .and. (surface%is_3d .or. memory%crest%regime == regime)) then
             near = middle%penetration
          else
@@ -236,24 +247,30 @@ contains
       type(memory_t), intent(inout) :: memory
       type(trial_t), intent(out) :: low, high
       logical, intent(out) :: has_bracket
-      real(dp) :: step
+      type(trial_t) :: dip, top
       integer :: k
 
       has_bracket = .false.
       ! just inside the range, where adhesion draws the crest in
       call try_penetration(surface, -surface%range*(1 - closest), load, memory, low)
-      if (low%excess >= 0) then
-         high = low
-         return
-      end if
+      high = low
       do k = 1, max_steps
-         step = longest_step*max(1.0_dp, surface%stress + surface%range)
-         if (low%totals%load_slope > 0) step = min(step, -1.2_dp*low%excess/low%totals%load_slope + shortest_step)
-         call try_penetration(surface, min(low%penetration + step, highest), load, memory, high)
-         has_bracket = high%excess >= 0
+         if (low%penetration >= highest .or. .not. low%totals%is_converged) return
+         call try_penetration(surface, min(low%penetration + get_step(surface, low), highest), load, memory, high)
+         has_bracket = low%excess < 0 .and. (high%excess >= 0 .or. carries_load(surface, high))
          if (has_bracket) return
+         ! a tension that is only reached between the two
+         if (low%excess >= 0 .and. high%excess >= 0 .and. low%totals%load_slope <= 0 &
+            & .and. high%totals%load_slope > 0) then
+            dip = low
+            top = high
+            call find_dip(surface, load, memory%crest%regime, memory, dip, top, has_bracket)
+            low = dip
+            if (has_bracket) return
+         end if
          low = high
       end do
+      low%totals%is_converged = .false.
    end subroutine ascend
 
    !> Close a bracket: Newton's method from its better end, with bisection wherever that gains too little.
