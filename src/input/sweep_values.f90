@@ -22,6 +22,8 @@ contains
       do i = 1, size(values)
          n = real(i - 1, dp)
          values(i) = keep_between(((s*from)*(steps - n) + (s*to)*n)/steps, s*from, s*to)/s
+         ! a step on zero is zero, not the round-off of the ends
+         if (abs(values(i)) < 4*epsilon(s)*max(abs(from), abs(to))) values(i) = 0
       end do
       call set_ends(from, to, values)
    end subroutine fill_linear

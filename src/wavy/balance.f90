@@ -110,6 +110,7 @@ contains
          end if
       end if
       call finish(strip, sums, balance)
+      if (.not. strip%stress > 0) balance%adhesion = 0
    end subroutine balance_contact
 
    !> Adhesion without contact: everywhere, or in one zone.

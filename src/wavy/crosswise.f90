@@ -19,6 +19,8 @@ module adfric_wavy_crosswise
    integer, parameter :: n_nodes = size(kronrod_nodes)
    !> Intervals that a surface may be divided into before the tolerance is given up.
    integer, parameter :: max_intervals = 400
+   !> How many times more strips than usual are looked at in search of edges.
+   integer, parameter :: finest = 32
    !> Intervals whose strips are remembered.
    integer, parameter :: n_remembered = 32
 
@@ -61,6 +63,7 @@ contains
       real(dp), intent(out) :: error(2)
       type(strip_t) :: strip
       type(steady_state_t) :: crest
+      type(totals_t) :: half
 
       error = 0
       call new_surface_strip(surface, penetration, 1.0_dp, strip)
@@ -72,7 +75,11 @@ contains
          if (memory%needs_slope) call add_load_slope(strip, crest, 1.0_dp, totals)
          totals%n_closed_form = merge(1, 0, crest%regime == regime_saturated .or. crest%regime == regime_free)
       else if (surface%n_strips > 0) then
-         call sum_equal_strips(surface, penetration, crest, totals)
+         call sum_equal_strips(surface, penetration, surface%n_strips, crest, totals)
+         ! what half as many strips would have given tells the error
+         call sum_equal_strips(surface, penetration, (surface%n_strips + 1)/2, crest, half)
+         error = abs([totals%load - half%load, totals%friction - half%friction])
+         totals%n_strips = totals%n_strips + half%n_strips
       else
          call integrate_strips(surface, penetration, memory, totals, error)
       end if
@@ -97,9 +104,11 @@ contains
    end function next_crest
 
    !> GM's sum of 2N strips of equal width.
-   pure subroutine sum_equal_strips(surface, penetration, guess, totals)
+   pure subroutine sum_equal_strips(surface, penetration, n_strips, guess, totals)
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: penetration
+      !> On half a period.
+      integer, intent(in) :: n_strips
       type(steady_state_t), intent(in) :: guess
       type(totals_t), intent(inout) :: totals
       type(strip_t) :: strip
@@ -108,8 +117,8 @@ contains
       integer :: j
 
       last = guess
-      width = 1.0_dp/surface%n_strips
-      do j = 1, surface%n_strips
+      width = 1.0_dp/n_strips
+      do j = 1, n_strips
          share = share_at(pi*(j - 0.5_dp)*width)
          call new_surface_strip(surface, penetration, share, strip)
          call find_steady_state(strip, surface%branch, state, last)
@@ -131,21 +140,22 @@ contains
       real(dp), intent(out) :: error(2)
       type(interval_t), allocatable :: intervals(:)
       type(totals_t) :: closed
-      integer :: n, worst, k, last_place
+      integer :: n, worst, k, last_place, fineness
       logical :: is_fine, is_uniform, was_tracked
 
       if (.not. allocated(memory%states)) allocate (memory%states(n_nodes, n_remembered))
       allocate (intervals(n_remembered))
-      was_tracked = memory%division%n_panels > 0
       closed = totals
+      fineness = 1
       do
-         call divide_surface(surface, penetration, memory%division)
+         was_tracked = memory%division%n_panels > 0
+         call divide_surface(surface, penetration, fineness, memory%division)
          totals%n_strips = totals%n_strips + memory%division%n_strips
          call start_intervals(surface, penetration, memory, intervals, n, totals, is_uniform)
-         if (is_uniform .or. .not. was_tracked) exit
-         ! an edge was born since the last surface: look everywhere
+         if (is_uniform .or. fineness > finest) exit
+         ! an edge was born since the last surface, or lies between the strips that were looked at: look closer
+         if (.not. was_tracked) fineness = 4*fineness
          memory%division%n_panels = 0
-         was_tracked = .false.
          closed%n_strips = totals%n_strips
          totals = closed
       end do

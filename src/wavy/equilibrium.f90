@@ -10,10 +10,10 @@ module adfric_wavy_equilibrium
    use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_wavy_crosswise, only: memory_t, get_totals
    use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_surface, only: surface_t, totals_t
+   use adfric_wavy_surface, only: surface_t, totals_t, is_same_surface
    implicit none (type, external)
    private
-   public :: equilibrium_t, solve_penetration, solve_load
+   public :: equilibrium_t, solve_penetration, solve_load, leads_to
 
    integer, parameter :: max_iterations = 100, max_steps = 1000, max_refinements = 6
    !> Mean level of the profile below its crest [h], in 2-D and 3-D.
@@ -65,7 +65,7 @@ contains
       type(surface_t), intent(in) :: surface
       !> Per period in x (and y) [h/K].
       real(dp), intent(in) :: load
-      !> Penetration of a neighbouring load on this branch; `unset` if there is none.
+      !> Where the branch may be followed from: see `leads_to`. `unset` if nowhere.
       real(dp), intent(in) :: guess
       type(memory_t), intent(inout) :: memory
       type(equilibrium_t), intent(out) :: equilibrium
@@ -110,7 +110,23 @@ contains
       carries_load = abs(trial%excess) <= tolerance*max(abs(trial%totals%load), share_of_scale*trial%totals%load_scale)
    end function carries_load
 
-   !> Newton's method from a neighbour's penetration, where it cannot lead to another branch.
+   !> Does the penetration of one load lead to that of another on the same branch? Without adhesion it always does.
+   !> With it the load need not be monotone. On the adhered branch every penetration above the one that carries a load
+   !> carries more, so what carries less lies below it; on the approach branch it is the other way round.
+   pure logical function leads_to(from, from_load, to, to_load)
+      type(surface_t), intent(in) :: from, to
+      real(dp), intent(in) :: from_load, to_load
+
+      leads_to = from%stress <= 0 .and. to%stress <= 0
+      if (leads_to .or. .not. is_same_surface(from, to)) return
+      if (to%branch == branch_adhered) then
+         leads_to = to_load <= from_load
+      else
+         leads_to = to_load >= from_load
+      end if
+   end function leads_to
+
+   !> Newton's method from a neighbour's penetration.
    pure subroutine refine_guess(surface, load, guess, memory, trial, is_found)
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: load, guess
@@ -119,15 +135,17 @@ contains
       logical, intent(out) :: is_found
       type(trial_t) :: last
       real(dp) :: penetration, step, slope
-      integer :: k
+      integer :: k, regime
 
       is_found = .false.
-      ! a 2-D surface loses adhesion all at once: its branches overlap
-      if (.not. is_set(guess) .or. (surface%stress > 0 .and. .not. surface%is_3d)) return
+      if (.not. is_set(guess)) return
       penetration = guess
+      regime = memory%crest%regime
       do k = 1, max_refinements
          call try_penetration(surface, penetration, load, memory, trial)
          if (.not. trial%totals%is_converged .or. .not. trial%totals%load_slope > 0) return
+         ! a 2-D surface loses adhesion all at once: its regimes overlap
+         if (surface%stress > 0 .and. .not. surface%is_3d .and. memory%crest%regime /= regime) return
          is_found = carries_load(surface, trial)
          if (is_found) return
          ! regimes that spread add to the slope of the strips: the chord sees that
@@ -173,6 +191,7 @@ contains
       !> In: the highest penetration.
       type(trial_t), intent(inout) :: high
       logical, intent(out) :: has_bracket
+      type(trial_t) :: turn
       real(dp) :: lowest
       integer :: k, regime
 
@@ -188,8 +207,12 @@ contains
          has_bracket = low%excess < 0
          if (has_bracket .or. .not. low%totals%is_converged) return
          if (low%totals%load_slope <= 0 .or. (.not. surface%is_3d .and. memory%crest%regime /= regime)) then
-            call find_dip(surface, load, regime, memory, low, high, has_bracket)
-            if (has_bracket) return
+            turn = low
+            call find_turn(surface, load, regime, memory, high, turn, has_bracket)
+            if (has_bracket) then
+               low = turn
+               return
+            end if
          end if
          high = low
       end do
@@ -207,38 +230,36 @@ contains
       end if
    end function get_step
 
-   !> The load may pass through a minimum between two penetrations, smooth or at the end of a regime: close in on it
-   !> from above, where the load falls on the way down.
-   pure subroutine find_dip(surface, load, regime, memory, low, high, has_bracket)
+   !> Between two penetrations the load may turn, smoothly or at the end of a regime, and pass the one that is
+   !> sought: close in on the turn from `near`, in whose regime the load rises with the penetration.
+   pure subroutine find_turn(surface, load, regime, memory, near, far, has_passed)
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
-      !> Regime of the crest strip at `high`.
+      !> Regime of the crest strip at `near`.
       integer, intent(in) :: regime
       type(memory_t), intent(inout) :: memory
-      !> In: a penetration below the minimum. Out, with a bracket: one that carries too little.
-      type(trial_t), intent(inout) :: low
-      type(trial_t), intent(inout) :: high
-      logical, intent(out) :: has_bracket
-      type(trial_t) :: middle
-      real(dp) :: near, far
+      type(trial_t), intent(inout) :: near
+      !> In: beyond the turn. Out: where the load has passed the one that is sought, if it has.
+      type(trial_t), intent(inout) :: far
+      logical, intent(out) :: has_passed
+      type(trial_t) :: middle, limit
       integer :: k
 
-      near = high%penetration
-      far = low%penetration
-      has_bracket = .false.
+      limit = far
+      has_passed = .false.
       do k = 1, max_iterations
-         if (abs(near - far) <= closest*max(abs(near), 1.0_dp)) return
-         call try_penetration(surface, near + (far - near)/2, load, memory, middle)
-         has_bracket = middle%excess < 0
-         if (has_bracket) low = middle
-         if (has_bracket .or. .not. middle%totals%is_converged) return
+         if (abs(near%penetration - limit%penetration) <= closest*max(abs(near%penetration), 1.0_dp)) return
+         call try_penetration(surface, near%penetration + (limit%penetration - near%penetration)/2, load, memory, middle)
+         has_passed = middle%excess < 0 .neqv. near%excess < 0
+         if (has_passed) far = middle
+         if (has_passed .or. .not. middle%totals%is_converged) return
          if (middle%totals%load_slope > 0 .and. (surface%is_3d .or. memory%crest%regime == regime)) then
-            near = middle%penetration
+            near = middle
          else
-            far = middle%penetration
+            limit = middle
          end if
       end do
-   end subroutine find_dip
+   end subroutine find_turn
 
    !> Go up from where nothing is touched, until a penetration carries enough after one that did not.
    pure subroutine ascend(surface, load, highest, memory, low, high, has_bracket)
@@ -247,8 +268,8 @@ contains
       type(memory_t), intent(inout) :: memory
       type(trial_t), intent(out) :: low, high
       logical, intent(out) :: has_bracket
-      type(trial_t) :: dip, top
-      integer :: k
+      type(trial_t) :: turn, top
+      integer :: k, regime
 
       has_bracket = .false.
       ! just inside the range, where adhesion draws the crest in
@@ -256,18 +277,24 @@ contains
       high = low
       do k = 1, max_steps
          if (low%penetration >= highest .or. .not. low%totals%is_converged) return
+         regime = memory%crest%regime
          call try_penetration(surface, min(low%penetration + get_step(surface, low), highest), load, memory, high)
-         has_bracket = low%excess < 0 .and. (high%excess >= 0 .or. carries_load(surface, high))
-         if (has_bracket) return
-         ! a tension that is only reached between the two
-         if (low%excess >= 0 .and. high%excess >= 0 .and. low%totals%load_slope <= 0 &
+         turn = high
+         if (low%excess < 0 .and. .not. surface%is_3d .and. memory%crest%regime /= regime) then
+            ! enough just before adhesion takes hold everywhere at once?
+            call find_turn(surface, load, regime, memory, low, turn, has_bracket)
+            if (has_bracket) high = turn
+         else if (low%excess >= 0 .and. high%excess >= 0 .and. low%totals%load_slope <= 0 &
             & .and. high%totals%load_slope > 0) then
-            dip = low
+            ! a tension that is only reached between the two?
             top = high
-            call find_dip(surface, load, memory%crest%regime, memory, dip, top, has_bracket)
-            low = dip
-            if (has_bracket) return
+            turn = low
+            call find_turn(surface, load, memory%crest%regime, memory, top, turn, has_bracket)
+            if (has_bracket) low = turn
+            if (has_bracket) high = top
          end if
+         has_bracket = has_bracket .or. (low%excess < 0 .and. (high%excess >= 0 .or. carries_load(surface, high)))
+         if (has_bracket) return
          low = high
       end do
       low%totals%is_converged = .false.
@@ -288,7 +315,7 @@ contains
       do k = 1, max_iterations
          if (carries_load(surface, high)) return
          width = high%penetration - low%penetration
-         if (width <= 2*epsilon(width)*max(abs(high%penetration), abs(low%penetration))) return
+         if (width <= 2*epsilon(width)*max(abs(high%penetration), abs(low%penetration))) exit
          penetration = low%penetration + width/2
          if (mod(k, 3) > 0) then
             middle = high
@@ -308,7 +335,8 @@ contains
             high = middle
          end if
       end do
-      high%totals%is_converged = .false.
+      ! as far as round-off of the penetration allows, but no further
+      high%totals%is_converged = abs(high%excess) <= sqrt(round_off)*high%totals%load_scale
    end subroutine close_bracket
 
    !> What is known of the point, and how well.

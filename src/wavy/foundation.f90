@@ -10,8 +10,9 @@ module adfric_wavy_foundation
    private
    public :: foundation_t, new_foundation
 
-   !> Below this u the surface slides so slowly that the answer is its limit for V -> 0 to every digit.
-   real(dp), parameter :: slowest = 1.0e-60_dp
+   !> Below this u the surface slides so slowly that the answer is its limit for V -> 0 to round-off, and the
+   !> phases over which anything relaxes can no longer be told from nothing.
+   real(dp), parameter :: slowest = 1.0e-14_dp
 
    !> A foundation at one sliding velocity.
    type :: foundation_t

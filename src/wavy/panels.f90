@@ -66,9 +66,11 @@ contains
    end function share_at
 
    !> Divide half a period into panels.
-   pure subroutine divide_surface(surface, penetration, division)
+   pure subroutine divide_surface(surface, penetration, fineness, division)
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: penetration
+      !> How many times more strips are looked at than usual.
+      integer, intent(in) :: fineness
       !> In: the division of a neighbouring surface, or none; it saves time. Out: this one's.
       type(division_t), intent(inout) :: division
       real(dp) :: edges(n_known + 2)
@@ -81,7 +83,7 @@ contains
       if (.not. is_tracked) then
          division%n_panels = 0
          do k = 1, n_edges - 1
-            call divide_stretch(surface, penetration, edges(k), edges(k + 1), kinds(k), division)
+            call divide_stretch(surface, penetration, fineness*n_probes, edges(k), edges(k + 1), kinds(k), division)
          end do
       end if
       division%penetration = penetration
@@ -174,9 +176,12 @@ contains
    end subroutine track_edges
 
    !> Divide a stretch without known edges.
-   pure subroutine divide_stretch(surface, penetration, start, finish, kind, division)
+   pure subroutine divide_stretch(surface, penetration, n_looks, start, finish, kind, division)
       type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: penetration, start, finish
+      real(dp), intent(in) :: penetration
+      !> Strips to look at.
+      integer, intent(in) :: n_looks
+      real(dp), intent(in) :: start, finish
       !> Which closed form the stretch begins with.
       integer, intent(in) :: kind
       type(division_t), intent(inout) :: division
@@ -185,7 +190,7 @@ contains
 
       count = 1
       ! without release the closed forms know every edge
-      if (surface%stress > 0) count = n_probes
+      if (surface%stress > 0) count = n_looks
       last = probe(surface, penetration, start + (finish - start)*place(1, count))
       call add_panel(division, start, last%state%regime, kind)
       do k = 2, count

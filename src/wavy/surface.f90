@@ -13,7 +13,7 @@ module adfric_wavy_surface
    use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, edge_continuous, regime_free
    implicit none (type, external)
    private
-   public :: surface_t, totals_t, new_surface_strip, add_strip, add_load_slope
+   public :: surface_t, totals_t, new_surface_strip, add_strip, add_load_slope, is_same_surface
 
    !> A wavy surface on its foundation.
    type :: surface_t
@@ -49,6 +49,23 @@ module adfric_wavy_surface
    end type totals_t
 
 contains
+
+   !> Are two surfaces the same?
+   elemental logical function is_same_surface(one, two)
+      type(surface_t), intent(in) :: one, two
+
+      is_same_surface = (one%is_3d .eqv. two%is_3d) .and. one%edge == two%edge .and. one%branch == two%branch &
+         & .and. one%n_strips == two%n_strips .and. is_same(one%foundation%u, two%foundation%u) &
+         & .and. is_same(one%foundation%beta, two%foundation%beta) .and. is_same(one%stress, two%stress) &
+         & .and. is_same(one%range, two%range) .and. is_same(one%steepness, two%steepness)
+   end function is_same_surface
+
+   !> Are two numbers the same but for round-off of their units?
+   elemental logical function is_same(one, two)
+      real(dp), intent(in) :: one, two
+
+      is_same = abs(one - two) <= 4*epsilon(one)*max(abs(one), abs(two))
+   end function is_same
 
    !> The strip with the share Y of the height, at a penetration of the surface.
    elemental subroutine new_surface_strip(surface, penetration, share, strip)

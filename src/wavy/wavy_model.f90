@@ -9,7 +9,7 @@ module adfric_wavy_model
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
-   use adfric_wavy_equilibrium, only: equilibrium_t, solve_penetration, solve_load
+   use adfric_wavy_equilibrium, only: equilibrium_t, solve_penetration, solve_load, leads_to
    use adfric_wavy_profiles, only: get_profiles
    use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only, regime_saturated
    use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
@@ -91,7 +91,7 @@ contains
       coordinate = [(values(v_period)*(real(k, dp)/(n - 1) - 0.5_dp), k=0, n - 1)]
    end function get_profile_axis
 
-   !> See `model_t`.
+   !> See `model_t`. Loads are solved in the order in which each leads to the next on its branch.
    subroutine solve_block(self, values, results, error_estimate, status, attributes)
       class(wavy_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
@@ -99,25 +99,36 @@ contains
       real(dp), intent(out) :: error_estimate(:)
       integer, intent(out) :: status(:)
       type(attribute_t), allocatable, intent(out) :: attributes(:)
-      type(wavy_case_t) :: point
+      type(wavy_case_t) :: point, last
       type(equilibrium_t) :: equilibrium
       type(memory_t) :: memory
-      real(dp) :: last(2), guess, n_strips, n_closed_form
-      integer :: i
+      real(dp) :: known(2), guess, n_strips, n_closed_form
+      integer :: i, k, n
+      logical :: is_reversed
 
       n_strips = 0
       n_closed_form = 0
-      last = unset
-      if (size(self%variables) == 0) return
-      do i = 1, size(values, 2)
+      known = unset
+      n = size(values, 2)
+      is_reversed = .false.
+      if (n > 1 .and. size(self%variables) > 0) is_reversed = leads_backwards(values(:, 1), values(:, 2))
+      do k = 1, n
+         i = merge(n + 1 - k, k, is_reversed)
          call resolve_case(values(:, i), point)
          memory%is_even = .not. point%is_load_given
          memory%needs_slope = point%is_load_given
          if (point%is_load_given) then
-            guess = last(1)
-            if (last(2) < unset) guess = 2*last(1) - last(2)
+            guess = unset
+            if (known(1) < unset) then
+               if (leads_to(last%surface, last%load, point%surface, point%load)) then
+                  guess = known(1)
+                  if (known(2) < unset) guess = 2*known(1) - known(2)
+               end if
+            end if
+            if (.not. guess < unset) known(2) = unset
             call solve_load(point%surface, point%load, guess, memory, equilibrium)
-            last = [merge(equilibrium%penetration, unset, equilibrium%status == status_solved), last(1)]
+            known = [merge(equilibrium%penetration, unset, equilibrium%status == status_solved), known(1)]
+            last = point
          else
             call solve_penetration(point%surface, point%penetration, memory, equilibrium)
          end if
@@ -131,6 +142,17 @@ contains
       attributes = [attribute_t('strips_per_point', n_strips), &
          & attribute_t('closed_form_strips_per_point', n_closed_form)]
    end subroutine solve_block
+
+   !> Does a point lead to the one before it, and not the other way round?
+   pure logical function leads_backwards(first, second)
+      real(dp), intent(in) :: first(:), second(:)
+      type(wavy_case_t) :: one, two
+
+      call resolve_case(first, one)
+      call resolve_case(second, two)
+      leads_backwards = one%is_load_given .and. leads_to(two%surface, two%load, one%surface, one%load) &
+         & .and. .not. leads_to(one%surface, one%load, two%surface, two%load)
+   end function leads_backwards
 
    !> Results of a point in SI units.
    pure subroutine store(point, crest, equilibrium, results)
