@@ -223,6 +223,11 @@ contains
       real(dp) :: edge
 
       if (one%state%regime == two%state%regime .or. division%n_panels == max_panels) return
+      if (two%theta - one%theta <= sharp) then
+         division%panels(division%n_panels)%finish = two%theta
+         call add_panel(division, two%theta, two%state%regime, 0)
+         return
+      end if
       if (ends_first(surface, one%state%regime, two%state%regime)) then
          call locate_edge(surface, penetration, one, two%theta, edge, division%n_strips)
          beyond = probe(surface, penetration, edge + beyond_edge*(two%theta - edge))

@@ -232,15 +232,15 @@ contains
       call march_excess(strip, direction, xi, period, excess)
       do k = 1, max_periods
          ! the bound itself may close to within round-off
-         is_converged = excess <= closed .and. period%outcome == period_closed
+         is_converged = excess <= closed*contraction(period) .and. period%outcome == period_closed
          if (is_converged .or. period%outcome /= period_closed) return
          ! on the rising side there is nothing to find: ever longer steps
-         step = merge(excess/max(1 - period%slope, excess), 2*max(excess, step), period%slope < 1)
+         step = merge(excess/max(1 - period%slope, excess/4), 2*max(excess, step), period%slope < 1)
          last_xi = xi
          last_slope = period%slope
          xi = xi - direction*min(step, 1.0_dp)
          call march_excess(strip, direction, xi, period, excess)
-         if (excess < -closed) then
+         if (excess < -closed*contraction(period)) then
             call bisect_period(strip, direction, last_xi, xi, period, is_converged)
             return
          end if
@@ -276,6 +276,14 @@ contains
       end select
    end subroutine march_excess
 
+   !> How much of a disturbance a period takes away: in fast sliding next to nothing, and then the period must close the
+   !> better, as far as round-off allows.
+   pure real(dp) function contraction(period)
+      type(period_t), intent(in) :: period
+
+      contraction = min(max(1 - period%slope, 1.0e-6_dp), 1.0_dp)
+   end function contraction
+
    !> A period that closes between `near` (excess positive) and `far` (negative).
    pure subroutine bisect_period(strip, direction, near, far, period, is_converged)
       type(strip_t), intent(in) :: strip
@@ -293,7 +301,7 @@ contains
       xi = low + (high - low)/2
       do k = 1, max_bisections
          call march_excess(strip, direction, xi, period, excess)
-         is_converged = abs(excess) <= closed
+         is_converged = abs(excess) <= closed*contraction(period)
          far = xi
          ! a column that never closes its period, on the near side, shows that none closes further on
          if (is_converged .or. (excess > 0 .and. period%outcome /= period_closed)) return
@@ -302,7 +310,7 @@ contains
          else
             high = xi
          end if
-         newton = xi - direction*excess/max(1 - period%slope, abs(excess))
+         newton = xi - direction*excess/max(1 - period%slope, abs(excess)/4)
          xi = low + (high - low)/2
          if ((newton - low)*(newton - high) < 0 .and. period%outcome == period_closed) xi = newton
       end do
