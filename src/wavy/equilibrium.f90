@@ -203,7 +203,7 @@ contains
       do k = 1, max_steps
          if (high%penetration < lowest) return
          regime = memory%crest%regime
-         call try_penetration(surface, high%penetration - get_step(surface, high), load, memory, low)
+         call step_to(surface, high%penetration, -get_step(surface, high), load, memory, low)
          has_bracket = low%excess < 0
          if (has_bracket .or. .not. low%totals%is_converged) return
          if (low%totals%load_slope <= 0 .or. (.not. surface%is_3d .and. memory%crest%regime /= regime)) then
@@ -218,6 +218,20 @@ contains
       end do
       low%totals%is_converged = .false.
    end subroutine descend
+
+   !> Load a step away; a little less far where a strip happens to be at the very end of its branch.
+   pure subroutine step_to(surface, penetration, step, load, memory, trial)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration, step, load
+      type(memory_t), intent(inout) :: memory
+      type(trial_t), intent(out) :: trial
+      integer :: k
+
+      do k = 0, 3
+         call try_penetration(surface, penetration + step*(1 - k/128.0_dp), load, memory, trial)
+         if (trial%totals%is_converged) return
+      end do
+   end subroutine step_to
 
    !> How far the next penetration on the way to a bracket is: a little beyond the tangent, and not too far.
    pure real(dp) function get_step(surface, trial) result(step)
@@ -278,7 +292,7 @@ contains
       do k = 1, max_steps
          if (low%penetration >= highest .or. .not. low%totals%is_converged) return
          regime = memory%crest%regime
-         call try_penetration(surface, min(low%penetration + get_step(surface, low), highest), load, memory, high)
+         call step_to(surface, low%penetration, min(get_step(surface, low), highest - low%penetration), load, memory, high)
          turn = high
          if (low%excess < 0 .and. .not. surface%is_3d .and. memory%crest%regime /= regime) then
             ! enough just before adhesion takes hold everywhere at once?
