@@ -129,7 +129,7 @@ contains
          ! leading adhesion: gap closed at its end. The sum of all gap conditions, in which the large terms
          ! cancel, is what keeps the displacement continuous in fast sliding
          gap = strip%range - strip%jump
-         if (state%entry > 0) then
+         if (strip%jump >= strip%range) then
             lost_l = 0
             e(3) = -w_t*lost_t - w_f*lost_f + inner - gap - e(2)
             e(4) = 0; e4_b = 0; e4_m = 1

@@ -10,18 +10,18 @@ module adfric_wavy_foundation
    private
    public :: foundation_t, new_foundation
 
-   !> Below this u the surface slides so slowly that the answer is its limit for V -> 0 to round-off, and the
-   !> phases over which anything relaxes can no longer be told from nothing.
-   real(dp), parameter :: slowest = 1.0e-14_dp
+   !> Below this retardation phase the surface slides so slowly that the answer is its limit for V -> 0 to round-off,
+   !> and the phases over which gaps relax can no longer be told from nothing.
+   real(dp), parameter :: slowest = 1.0e-13_dp
 
    !> A foundation at one sliding velocity.
    type :: foundation_t
       !> Relaxation phase k V Ts [-], > 0.
-      real(dp) :: u = slowest
+      real(dp) :: u = 1
       !> Ratio of retardation to relaxation time = instantaneous over long-time stiffness [-], >= 1.
       real(dp) :: beta = 1
       !> Retardation phase beta u [-].
-      real(dp) :: v = slowest
+      real(dp) :: v = 1
       !> Storage modulus over the long-time stiffness, (1 + u v)/(1 + u^2) [-].
       real(dp) :: storage = 1
       !> Loss modulus over the long-time stiffness, (v - u)/(1 + u^2) [-].
@@ -39,7 +39,7 @@ contains
       real(dp), intent(in) :: beta
       real(dp) :: s
 
-      self%u = max(u, slowest)
+      self%u = max(u, slowest/beta)
       self%beta = beta
       self%v = beta*self%u
       ! (1 + u v)/(1 + u^2) = 1 + u loss, written so that neither square overflows

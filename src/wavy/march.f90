@@ -32,6 +32,8 @@ module adfric_wavy_march
       real(dp) :: value = 0
       !> Gap (0 in contact).
       real(dp) :: gap = 0
+      !> Has the zone just begun, at an event?
+      logical :: has_begun = .false.
    end type column_t
 
    !> What happened between two passages of the leading edge of adhesion.
@@ -107,17 +109,24 @@ contains
       logical, intent(out) :: crosses
       !> Phase passed up to the crossing.
       real(dp), intent(out) :: passed
-      real(dp) :: value, slope
+      real(dp), parameter :: looks(3) = [1.0_dp, 0.9_dp, 0.7_dp]
+      real(dp) :: value, slope, limit
+      integer :: k
       logical :: is_converged
 
       passed = span
-      crosses = span > 0
+      crosses = .false.
+      if (.not. span > 0) return
+      ! once crossed it stays so up to the end; but there, where relaxation is fast, it may be back at round-off
+      do k = 1, size(looks)
+         limit = looks(k)*span
+         call curve%evaluate(limit, value, slope)
+         crosses = merge(value >= 0, value <= 0, rises)
+         if (crosses) exit
+      end do
       if (.not. crosses) return
-      call curve%evaluate(span, value, slope)
-      crosses = merge(value >= 0, value <= 0, rises)
-      if (.not. crosses) return
-      passed = span/2
-      call find_root(curve, 0.0_dp, span, rises, passed, is_converged)
+      passed = limit/2
+      call find_root(curve, 0.0_dp, limit, rises, passed, is_converged)
    end subroutine follow
 
    !> Move a column to its next event. `has_event` is false if the zone lasts for more than a period.
@@ -136,13 +145,14 @@ contains
       select case (column%zone)
       case (in_contact)
          curve = contact_curve(strip, column)
-         call follow(curve, phases_left(strip, column%xi, 0.0_dp, .true.), .false., has_event, passed)
+         call follow(curve, phases_left(strip, column%xi, 0.0_dp, .true., column%has_begun), .false., &
+            & has_event, passed)
       case (in_adhesion)
          call end_adhesion(strip, column, curve, bound, has_event, passed)
       case default
          curve = gap_curve(strip, column, strip%range)
-         call follow(curve, phases_left(strip, column%xi, strip%stress - strip%range, .false.), &
-            & .false., has_event, passed)
+         call follow(curve, phases_left(strip, column%xi, strip%stress - strip%range, .false., &
+            & column%has_begun), .false., has_event, passed)
       end select
       slope = 0
       if (.not. has_event) return
@@ -154,12 +164,13 @@ contains
       column%xi = column%xi - passed
       select case (column%zone)
       case (in_contact)
-         column = column_t(in_adhesion, column%xi, lifted_profile(strip, column%xi), 0.0_dp)
+         column = column_t(in_adhesion, column%xi, lifted_profile(strip, column%xi), 0.0_dp, .true.)
       case (in_adhesion)
          if (bound > 0) then
-            column = column_t(in_free, column%xi, column%value - strip%stress + strip%jump, bound + strip%jump)
+            column = column_t(in_free, column%xi, column%value - strip%stress + strip%jump, bound + strip%jump, &
+               & .true.)
          else
-            column = column_t(in_contact, column%xi, 0.0_dp, 0.0_dp)
+            column = column_t(in_contact, column%xi, 0.0_dp, 0.0_dp, .true.)
          end if
       case default
          call attach(strip, column)
@@ -179,8 +190,9 @@ contains
       integer :: try
       logical :: may_close
 
-      to_closure = phases_left(strip, column%xi, 0.0_dp, .false.)
-      to_release = phases_left(strip, column%xi, -strip%range, .true.)
+      ! it begins where contact ends or where freedom ends: outside the one interval or outside the other
+      to_closure = phases_left(strip, column%xi, 0.0_dp, .false., column%has_begun .and. .not. column%gap > 0)
+      to_release = phases_left(strip, column%xi, -strip%range, .true., column%has_begun .and. column%gap > 0)
       may_close = to_closure < to_release
       do try = 1, 2
          bound = merge(0.0_dp, strip%range, may_close)
@@ -200,9 +212,9 @@ contains
 
       gap = strip%range - strip%jump
       if (gap > 0) then
-         column = column_t(in_adhesion, column%xi, lifted_profile(strip, column%xi) + gap, gap)
+         column = column_t(in_adhesion, column%xi, lifted_profile(strip, column%xi) + gap, gap, .true.)
       else
-         column = column_t(in_contact, column%xi, -strip%foundation%beta*gap, 0.0_dp)
+         column = column_t(in_contact, column%xi, -strip%foundation%beta*gap, 0.0_dp, .true.)
       end if
    end subroutine attach
 

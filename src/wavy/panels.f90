@@ -163,7 +163,7 @@ contains
                end if
                call locate_edge(surface, penetration, one, two%theta, edge, division%n_strips)
                ! nothing may have come between
-               one = probe(surface, penetration, edge + beyond_edge*(two%theta - edge))
+               one = look_beyond(surface, penetration, one%state%regime, edge, two%theta)
                is_tracked = one%state%regime == two%state%regime
                division%n_strips = division%n_strips + 4
             end if
@@ -230,18 +230,36 @@ contains
       end if
       if (ends_first(surface, one%state%regime, two%state%regime)) then
          call locate_edge(surface, penetration, one, two%theta, edge, division%n_strips)
-         beyond = probe(surface, penetration, edge + beyond_edge*(two%theta - edge))
+         beyond = look_beyond(surface, penetration, one%state%regime, edge, two%theta)
          division%panels(division%n_panels)%finish = edge
          call add_panel(division, edge, beyond%state%regime, 0)
          call divide_between(surface, penetration, beyond, two, division)
       else
          call locate_edge(surface, penetration, two, one%theta, edge, division%n_strips)
-         beyond = probe(surface, penetration, edge + beyond_edge*(one%theta - edge))
+         beyond = look_beyond(surface, penetration, two%state%regime, edge, one%theta)
          call divide_between(surface, penetration, one, beyond, division)
          division%panels(division%n_panels)%finish = edge
          call add_panel(division, edge, two%state%regime, 0)
       end if
    end subroutine divide_between
+
+   !> The first strip beyond the edge of a regime, as close to it as the edge is sharp.
+   pure type(probe_t) function look_beyond(surface, penetration, regime, edge, other) result(beyond)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      !> The regime that ends.
+      integer, intent(in) :: regime
+      !> Where it ends, and where it has ended.
+      real(dp), intent(in) :: edge, other
+      real(dp) :: share
+
+      share = beyond_edge
+      do
+         beyond = probe(surface, penetration, edge + share*(other - edge))
+         if (beyond%state%regime /= regime .or. share >= 1) return
+         share = min(10*share, 1.0_dp)
+      end do
+   end function look_beyond
 
    !> Of two regimes, is it the first whose end can be found more easily?
    pure logical function ends_first(surface, one, two)
@@ -371,8 +389,8 @@ contains
             limit = edge
          end if
          ! forces fade out with the width of the contact, but jump at a fold
-         enough = max(sharp, 0.01_dp*surface%tolerance)
-         if (near%state%half_width < narrow) enough = max(enough, sharp_enough)
+         enough = max(sharp, min(0.01_dp*surface%tolerance, sharp_enough))
+         if (near%state%half_width < narrow) enough = sharp_enough
          if (abs(limit - near%theta) <= enough) exit
          edge = near%theta + (limit - near%theta)/2
          guess = nearest_end(near, far, limit)

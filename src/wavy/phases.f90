@@ -1,7 +1,7 @@
 !> Intervals of the phase in which the drive of a strip is above or below a bound.
 module adfric_wavy_phases
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: two_pi
+   use adfric_base_constants, only: pi, two_pi
    use adfric_wavy_strip, only: strip_t
    implicit none (type, external)
    private
@@ -11,10 +11,13 @@ contains
 
    !> Phase left from xi to the next end of the interval where the drive is above a bound, or below it;
    !> a whole period if it always is, negative if it never is.
-   pure real(dp) function phases_left(strip, xi, bound, below) result(left)
+   pure real(dp) function phases_left(strip, xi, bound, below, is_outside) result(left)
       type(strip_t), intent(in) :: strip
       real(dp), intent(in) :: xi, bound
       logical, intent(in) :: below
+      !> Is xi known to be outside the interval? Then the whole of it lies ahead, even if round-off says that it has
+      !> only just been left.
+      logical, intent(in), optional :: is_outside
       real(dp) :: ratio, crossing
 
       associate (v => strip%foundation%v)
@@ -25,6 +28,9 @@ contains
          if (below) crossing = -crossing
          ! the drive is level + hypot(1, v) cos(tau), tau = atan(v) - xi growing
          left = modulo(crossing - atan(v) + xi, two_pi)
+         if (.not. present(is_outside)) return
+         if (below) crossing = pi + crossing
+         if (is_outside .and. left < crossing) left = left + two_pi
       end associate
    end function phases_left
 
