@@ -21,6 +21,8 @@ module adfric_wavy_crosswise
    integer, parameter :: max_intervals = 400
    !> How many times more strips than usual are looked at in search of edges.
    integer, parameter :: finest = 32
+   !> Share of the load below which the digits of friction are those of round-off.
+   real(dp), parameter :: negligible = 1.0e-7_dp
    !> Intervals whose strips are remembered.
    integer, parameter :: n_remembered = 32
 
@@ -234,6 +236,8 @@ contains
       ! a sum near zero cannot be had to a relative tolerance
       scales = max(abs([all_totals%load, all_totals%friction]), &
          & 0.01_dp*[all_totals%load_scale, all_totals%friction_scale], tiny(1.0_dp))
+      ! nor can a friction that is nothing beside the load
+      scales(2) = max(scales(2), negligible*scales(1))
       is_fine = all(error <= tolerance*scales)
       worst = 1
       largest = -1

@@ -20,6 +20,8 @@ module adfric_wavy_edges
    real(dp), parameter :: close_enough = 1.0e-9_dp
    !> Relative step that round-off alone may cause near the end of a branch.
    real(dp), parameter :: round_off = 1.0e-6_dp
+   !> A step that says that there is none.
+   real(dp), parameter :: no_step = 1.0e100_dp
 
    !> The four edge equations, their derivatives by the contact edges a and b and by the lengths m of the
    !> adhesion zones, and by the depth of the strip.
@@ -51,14 +53,15 @@ contains
       do iteration = 1, max_iterations
          call get_edge_equations(strip, state, equations)
          step = solve_edges(equations, equations%value)
+         if (.not. maxval(abs(step)) < no_step) return
          share = largest_share(state, step)
-         size_now = maxval(abs(step)/[state%half_width, 1.0_dp, state%trailing, max(state%leading, tiny(1.0_dp))])
-         if (.not. size_now < huge(1.0_dp)) return
+         size_now = maxval(abs(step)/max([state%half_width, 1.0_dp, state%trailing, state%leading], tiny(1.0_dp)*no_step))
          state%half_width = state%half_width + share*step(1)
          state%shift = state%shift + share*step(2)
          state%trailing = state%trailing + share*step(3)
          state%leading = state%leading + share*step(4)
          state%outer_shift = state%outer_shift + share*(step(2) + (step(4) - step(3))/2)
+         if (.not. (share > 0 .and. free_length(state) > 0)) return
          if (share < 1) cycle
          state%is_converged = size_now <= close_enough .or. (size_now <= round_off .and. size_now >= size_last/2)
          if (state%is_converged) exit
@@ -157,7 +160,7 @@ contains
          ! each adhesion zone ties its length to its contact edge; two equations are left for two parameters
          call tie_zone(value(2), e%e2_a, e%e2_m, edge_a, length_a)
          call tie_zone(value(4), e%e4_b, e%e4_m, edge_b, length_b)
-         step = huge(1.0_dp)
+         step = no_step
          free_a = e%e3_a*(edge_a(2) + length_a(2))
          free_b = e%e3_b*(edge_b(2) + length_b(2))
          rest_free = -value(3) - e%e3_a*(edge_a(1) + length_a(1)) - e%e3_b*(edge_b(1) + length_b(1))
@@ -305,13 +308,13 @@ contains
       end associate
    end subroutine get_adhesion_equations
 
-   !> The step that takes away `value`, by Cramer's rule; huge if there is none.
+   !> The step that takes away `value`, by Cramer's rule; `no_step` if there is none.
    pure function solve_pair(jacobian, value) result(step)
       real(dp), intent(in) :: jacobian(2, 2), value(2)
       real(dp) :: step(2), determinant
 
       determinant = jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1)
-      step = huge(1.0_dp)
+      step = no_step
       if (abs(determinant) < tiny(1.0_dp)) return
       step(1) = (value(2)*jacobian(1, 2) - value(1)*jacobian(2, 2))/determinant
       step(2) = (value(1)*jacobian(2, 1) - value(2)*jacobian(1, 1))/determinant

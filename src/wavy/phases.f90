@@ -5,7 +5,7 @@ module adfric_wavy_phases
    use adfric_wavy_strip, only: strip_t
    implicit none (type, external)
    private
-   public :: phases_left
+   public :: phases_left, phases_since
 
 contains
 
@@ -33,5 +33,18 @@ contains
          if (is_outside .and. left < crossing) left = left + two_pi
       end associate
    end function phases_left
+
+   !> Phase passed at xi since the drive came above a bound; a whole period if it always is, 0 if it never is.
+   pure real(dp) function phases_since(strip, xi, bound) result(since)
+      type(strip_t), intent(in) :: strip
+      real(dp), intent(in) :: xi, bound
+      real(dp) :: ratio
+
+      associate (v => strip%foundation%v)
+         ratio = (bound - strip%level)/sqrt(1 + v*v)
+         since = merge(0.0_dp, two_pi, ratio > 0)
+         if (abs(ratio) < 1) since = modulo(atan(v) - xi + acos(ratio), two_pi)
+      end associate
+   end function phases_since
 
 end module adfric_wavy_phases

@@ -1,20 +1,21 @@
 !> The steady state of one strip on the chosen branch.
 !>
 !> The state of a column after one period, as a function of its state before (the return map), increases: of
-!> two columns the one with the larger gap keeps it. So the steady states are ordered by their gap, adhesion
-!> everywhere in the gap bounds them from below and no adhesion from above. The `adhered` branch is the least
-!> gap, where unloading leads; the `approach` branch is the largest gap, where loading leads. Marching up
-!> from the lower bound, or down from the upper, meets the first steady state and can jump over none.
+!> two columns the one with the larger gap keeps it. So the steady states are ordered by their gap; adhesion
+!> everywhere in the gap bounds them from below, a free column as high as the crest from above. The `adhered`
+!> branch is the least gap, where unloading leads; the `approach` branch is the largest gap, where loading
+!> leads. Marching up from the lower bound, or down from the upper, meets the first steady state and can jump
+!> over none.
 module adfric_wavy_steady_state
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
    use adfric_wavy_contact_zone, only: decay
    use adfric_wavy_edges, only: refine_edges, refine_adhesion_edges, is_admissible, is_admissible_adhesion
    use adfric_wavy_march, only: column_t, period_t, march_period, march_to_leading_edge, &
-      & in_contact, in_adhesion, in_free, period_closed, period_never_released, period_never_attached
-   use adfric_wavy_phases, only: phases_left
+      & in_adhesion, in_free, period_closed, period_never_released, period_never_attached
+   use adfric_wavy_phases, only: phases_left, phases_since
    use adfric_wavy_saturated_adhesion, only: half_width_of_depth, shift_of_half_width, saturation_level
-   use adfric_wavy_strip, only: strip_t, lifted_profile, steady_state_t, regime_free, regime_adhesion_only, &
+   use adfric_wavy_strip, only: strip_t, profile, lifted_profile, steady_state_t, regime_free, regime_adhesion_only, &
       & regime_discrete, regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
    implicit none (type, external)
    private
@@ -151,11 +152,23 @@ contains
       type(steady_state_t), intent(out) :: state
       type(period_t) :: period
       type(column_t) :: column
-      integer :: outcome
+      integer :: outcome, k
       real(dp) :: xi
 
-      call get_bounding_column(strip, branch, column, outcome)
+      if (branch == branch_adhered) then
+         call get_lowest_column(strip, column, outcome)
+      else
+         call get_highest_column(strip, column, outcome)
+      end if
       if (outcome == period_closed) call march_to_leading_edge(strip, column, outcome)
+      do k = 1, 3
+         if (outcome /= period_never_attached .or. branch == branch_adhered) exit
+         ! the crest was just out of range: once more around
+         column%xi = column%xi + two_pi
+         column%value = column%value*(1 - decay(two_pi/strip%foundation%v))
+         column%gap = column%value - profile(strip, column%xi)
+         call march_to_leading_edge(strip, column, outcome)
+      end do
       xi = column%xi
       if (outcome == period_closed) then
          call close_period(strip, merge(1, -1, branch == branch_adhered), xi, period, state%is_converged)
@@ -171,48 +184,51 @@ contains
       end if
    end subroutine search_with_release
 
-   !> A column on a periodic orbit that bounds all steady states: adhesion everywhere in the gap for the
-   !> adhered branch, no adhesion for the approach branch. `outcome` is not closed if there is nothing to march.
-   pure subroutine get_bounding_column(strip, branch, column, outcome)
+   !> A column below all steady states, on the orbit with adhesion everywhere in the gap. `outcome` is not closed if
+   !> there is nothing to march.
+   pure subroutine get_lowest_column(strip, column, outcome)
       type(strip_t), intent(in) :: strip
-      integer, intent(in) :: branch
       type(column_t), intent(out) :: column
       integer, intent(out) :: outcome
-      type(strip_t) :: bound
       type(steady_state_t) :: state
       real(dp) :: xi, crossing
 
       outcome = period_closed
-      bound = strip
-      if (branch == branch_approach) then
-         bound%stress = 0
-         bound%level = strip%mean
-         bound%depth = strip%crest
-      end if
-      call find_without_release(bound, state)
-      xi = state%shift - state%half_width
+      call find_without_release(strip, state)
       select case (state%regime)
       case (regime_saturated)
          outcome = period_never_released
       case (regime_saturated_adhesion)
-         if (branch == branch_adhered) then
-            column = column_t(in_adhesion, xi, lifted_profile(strip, xi), 0.0_dp)
-         else
-            column = column_t(in_contact, xi, strip%stress, 0.0_dp)
-         end if
-      case (regime_adhesion_only)
+         xi = state%shift - state%half_width
+         column = column_t(in_adhesion, xi, lifted_profile(strip, xi), 0.0_dp)
+      case default
          ! released where the gap -level - cos(xi) of a displacement -stress passes the range
          crossing = -strip%level - strip%range
          if (crossing >= 1) outcome = period_never_attached
          xi = -acos(max(-1.0_dp, min(1.0_dp, crossing)))
-         column = column_t(in_free, xi, strip%jump - strip%stress, strip%range + strip%jump)
-      case default
-         ! undisturbed surface just outside the range
-         crossing = -strip%mean - strip%range
-         xi = acos(max(-1.0_dp, min(1.0_dp, crossing))) + epsilon(1.0_dp)
-         column = column_t(in_free, xi, 0.0_dp, strip%range)
+         column = column_t(in_free, xi, strip%jump - strip%stress, strip%range + strip%jump, .true.)
       end select
-   end subroutine get_bounding_column
+   end subroutine get_lowest_column
+
+   !> A column above all steady states: free in the valley, with the largest displacement that any state can have.
+   pure subroutine get_highest_column(strip, column, outcome)
+      type(strip_t), intent(in) :: strip
+      type(column_t), intent(out) :: column
+      integer, intent(out) :: outcome
+      real(dp) :: w, periods
+
+      outcome = period_never_released
+      w = max(strip%crest, 0.0_dp) + strip%jump
+      if (w - profile(strip, pi) <= strip%range) return
+      ! periods in which it passes the crest out of range
+      periods = 0
+      if (w > strip%crest + strip%range) then
+         periods = strip%foundation%v/two_pi*log(w/max(strip%crest + strip%range, tiny(w)))
+      end if
+      w = w*(1 - decay(max(0.0_dp, real(floor(min(periods, 1.0e9_dp)) - 1, dp))*two_pi/strip%foundation%v))
+      outcome = period_closed
+      column = column_t(in_free, pi, w, w - profile(strip, pi))
+   end subroutine get_highest_column
 
    !> Move the leading edge of adhesion until the period closes: Newton's method on the return map, one-sided,
    !> with every sign change and every turn of the map looked into, so that no steady state is passed.
@@ -225,7 +241,7 @@ contains
       !> The closed period, or one that shows that none closes (see its outcome).
       type(period_t), intent(out) :: period
       logical, intent(out) :: is_converged
-      real(dp) :: excess, step, last_xi, last_slope, dip
+      real(dp) :: excess, step, last_xi, last_slope, dip, earliest
       integer :: k
 
       step = 0
@@ -239,6 +255,11 @@ contains
          last_xi = xi
          last_slope = period%slope
          xi = xi - direction*min(step, 1.0_dp)
+         if (direction < 0) then
+            ! no column comes into the range of adhesion earlier than this
+            earliest = last_xi + phases_since(strip, last_xi, strip%stress - strip%range)*(1 - 4*epsilon(xi))
+            xi = min(xi, earliest)
+         end if
          call march_excess(strip, direction, xi, period, excess)
          if (excess < -closed*contraction(period)) then
             call bisect_period(strip, direction, last_xi, xi, period, is_converged)
