@@ -11,7 +11,7 @@ module adfric_wavy_crosswise
    use adfric_wavy_panels, only: panel_t, division_t, divide_surface, share_at
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_saturated
-   use adfric_wavy_surface, only: surface_t, totals_t, new_surface_strip, add_strip, add_load_slope
+   use adfric_wavy_surface, only: negligible, surface_t, totals_t, new_surface_strip, add_strip, add_load_slope
    implicit none (type, external)
    private
    public :: memory_t, get_totals
@@ -21,8 +21,6 @@ module adfric_wavy_crosswise
    integer, parameter :: max_intervals = 400
    !> How many times more strips than usual are looked at in search of edges.
    integer, parameter :: finest = 32
-   !> Share of the load below which the digits of friction are those of round-off.
-   real(dp), parameter :: negligible = 1.0e-7_dp
    !> Intervals whose strips are remembered.
    integer, parameter :: n_remembered = 32
 

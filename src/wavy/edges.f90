@@ -20,6 +20,8 @@ module adfric_wavy_edges
    real(dp), parameter :: close_enough = 1.0e-9_dp
    !> Relative step that round-off alone may cause near the end of a branch.
    real(dp), parameter :: round_off = 1.0e-6_dp
+   !> Beyond this retardation phase what a gap loses in a zone is less than round-off.
+   real(dp), parameter :: fastest = 1.0e12_dp
    !> A step that says that there is none.
    real(dp), parameter :: no_step = 1.0e100_dp
 
@@ -44,6 +46,7 @@ contains
       state%regime = regime_adhesion_zones
       state%is_converged = .false.
       state%entry = 0
+      if (strip%foundation%v > fastest) return
       if (strip%jump >= strip%range) then
          state%entry = strip%foundation%beta*(strip%jump - strip%range)
          state%leading = 0
@@ -335,29 +338,39 @@ contains
    pure logical function is_admissible(strip, state)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
-      real(dp) :: a, b
+      real(dp) :: a, b, margin
 
       a = state%half_width - state%shift
       b = state%half_width + state%shift
       is_admissible = state%is_converged .and. state%half_width > 0 .and. state%trailing > 0 &
          & .and. state%leading >= 0 .and. free_length(state) > 0
       if (.not. is_admissible) return
-      is_admissible = drive(strip, -a) < 0 .and. drive(strip, -a - state%trailing) < -strip%range &
-         & .and. drive(strip, b + state%leading) > strip%stress - strip%range &
-         & .and. drive(strip, b) > state%entry
+      margin = drive_round_off(strip)
+      is_admissible = drive(strip, -a) < margin .and. drive(strip, -a - state%trailing) < margin - strip%range &
+         & .and. drive(strip, b + state%leading) > strip%stress - strip%range - margin &
+         & .and. drive(strip, b) > state%entry - margin
    end function is_admissible
+
+   !> What the drive is known to: in slow sliding zones end where it passes their bound, to round-off.
+   pure real(dp) function drive_round_off(strip)
+      type(strip_t), intent(in) :: strip
+
+      drive_round_off = 16*epsilon(1.0_dp)*(1 + abs(strip%level) + strip%stress + strip%range + strip%foundation%v)
+   end function drive_round_off
 
    !> Does an adhesion zone without contact fulfil every inequality? Its gap is least at the end of the interval where
    !> the drive is positive, or at the end of the zone.
    pure logical function is_admissible_adhesion(strip, state)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
-      real(dp) :: a, b, span
+      real(dp) :: a, b, span, margin
 
       a = state%half_width - state%shift
       b = state%half_width + state%shift
+      margin = drive_round_off(strip)
       is_admissible_adhesion = state%is_converged .and. strip%range > strip%jump &
-         & .and. drive(strip, -a) < -strip%range .and. drive(strip, b) > strip%stress - strip%range
+         & .and. drive(strip, -a) < margin - strip%range &
+         & .and. drive(strip, b) > strip%stress - strip%range - margin
       if (.not. is_admissible_adhesion) return
       span = phases_left(strip, b, 0.0_dp, .false.)
       if (span < 0 .or. span >= 2*state%half_width) return

@@ -10,7 +10,7 @@ module adfric_wavy_equilibrium
    use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_wavy_crosswise, only: memory_t, get_totals
    use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_surface, only: surface_t, totals_t, is_same_surface
+   use adfric_wavy_surface, only: negligible, surface_t, totals_t, is_same_surface
    implicit none (type, external)
    private
    public :: equilibrium_t, solve_penetration, solve_load, leads_to
@@ -364,6 +364,8 @@ contains
       associate (t => trial%totals)
          scales = [t%load_scale, t%friction_scale]
          sizes = max(abs([t%load, t%friction]), share_of_scale*scales)
+         ! a friction that is nothing beside the load has no digits of its own
+         sizes(2) = max(sizes(2), negligible*sizes(1))
          errors = trial%error + 8*epsilon(1.0_dp)*scales + abs([t%load_mismatch, t%energy_mismatch])
          equilibrium%error_estimate = maxval(errors/max(sizes, tiny(1.0_dp)))
          if (.not. t%is_converged .or. .not. equilibrium%error_estimate < 1) then

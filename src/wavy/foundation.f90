@@ -40,6 +40,8 @@ contains
       real(dp) :: s
 
       self%u = max(u, slowest/beta)
+      ! nothing lags behind an elastic foundation: it knows no velocity
+      if (beta <= 1) self%u = 1
       self%beta = beta
       self%v = beta*self%u
       ! (1 + u v)/(1 + u^2) = 1 + u loss, written so that neither square overflows

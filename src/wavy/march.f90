@@ -56,6 +56,9 @@ module adfric_wavy_march
       procedure :: evaluate
    end type zone_curve_t
 
+   !> A rate at the end of a zone that is smaller than this beside the rate at its beginning is none.
+   real(dp), parameter :: flattest = 1.0e-100_dp
+
 contains
 
    !> Value and slope of a zone curve.
@@ -159,7 +162,10 @@ contains
 
       call curve%evaluate(0.0_dp, value, entry_rate)
       call curve%evaluate(passed, value, exit_rate)
-      slope = (1 - decay(passed/curve%length))*entry_rate/exit_rate
+      slope = 0
+      if (abs(exit_rate) > flattest*max(1.0_dp, abs(entry_rate))) then
+         slope = (1 - decay(passed/curve%length))*entry_rate/exit_rate
+      end if
       column%value = column%value*(1 - decay(passed/curve%length))
       column%xi = column%xi - passed
       select case (column%zone)

@@ -13,7 +13,12 @@ module adfric_wavy_surface
    use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, edge_continuous, regime_free
    implicit none (type, external)
    private
-   public :: surface_t, totals_t, new_surface_strip, add_strip, add_load_slope, is_same_surface
+   public :: negligible, surface_t, totals_t, new_surface_strip, add_strip, add_load_slope, is_same_surface
+
+   !> A balance that is violated by this share of its terms has not been solved.
+   real(dp), parameter :: unbalanced = 1.0e-3_dp
+   !> Share of the load below which the digits of friction are those of round-off.
+   real(dp), parameter :: negligible = 1.0e-7_dp
 
    !> A wavy surface on its foundation.
    type :: surface_t
@@ -97,6 +102,7 @@ contains
       totals%is_converged = totals%is_converged .and. state%is_converged
       if (state%regime == regime_free .or. .not. state%is_converged) return
       call get_balance(strip, state, balance)
+      totals%is_converged = totals%is_converged .and. is_balanced(balance)
       ! from units of half the height of the strip
       first = width*share/(2*two_pi)
       second = width*share**2/4
@@ -114,6 +120,17 @@ contains
       if (surface%steepness > 0) friction = get_finite_slope_friction(strip, state, surface%steepness*share/2)
       totals%friction = totals%friction + second*friction
    end subroutine add_strip
+
+   !> Do load and energy balance at all? Where the sliding is so fast that round-off has moved the edges, they do not.
+   elemental logical function is_balanced(balance)
+      type(balance_t), intent(in) :: balance
+      real(dp) :: losses
+
+      losses = balance%friction_scale + balance%dissipation + abs(balance%edge_loss)
+      is_balanced = abs(balance%load_mismatch) <= unbalanced*balance%load_scale + tiny(losses) &
+         & .and. abs(balance%friction - balance%dissipation - balance%edge_loss) &
+         & <= unbalanced*max(losses, negligible*balance%load_scale) + tiny(losses)
+   end function is_balanced
 
    !> Add the change of a strip's load with the penetration.
    pure subroutine add_load_slope(strip, state, width, totals)

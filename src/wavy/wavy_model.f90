@@ -169,7 +169,7 @@ contains
          if (point%is_load_given) results(r_load) = point%load*point%load_unit
          results(r_penetration) = equilibrium%penetration*point%height
          results(r_friction_force) = t%friction*point%friction_unit
-         if (abs(t%load) > as_good_as_zero*t%load_scale) then
+         if (abs(results(r_load)) > as_good_as_zero*t%load_scale*point%load_unit) then
             results(r_friction_coefficient) = results(r_friction_force)/results(r_load)
          end if
          results(r_contact_area) = t%contact*point%area_unit
