@@ -1,0 +1,111 @@
+!> Random strips over the whole range of parameters, the same for the same seed.
+module trial_strips
+   use adfric_base_kinds, only: dp, i8
+   use adfric_wavy_foundation, only: foundation_t, new_foundation
+   use adfric_wavy_steady_state, only: branch_adhered, branch_approach
+   use adfric_wavy_strip, only: strip_t, new_strip, edge_continuous, edge_instantaneous
+   implicit none (type, external)
+   private
+   public :: dice_t, new_dice, trial_t, draw_trial, make_strip, describe
+
+   !> Two coupled generators of L'Ecuyer, Communications of the ACM 31 (1988) 742; period 2.3e18.
+   type :: dice_t
+      private
+      integer(i8) :: first = 1, second = 1
+   contains
+      procedure :: between
+      procedure :: decades
+   end type dice_t
+
+   !> Parameters of a strip in units of the height h, and of h/K for stresses.
+   type :: trial_t
+      real(dp) :: u = 1, beta = 1, penetration = 0, stress = 0, range = 1
+      integer :: edge = edge_continuous, branch = branch_adhered
+   end type trial_t
+
+   !> Shares of strips without adhesion and on an elastic foundation.
+   real(dp), parameter :: share_without_adhesion = 0.05_dp, share_elastic = 0.02_dp
+
+contains
+
+   !> Dice that fall the same way for the same seed.
+   pure subroutine new_dice(self, seed)
+      type(dice_t), intent(out) :: self
+      integer, intent(in) :: seed
+      real(dp) :: unused
+      integer :: k
+
+      self%first = 1 + modulo(int(seed, i8), 2147483562_i8)
+      self%second = 1 + modulo(16807_i8*seed, 2147483398_i8)
+      do k = 1, 20
+         call self%between(0.0_dp, 1.0_dp, unused)
+      end do
+   end subroutine new_dice
+
+   !> A number that is uniform between two bounds.
+   pure subroutine between(self, low, high, value)
+      class(dice_t), intent(inout) :: self
+      real(dp), intent(in) :: low, high
+      real(dp), intent(out) :: value
+      integer(i8), parameter :: first_modulus = 2147483563_i8, second_modulus = 2147483399_i8
+
+      self%first = mod(40014_i8*self%first, first_modulus)
+      self%second = mod(40692_i8*self%second, second_modulus)
+      value = low + (high - low)*real(modulo(self%first - self%second, first_modulus - 1), dp)/(first_modulus - 1)
+   end subroutine between
+
+   !> A number whose logarithm is uniform between 10**low and 10**high.
+   pure subroutine decades(self, low, high, value)
+      class(dice_t), intent(inout) :: self
+      real(dp), intent(in) :: low, high
+      real(dp), intent(out) :: value
+
+      call self%between(low, high, value)
+      value = 10**value
+   end subroutine decades
+
+   !> Draw a strip.
+   pure subroutine draw_trial(dice, trial)
+      type(dice_t), intent(inout) :: dice
+      type(trial_t), intent(out) :: trial
+      real(dp) :: kind, edge, branch
+
+      call dice%decades(-3.0_dp, 2.0_dp, trial%u)
+      call dice%decades(0.0_dp, 4.0_dp, trial%beta)
+      call dice%decades(-3.0_dp, 2.0_dp, trial%stress)
+      call dice%decades(-3.0_dp, 1.0_dp, trial%range)
+      call dice%between(-0.1_dp, 2.0_dp, trial%penetration)
+      call dice%between(0.0_dp, 1.0_dp, edge)
+      call dice%between(0.0_dp, 1.0_dp, branch)
+      call dice%between(0.0_dp, 1.0_dp, kind)
+      trial%edge = merge(edge_continuous, edge_instantaneous, edge < 0.5_dp)
+      trial%branch = merge(branch_adhered, branch_approach, branch < 0.5_dp)
+      if (kind < share_without_adhesion) trial%stress = 0
+      if (kind > 1 - share_elastic) trial%beta = 1
+   end subroutine draw_trial
+
+   !> The strip of a trial, its penetration changed by a little.
+   pure subroutine make_strip(trial, change, strip)
+      type(trial_t), intent(in) :: trial
+      real(dp), intent(in) :: change
+      type(strip_t), intent(out) :: strip
+      type(foundation_t) :: foundation
+
+      call new_foundation(foundation, trial%u, trial%beta)
+      call new_strip(strip, foundation, 0.5_dp, trial%penetration + change, trial%stress, trial%range, trial%edge)
+   end subroutine make_strip
+
+   !> A trial as a namelist, to every digit.
+   function describe(trial, fault) result(text)
+      type(trial_t), intent(in) :: trial
+      character(*), intent(in) :: fault
+      character(:), allocatable :: text
+      character(400) :: buffer
+
+      write (buffer, '(3a, 5(a, es23.16), 2(a, i0), a)') '&strip fault=''', fault, '''', ' u=', trial%u, ', beta=', &
+         trial%beta, ', stress=', trial%stress, ', range=', trial%range, ', penetration=', trial%penetration, &
+         ', edge=', trial%edge, ', branch=', trial%branch, ' /'
+      text = trim(buffer)
+   end function describe
+
+end module trial_strips

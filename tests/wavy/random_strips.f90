@@ -1,0 +1,53 @@
+!> Random strips, the same on every machine.
+module random_strips
+   use adfric_base_kinds, only: dp, i8
+   use unit_strips, only: trial_strip_t, edge_continuous, edge_instantaneous, branch_adhered, branch_approach
+   implicit none (type, external)
+   private
+   public :: dice_t, draw_strip
+
+   !> A source of random numbers (Lewis, Goodman and Miller, 1969; multiplier of Park and Miller, 1993).
+   type :: dice_t
+      integer(i8) :: state = 20110504
+   contains
+      procedure :: between
+      procedure :: between_log
+   end type dice_t
+
+contains
+
+   !> Uniform in (low, high).
+   real(dp) function between(self, low, high)
+      class(dice_t), intent(inout) :: self
+      real(dp), intent(in) :: low, high
+      integer(i8), parameter :: multiplier = 48271, modulus = 2147483647
+
+      self%state = mod(multiplier*self%state, modulus)
+      between = low + (high - low)*real(self%state, dp)/real(modulus, dp)
+   end function between
+
+   !> Between two positive numbers, uniform in the logarithm.
+   real(dp) function between_log(self, low, high)
+      class(dice_t), intent(inout) :: self
+      real(dp), intent(in) :: low, high
+
+      between_log = exp(self%between(log(low), log(high)))
+   end function between_log
+
+   !> A strip that spans slow to fast, elastic to soft, weak to strong and short to long adhesion.
+   subroutine draw_strip(dice, number, trial)
+      type(dice_t), intent(inout) :: dice
+      !> The edge rule and the branch follow in turn.
+      integer, intent(in) :: number
+      type(trial_strip_t), intent(out) :: trial
+
+      trial%u = dice%between_log(1.0e-3_dp, 1.0e2_dp)
+      trial%beta = dice%between_log(1.0_dp, 1.0e4_dp)
+      trial%stress = dice%between_log(1.0e-3_dp, 1.0e2_dp)
+      trial%range = dice%between_log(1.0e-3_dp, 10.0_dp)
+      trial%penetration = dice%between(-0.1_dp, 2.0_dp)
+      trial%edge = merge(edge_continuous, edge_instantaneous, mod(number, 2) == 0)
+      trial%branch = merge(branch_adhered, branch_approach, mod(number/2, 2) == 0)
+   end subroutine draw_strip
+
+end module random_strips
