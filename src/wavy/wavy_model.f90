@@ -139,8 +139,9 @@ contains
          n_strips = n_strips + equilibrium%totals%n_strips
          n_closed_form = n_closed_form + equilibrium%totals%n_closed_form
       end do
-      attributes = [attribute_t('strips_per_point', n_strips), &
-         & attribute_t('closed_form_strips_per_point', n_closed_form)]
+      allocate (attributes(2))
+      attributes(1) = attribute_t('strips_per_point', n_strips)
+      attributes(2) = attribute_t('closed_form_strips_per_point', n_closed_form)
    end subroutine solve_block
 
    !> Does a point lead to the one before it, and not the other way round?

@@ -102,7 +102,7 @@ contains
       r(r_contact_width) = result_t('contact_width', 'm', 'width of contact of the central strip', '')
       r(r_contact_shift) = result_t('contact_shift', 'm', &
          & 'shift of the contact of the central strip towards the leading side', '')
-      r(r_regime) = result_t('regime', '', 'regime of the central strip', regime_meanings)
+      r(r_regime) = result_t('regime', '-', 'regime of the central strip', regime_meanings)
       r(r_dissipation) = result_t('dissipation', force, 'energy lost in the foundation per distance slid', '')
       r(r_edge_loss) = result_t('edge_loss', force, &
          & 'energy lost where adhesion starts and ends per distance slid', '')
@@ -114,10 +114,11 @@ contains
    function get_wavy_profiles() result(p)
       type(profile_t), allocatable :: p(:)
 
-      p = [profile_t('pressure', 'Pa', 'pressure, compression positive'), &
-         & profile_t('shear_stress', 'Pa', 'shear stress against the motion'), &
-         & profile_t('displacement', 'm', 'displacement of the boundary, positive into the foundation'), &
-         & profile_t('gap', 'm', 'gap')]
+      allocate (p(4))
+      p(1) = profile_t('pressure', 'Pa', 'pressure, compression positive')
+      p(2) = profile_t('shear_stress', 'Pa', 'shear stress against the motion')
+      p(3) = profile_t('displacement', 'm', 'displacement of the boundary, positive into the foundation')
+      p(4) = profile_t('gap', 'm', 'gap')
    end function get_wavy_profiles
 
 end module adfric_wavy_variables
