@@ -9,7 +9,8 @@ module adfric_wavy_edges
    use adfric_base_constants, only: two_pi
    use adfric_wavy_contact_zone, only: decay, coth_and_slope, get_lag, longest_decay
    use adfric_wavy_phases, only: phases_left
-   use adfric_wavy_strip, only: strip_t, steady_state_t, drive, profile, lifted_profile, regime_adhesion_zones, regime_adhesion_only
+   use adfric_wavy_strip, only: strip_t, steady_state_t, drive, drive_round_off, profile, lifted_profile, &
+      & regime_adhesion_zones, regime_adhesion_only
    implicit none (type, external)
    private
    public :: refine_edges, refine_adhesion_edges, is_admissible, is_admissible_adhesion, get_multiplier, get_edge_rates
@@ -350,13 +351,6 @@ contains
          & .and. drive(strip, b + state%leading) > strip%stress - strip%range - margin &
          & .and. drive(strip, b) > state%entry - margin
    end function is_admissible
-
-   !> What the drive is known to: in slow sliding zones end where it passes their bound, to round-off.
-   pure real(dp) function drive_round_off(strip)
-      type(strip_t), intent(in) :: strip
-
-      drive_round_off = 16*epsilon(1.0_dp)*(1 + abs(strip%level) + strip%stress + strip%range + strip%foundation%v)
-   end function drive_round_off
 
    !> Does an adhesion zone without contact fulfil every inequality? Its gap is least at the end of the interval where
    !> the drive is positive, or at the end of the zone.

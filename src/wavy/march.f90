@@ -9,8 +9,8 @@ module adfric_wavy_march
    use adfric_base_constants, only: two_pi
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_wavy_contact_zone, only: decay
-   use adfric_wavy_phases, only: phases_left
-   use adfric_wavy_strip, only: strip_t, lifted_profile, drive
+   use adfric_wavy_phases, only: phases_left, half_interval
+   use adfric_wavy_strip, only: strip_t, lifted_profile, drive, drive_round_off
    implicit none (type, external)
    private
    public :: column_t, advance, march_period, march_to_leading_edge, period_t
@@ -103,26 +103,32 @@ contains
       curve%y = -sin(column%xi)
    end function gap_curve
 
-   !> Follow a curve for the phase `span`; if it ends beyond zero, find where it crossed.
-   pure subroutine follow(curve, span, rises, crosses, passed)
+   !> Follow a curve up to the end of the interval of the drive in which it may cross zero, and find where it did.
+   pure subroutine follow(strip, curve, span, bound, below, rises, crosses, passed)
+      type(strip_t), intent(in) :: strip
       type(zone_curve_t), intent(in) :: curve
+      !> Phase to the end of the interval; negative if there is none.
       real(dp), intent(in) :: span
+      !> The interval is where the drive is above the bound, or below it.
+      real(dp), intent(in) :: bound
+      logical, intent(in) :: below
       !> Is the crossing upwards?
       logical, intent(in) :: rises
       logical, intent(out) :: crosses
       !> Phase passed up to the crossing.
       real(dp), intent(out) :: passed
-      real(dp), parameter :: looks(3) = [1.0_dp, 0.9_dp, 0.7_dp]
+      real(dp), parameter :: looks(3) = [0.0_dp, 0.2_dp, 1.0_dp]
       real(dp) :: value, slope, limit
       integer :: k
       logical :: is_converged
 
       passed = span
       crosses = .false.
-      if (.not. span > 0) return
       ! once crossed it stays so up to the end; but there, where relaxation is fast, it may be back at round-off
       do k = 1, size(looks)
-         limit = looks(k)*span
+         limit = span
+         if (k > 1) limit = span - looks(k)*half_interval(strip, bound, below)
+         if (.not. limit > 0) return
          call curve%evaluate(limit, value, slope)
          crosses = merge(value >= 0, value <= 0, rises)
          if (crosses) exit
@@ -148,14 +154,15 @@ contains
       select case (column%zone)
       case (in_contact)
          curve = contact_curve(strip, column)
-         call follow(curve, phases_left(strip, column%xi, 0.0_dp, .true., column%has_begun), .false., &
-            & has_event, passed)
+         call follow(strip, curve, phases_left(strip, column%xi, 0.0_dp, .true., column%has_begun), &
+            & 0.0_dp, .true., .false., has_event, passed)
       case (in_adhesion)
          call end_adhesion(strip, column, curve, bound, has_event, passed)
       case default
          curve = gap_curve(strip, column, strip%range)
-         call follow(curve, phases_left(strip, column%xi, strip%stress - strip%range, .false., &
-            & column%has_begun), .false., has_event, passed)
+         bound = strip%stress - strip%range
+         call follow(strip, curve, phases_left(strip, column%xi, bound, .false., column%has_begun), &
+            & bound, .false., .false., has_event, passed)
       end select
       slope = 0
       if (.not. has_event) return
@@ -203,7 +210,8 @@ contains
       do try = 1, 2
          bound = merge(0.0_dp, strip%range, may_close)
          curve = gap_curve(strip, column, bound)
-         call follow(curve, merge(to_closure, to_release, may_close), .not. may_close, has_event, passed)
+         call follow(strip, curve, merge(to_closure, to_release, may_close), merge(0.0_dp, -strip%range, may_close), &
+            & .not. may_close, .not. may_close, has_event, passed)
          if (has_event) return
          may_close = .not. may_close
       end do
@@ -236,7 +244,7 @@ contains
       logical :: has_event
 
       ! where the drive is lower, no column comes into the range of adhesion
-      if (.not. drive(strip, xi_start) > strip%stress - strip%range) then
+      if (.not. drive(strip, xi_start) > strip%stress - strip%range - drive_round_off(strip)) then
          period%outcome = period_never_attached
          return
       end if

@@ -5,7 +5,7 @@ module adfric_wavy_phases
    use adfric_wavy_strip, only: strip_t
    implicit none (type, external)
    private
-   public :: phases_left, phases_since
+   public :: phases_left, phases_since, half_interval
 
 contains
 
@@ -33,6 +33,18 @@ contains
          if (is_outside .and. left < crossing) left = left + two_pi
       end associate
    end function phases_left
+
+   !> Half the length of the interval where the drive is above a bound, or below it.
+   pure real(dp) function half_interval(strip, bound, below) result(half)
+      type(strip_t), intent(in) :: strip
+      real(dp), intent(in) :: bound
+      logical, intent(in) :: below
+      real(dp) :: ratio
+
+      ratio = (bound - strip%level)/sqrt(1 + strip%foundation%v**2)
+      half = acos(max(-1.0_dp, min(1.0_dp, ratio)))
+      if (below) half = pi - half
+   end function half_interval
 
    !> Phase passed at xi since the drive came above a bound; a whole period if it always is, 0 if it never is.
    pure real(dp) function phases_since(strip, xi, bound) result(since)

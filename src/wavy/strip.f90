@@ -8,7 +8,7 @@ module adfric_wavy_strip
    use adfric_wavy_foundation, only: foundation_t
    implicit none (type, external)
    private
-   public :: strip_t, new_strip, steady_state_t, drive, profile, lifted_profile
+   public :: strip_t, new_strip, steady_state_t, drive, drive_round_off, profile, lifted_profile
    public :: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion
    public :: regime_adhesion_zones, regime_saturated, regime_meanings
    public :: edge_continuous, edge_instantaneous
@@ -113,5 +113,12 @@ contains
 
       drive = self%level + cos(xi) + self%foundation%v*sin(xi)
    end function drive
+
+   !> What the drive is known to: in slow sliding zones end where it passes their bound, to round-off.
+   pure real(dp) function drive_round_off(strip)
+      type(strip_t), intent(in) :: strip
+
+      drive_round_off = 16*epsilon(1.0_dp)*(1 + abs(strip%level) + strip%stress + strip%range + strip%foundation%v)
+   end function drive_round_off
 
 end module adfric_wavy_strip
