@@ -54,6 +54,7 @@ contains
       if (has_word('run check help', topic) .or. len_trim(topic) == 0) text = usage_page
       if (has_word('input job sweep', topic)) text = input_page
       if (topic == 'outputs') text = outputs_head
+      if (len_trim(topic) == 0) text = text//'Models'//newline
       do i = 1, count_words(known_models)
          call new_model(model, get_word(known_models, i), error)
          if (allocated(error)) return

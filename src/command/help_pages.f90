@@ -20,8 +20,7 @@ module adfric_command_help_pages
       newline// &
       'Exit status: 0 every point is answered, 1 some points did not converge,'//newline// &
       '2 bad command line or input, 3 file error. Threads as OMP_NUM_THREADS says.'//newline// &
-      newline// &
-      'Models'//newline
+      newline
 
    !> The form of an input.
    character(*), parameter :: input_page = &

@@ -7,7 +7,7 @@ module adfric_wavy_panels
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_wavy_saturated_adhesion, only: saturation_level
-   use adfric_wavy_steady_state, only: find_steady_state, find_without_release, get_range_margin, branch_adhered, &
+   use adfric_wavy_steady_state, only: find_steady_state, find_without_release, continue_state, get_range_margin, branch_adhered, &
       & branch_approach
    use adfric_wavy_strip, only: strip_t, steady_state_t, regime_saturated_adhesion
    use adfric_wavy_surface, only: surface_t, new_surface_strip
@@ -369,6 +369,7 @@ contains
       real(dp), intent(out) :: edge
       integer, intent(inout) :: n_strips
       type(probe_t) :: near, far, next
+      type(strip_t) :: strip
       real(dp) :: limit, guess, left, last_left, short, enough
       integer :: trial
       logical :: is_inside, is_secant
@@ -380,8 +381,10 @@ contains
       is_secant = .false.
       edge = near%theta + (limit - near%theta)/2
       do trial = 1, max_trials
-         next = probe(surface, penetration, edge, near%state, .true.)
-         is_inside = next%state%regime == inside%state%regime
+         ! where Newton's method no longer follows the branch it has ended, or is looked at again from beyond
+         call new_surface_strip(surface, penetration, share_at(edge), strip)
+         next%theta = edge
+         call continue_state(strip, near%state, next%state, is_inside)
          if (is_inside) then
             far = near
             near = next

@@ -19,7 +19,7 @@ module adfric_wavy_steady_state
       & regime_discrete, regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
    implicit none (type, external)
    private
-   public :: find_steady_state, find_without_release, get_range_margin, branch_adhered, branch_approach
+   public :: find_steady_state, find_without_release, continue_state, get_range_margin, branch_adhered, branch_approach
 
    !> Which steady state is sought where there are several.
    integer, parameter :: branch_adhered = 1, branch_approach = 2
