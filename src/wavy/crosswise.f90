@@ -8,10 +8,10 @@ module adfric_wavy_crosswise
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_numerics_gauss, only: kronrod_nodes, kronrod_weights, kronrod_gauss_weights
-   use adfric_wavy_panels, only: panel_t, division_t, divide_surface, share_at
+   use adfric_wavy_panels, only: panel_t, division_t, divide_surface
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_saturated
-   use adfric_wavy_surface, only: negligible, surface_t, totals_t, new_surface_strip, add_strip, add_load_slope
+   use adfric_wavy_surface, only: negligible, surface_t, totals_t, new_surface_strip, share_at, add_strip, add_load_slope
    implicit none (type, external)
    private
    public :: memory_t, get_totals

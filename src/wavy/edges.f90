@@ -13,8 +13,7 @@ module adfric_wavy_edges
       & regime_adhesion_zones, regime_adhesion_only
    implicit none (type, external)
    private
-   public :: refine_edges, refine_adhesion_edges, is_admissible, is_admissible_adhesion, get_multiplier, get_edge_rates
-   public :: get_adhesion_rate
+   public :: refine_edges, refine_adhesion_edges, is_admissible, is_admissible_adhesion, get_edge_rates, get_adhesion_rate
 
    integer, parameter :: max_iterations = 30
    !> Relative step after which nothing but round-off is left, for convergence is quadratic.

@@ -13,7 +13,7 @@ module adfric_wavy_surface
    use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, edge_continuous, regime_free
    implicit none (type, external)
    private
-   public :: negligible, surface_t, totals_t, new_surface_strip, add_strip, add_load_slope, is_same_surface
+   public :: negligible, surface_t, totals_t, new_surface_strip, add_strip, add_load_slope, is_same_surface, share_at
 
    !> A balance that is violated by this share of its terms has not been solved.
    real(dp), parameter :: unbalanced = 1.0e-3_dp
@@ -71,6 +71,13 @@ contains
 
       is_same = abs(one - two) <= 4*epsilon(one)*max(abs(one), abs(two))
    end function is_same
+
+   !> Share of the height at a crosswise phase.
+   elemental real(dp) function share_at(theta)
+      real(dp), intent(in) :: theta
+
+      share_at = cos(theta/2)**2
+   end function share_at
 
    !> The strip with the share Y of the height, at a penetration of the surface.
    elemental subroutine new_surface_strip(surface, penetration, share, strip)

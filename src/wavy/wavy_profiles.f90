@@ -5,10 +5,9 @@ module adfric_wavy_profiles
    use adfric_wavy_case, only: wavy_case_t
    use adfric_wavy_column, only: get_column
    use adfric_wavy_finite_slope, only: shear_of_pressure
-   use adfric_wavy_panels, only: share_at
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: strip_t, steady_state_t, profile
-   use adfric_wavy_surface, only: new_surface_strip
+   use adfric_wavy_surface, only: new_surface_strip, share_at
    implicit none (type, external)
    private
    public :: get_profiles
