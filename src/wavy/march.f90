@@ -6,7 +6,6 @@
 !> stress - range. So every event is a bracketed root, and none can be missed or taken twice.
 module adfric_wavy_march
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: two_pi
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_wavy_contact_zone, only: decay
    use adfric_wavy_phases, only: phases_left, half_interval

@@ -5,13 +5,13 @@ module adfric_wavy_model
    use adfric_base_constants, only: two_pi, pi
    use adfric_base_model, only: model_t, result_t, attribute_t, status_solved
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: unset
+   use adfric_base_unset, only: unset, is_set
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_equilibrium, only: equilibrium_t, solve_penetration, solve_load, leads_to
    use adfric_wavy_profiles, only: get_profiles
-   use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only, regime_saturated
+   use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only
    use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
       & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, &
       & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_regime, v_kind, v_n_x, &
@@ -64,8 +64,8 @@ contains
       real(dp), intent(in) :: values(:)
       type(result_t), allocatable :: results(:)
 
-      if (size(self%results) == 0) return
-      results = get_wavy_results(nint(values(v_kind)) == kind_3d)
+      results = self%results
+      if (nint(values(v_kind)) == kind_3d) results = get_wavy_results(.true.)
    end function describe_results
 
    !> See `model_t`.
@@ -119,13 +119,13 @@ contains
          memory%needs_slope = point%is_load_given
          if (point%is_load_given) then
             guess = unset
-            if (known(1) < unset) then
+            if (is_set(known(1))) then
                if (leads_to(last%surface, last%load, point%surface, point%load)) then
                   guess = known(1)
-                  if (known(2) < unset) guess = 2*known(1) - known(2)
+                  if (is_set(known(2))) guess = 2*known(1) - known(2)
                end if
             end if
-            if (.not. guess < unset) known(2) = unset
+            if (.not. is_set(guess)) known(2) = unset
             call solve_load(point%surface, point%load, guess, memory, equilibrium)
             known = [merge(equilibrium%penetration, unset, equilibrium%status == status_solved), known(1)]
             last = point
