@@ -114,14 +114,13 @@ contains
       !> Is the crossing upwards?
       logical, intent(in) :: rises
       logical, intent(out) :: crosses
-      !> Phase passed up to the crossing.
-      real(dp), intent(out) :: passed
+      !> In: a guess, or 0. Out: the phase passed up to the crossing, if there is one.
+      real(dp), intent(inout) :: passed
       real(dp), parameter :: looks(3) = [0.0_dp, 0.2_dp, 1.0_dp]
       real(dp) :: value, slope, limit
       integer :: k
       logical :: is_converged
 
-      passed = span
       crosses = .false.
       ! once crossed it stays so up to the end; but there, where relaxation is fast, it may be back at round-off
       do k = 1, size(looks)
@@ -133,7 +132,6 @@ contains
          if (crosses) exit
       end do
       if (.not. crosses) return
-      passed = limit/2
       call find_root(curve, 0.0_dp, limit, rises, passed, is_converged)
    end subroutine follow
 
@@ -141,8 +139,8 @@ contains
    pure subroutine advance(strip, column, passed, slope, has_event)
       type(strip_t), intent(in) :: strip
       type(column_t), intent(inout) :: column
-      !> Phase passed.
-      real(dp), intent(out) :: passed
+      !> In: a guess of the phase passed, or 0. Out: the phase passed.
+      real(dp), intent(inout) :: passed
       !> Derivative of the phase where the zone ends with respect to the phase where it began.
       real(dp), intent(out) :: slope
       logical, intent(out) :: has_event
@@ -197,7 +195,8 @@ contains
       !> Gap at which the zone ends: 0 or the range.
       real(dp), intent(out) :: bound
       logical, intent(out) :: has_event
-      real(dp), intent(out) :: passed
+      !> See `advance`.
+      real(dp), intent(inout) :: passed
       real(dp) :: to_closure, to_release
       integer :: try
       logical :: may_close
@@ -236,12 +235,16 @@ contains
       type(strip_t), intent(in) :: strip
       !> Phase of the leading edge, where a free column comes into the range of adhesion.
       real(dp), intent(in) :: xi_start
-      type(period_t), intent(out) :: period
+      !> In: a period like it, if there is one; its lengths are first guesses. Out: the period.
+      type(period_t), intent(inout) :: period
+      type(period_t) :: guess
       type(column_t) :: column
       real(dp) :: passed, slope
       integer :: event, zone
       logical :: has_event
 
+      guess = period
+      period = period_t()
       ! where the drive is lower, no column comes into the range of adhesion
       if (.not. drive(strip, xi_start) > strip%stress - strip%range - drive_round_off(strip)) then
          period%outcome = period_never_attached
@@ -252,6 +255,14 @@ contains
       period%slope = 1
       do event = 1, 4
          zone = column%zone
+         select case (zone)
+         case (in_contact)
+            passed = guess%contact
+         case (in_adhesion)
+            passed = merge(guess%trailing, guess%leading, period%has_contact)
+         case default
+            passed = guess%free
+         end select
          call advance(strip, column, passed, slope, has_event)
          period%slope = period%slope*slope
          if (.not. has_event) then
@@ -288,6 +299,7 @@ contains
 
       do event = 1, 4
          is_free = column%zone == in_free
+         passed = 0
          call advance(strip, column, passed, slope, has_event)
          outcome = merge(period_never_attached, period_never_released, is_free)
          if (.not. has_event) return

@@ -1,22 +1,47 @@
 !> Where a regime of strips ends across a 3-D surface.
 !>
-!> Where adhesion begins to be lost, the margin of the range passes through zero; where a branch ends, 1 - multiplier
-!> does, like a square root; where contact is lost, its width does.
+!> Where adhesion begins to be lost, the margin of the range passes through zero; other branches end in a fold, or go on
+!> in another regime where contact is lost or begins (see `branch_ends`).
 module adfric_wavy_panel_edges
    use adfric_base_kinds, only: dp
-   use adfric_wavy_steady_state, only: find_steady_state, find_without_release, continue_state, get_range_margin, &
-      & branch_adhered
-   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_saturated_adhesion
+   use adfric_wavy_branch_ends, only: find_fold, find_touch
+   use adfric_wavy_steady_state, only: find_steady_state, find_without_release, find_beyond_fold, continue_state, &
+      & get_range_margin, branch_adhered
+   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_saturated_adhesion, regime_adhesion_zones, &
+      & regime_adhesion_only
    use adfric_wavy_surface, only: surface_t, new_surface_strip, share_at
    implicit none (type, external)
    private
-   public :: probe_t, probe, locate_edge, sharp
+   public :: probe_t, edge_t, probe, locate_edge, locate_release, solve_end, look_beyond, sharp
+   public :: ends_in_closed_form, ends_in_release, ends_in_fold, ends_in_touch, ends_somehow
 
    !> An edge known to this phase moves no result by more than round-off does.
    real(dp), parameter :: sharp = 1.0e-12_dp
    integer, parameter :: max_trials = 60
    !> A contact of this half width carries next to nothing, and the edge where it is lost need not be sharper.
    real(dp), parameter :: narrow = 1.0e-3_dp, sharp_enough = 1.0e-9_dp
+
+   !> How far beyond an edge the next regime is looked at, as a share of the way left.
+   real(dp), parameter :: beyond_edge = 1.0e-4_dp
+   !> How far before its end a branch is looked at, as a share of the way there.
+   real(dp), parameter :: last_look = 1.0e-3_dp
+
+   !> How regimes end: where a closed form knows, where adhesion begins to be lost, in a fold, where the gap touches
+   !> zero, or in a way that Newton's method does not find.
+   integer, parameter :: ends_in_closed_form = 0, ends_in_release = 1, ends_in_fold = 2, ends_in_touch = 3, ends_somehow = 4
+
+   !> An edge between two regimes across the surface.
+   type :: edge_t
+      real(dp) :: theta = 0
+      !> One of `ends_...`.
+      integer :: ending = ends_in_closed_form
+      !> The regime that ends there.
+      integer :: regime = 0
+      !> The state at its end.
+      type(steady_state_t) :: state
+      !> How well `theta` is known.
+      real(dp) :: uncertainty = 0
+   end type edge_t
 
    !> A strip that was looked at.
    type :: probe_t
@@ -45,48 +70,56 @@ contains
       real(dp), intent(in) :: penetration
       type(probe_t), intent(in) :: inside
       real(dp), intent(in) :: outside
-      real(dp), intent(out) :: edge
+      type(edge_t), intent(out) :: edge
       integer, intent(inout) :: n_strips
+      logical :: is_found
 
+      edge%regime = inside%state%regime
       if (surface%branch == branch_adhered .and. inside%state%regime == regime_saturated_adhesion) then
-         call locate_release(surface, penetration, inside%theta, outside, edge, n_strips)
+         call locate_release(surface, penetration, inside%theta, outside, edge, is_found, n_strips)
       else
-         call locate_fold(surface, penetration, inside, outside, edge, n_strips)
+         call locate_end(surface, penetration, inside, outside, edge, n_strips)
       end if
    end subroutine locate_edge
 
    !> Where adhesion begins to be lost: the margin of the range is positive at `inside`, negative at `outside`.
    !> Regula falsi with the Illinois rule.
-   pure subroutine locate_release(surface, penetration, inside, outside, edge, n_strips)
+   pure subroutine locate_release(surface, penetration, inside, outside, edge, is_found, n_strips)
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: penetration, inside, outside
-      real(dp), intent(out) :: edge
+      type(edge_t), intent(inout) :: edge
+      !> Does it end between the two?
+      logical, intent(out) :: is_found
       integer, intent(inout) :: n_strips
-      real(dp) :: low, high, at_low, at_high, value
+      real(dp) :: low, high, at_low, at_high, value, theta
       integer :: trial, side
 
       low = inside
       high = outside
       at_low = margin_at(surface, penetration, low)
       at_high = margin_at(surface, penetration, high)
+      is_found = at_low >= 0 .and. at_high < 0
       side = 0
       do trial = 1, max_trials
-         edge = low + (high - low)/2
-         if (at_low > 0 .and. at_high < 0) edge = (low*at_high - high*at_low)/(at_high - at_low)
-         if (abs(high - low) <= sharp .or. abs(edge - low) <= sharp .or. abs(edge - high) <= sharp) exit
-         value = margin_at(surface, penetration, edge)
+         theta = low + (high - low)/2
+         if (at_low > 0 .and. at_high < 0) theta = (low*at_high - high*at_low)/(at_high - at_low)
+         if (abs(high - low) <= sharp .or. abs(theta - low) <= sharp .or. abs(theta - high) <= sharp) exit
+         value = margin_at(surface, penetration, theta)
          if (value >= 0) then
-            low = edge
+            low = theta
             at_low = value
             if (side == 1) at_high = at_high/2
             side = 1
          else
-            high = edge
+            high = theta
             at_high = value
             if (side == -1) at_low = at_low/2
             side = -1
          end if
       end do
+      edge%theta = theta
+      edge%ending = ends_in_release
+      edge%uncertainty = sharp
       n_strips = n_strips + trial
    end subroutine locate_release
 
@@ -102,72 +135,132 @@ contains
       margin = get_range_margin(strip, state)
    end function margin_at
 
-   !> Where the branch of `inside` ends. Near a fold (1 - multiplier)^2 is linear, where contact is lost the square of
-   !> its width: secants of both from the inside, with bisection wherever they leave the bracket.
-   pure subroutine locate_fold(surface, penetration, inside, outside, edge, n_strips)
+   !> Where the branch of `inside` ends: Newton's method on its end as soon as that is near enough, bisection until then.
+   pure subroutine locate_end(surface, penetration, inside, outside, edge, n_strips)
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: penetration
       type(probe_t), intent(in) :: inside
       real(dp), intent(in) :: outside
-      real(dp), intent(out) :: edge
+      type(edge_t), intent(inout) :: edge
       integer, intent(inout) :: n_strips
-      type(probe_t) :: near, far, next
+      type(probe_t) :: near, next
       type(strip_t) :: strip
-      real(dp) :: limit, guess, left, last_left, short, enough
+      real(dp) :: limit, enough
       integer :: trial
-      logical :: is_inside, is_secant
+      logical :: is_inside, is_found
 
       near = inside
-      far = inside
       limit = outside
-      last_left = abs(limit - near%theta)
-      is_secant = .false.
-      edge = near%theta + (limit - near%theta)/2
+      is_inside = .true.
+      ! forces fade out with the width of the contact, but jump at a fold
+      enough = max(sharp, min(0.01_dp*surface%tolerance, sharp_enough))
       do trial = 1, max_trials
-         ! where Newton's method no longer follows the branch it has ended, or is looked at again from beyond
-         call new_surface_strip(surface, penetration, share_at(edge), strip)
-         next%theta = edge
-         call continue_state(strip, near%state, next%state, is_inside)
          if (is_inside) then
-            far = near
-            near = next
-         else
-            limit = edge
+            call jump_to_end(surface, penetration, near, limit, edge, is_found)
+            n_strips = n_strips + 3
+            if (is_found) return
          end if
-         ! forces fade out with the width of the contact, but jump at a fold
-         enough = max(sharp, min(0.01_dp*surface%tolerance, sharp_enough))
          if (near%state%half_width < narrow) enough = sharp_enough
          if (abs(limit - near%theta) <= enough) exit
-         edge = near%theta + (limit - near%theta)/2
-         guess = nearest_end(near, far, limit)
-         left = abs(guess - near%theta)
-         if (left <= enough) exit
-         ! short of the guess by what its error may be, as long as every step gains; then bisection once
-         is_secant = is_inside .and. (guess - near%theta)*(guess - limit) < 0 &
-            & .and. (.not. is_secant .or. left < last_left/4)
-         last_left = left
-         short = min(0.1_dp, 10*abs(near%theta - far%theta)) + 0.001_dp
-         if (is_secant) edge = near%theta + (guess - near%theta)*(1 - short)
+         next%theta = near%theta + (limit - near%theta)/2
+         call new_surface_strip(surface, penetration, share_at(next%theta), strip)
+         ! where Newton's method no longer follows the branch it has ended, or is looked at again from beyond
+         call continue_state(strip, near%state, next%state, is_inside)
+         if (is_inside) then
+            near = next
+         else
+            limit = next%theta
+         end if
       end do
-      edge = near%theta
+      edge = edge_t(near%theta, ends_somehow, near%state%regime, near%state, abs(limit - near%theta))
       n_strips = n_strips + trial
-   end subroutine locate_fold
+   end subroutine locate_end
 
-   !> Where the secants through two strips of a branch expect its end; `limit` if nowhere.
-   pure real(dp) function nearest_end(near, far, limit) result(theta)
-      type(probe_t), intent(in) :: near, far
+   !> Solve for the end of a branch from a strip on it, and see that it is that branch's, before `limit`.
+   pure subroutine jump_to_end(surface, penetration, near, limit, edge, is_found)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(probe_t), intent(in) :: near
       real(dp), intent(in) :: limit
-      real(dp) :: at_near(2), at_far(2), guess
+      type(edge_t), intent(inout) :: edge
+      logical, intent(out) :: is_found
+      type(edge_t) :: ends(2)
+      type(steady_state_t) :: last
+      type(strip_t) :: strip
+      real(dp) :: at_end(3), at_last(3), at_near(3)
+      logical :: is_end(2)
       integer :: k
 
-      at_near = [1 - near%state%multiplier, near%state%half_width]**2
-      at_far = [1 - far%state%multiplier, far%state%half_width]**2
-      theta = limit
+      is_found = .false.
+      if (near%state%regime /= regime_adhesion_zones .and. near%state%regime /= regime_adhesion_only) return
       do k = 1, 2
-         if (at_far(k) <= at_near(k)) cycle
-         guess = near%theta + (near%theta - far%theta)*at_near(k)/(at_far(k) - at_near(k))
-         if (abs(guess - near%theta) < abs(theta - near%theta)) theta = guess
+         ends(k) = edge_t(near%theta, merge(ends_in_fold, ends_in_touch, k == 1), near%state%regime, near%state, sharp)
+         call solve_end(surface, penetration, ends(k), is_end(k))
+         is_end(k) = is_end(k) .and. (ends(k)%theta - near%theta)*(ends(k)%theta - limit) <= 0
       end do
-   end function nearest_end
+      if (.not. any(is_end)) return
+      k = minloc(abs(ends%theta - near%theta), 1, is_end)
+      edge = ends(k)
+      ! just before its end the branch of the strip is near the state there
+      call new_surface_strip(surface, penetration, share_at(edge%theta - last_look*(edge%theta - near%theta)), strip)
+      call continue_state(strip, near%state, last, is_found)
+      if (.not. is_found) return
+      at_end = extents(edge%state)
+      at_last = extents(last)
+      at_near = extents(near%state)
+      is_found = maxval(abs(at_last - at_end)) <= 0.1_dp*maxval(abs(at_near - at_end)) + sharp_enough
+   end subroutine jump_to_end
+
+   !> Move an end to where it is now, from where it is on a neighbouring surface.
+   pure subroutine solve_end(surface, penetration, edge, is_found)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(edge_t), intent(inout) :: edge
+      logical, intent(out) :: is_found
+
+      select case (edge%ending)
+      case (ends_in_fold)
+         call find_fold(surface, penetration, edge%theta, edge%state, is_found)
+      case (ends_in_touch)
+         call find_touch(surface, penetration, edge%theta, edge%state, is_found)
+      case default
+         is_found = .false.
+      end select
+      edge%uncertainty = sharp
+   end subroutine solve_end
+
+   !> Half width and centre of contact and adhesion zones together, and half width of the contact.
+   pure function extents(state)
+      type(steady_state_t), intent(in) :: state
+      real(dp) :: extents(3)
+
+      extents = [state%half_width, state%shift, 0.0_dp]
+      if (state%regime /= regime_adhesion_zones) return
+      extents = [state%half_width + (state%trailing + state%leading)/2, state%outer_shift, state%half_width]
+   end function extents
+
+   !> The first strip beyond the end of a branch.
+   pure type(probe_t) function look_beyond(surface, penetration, edge, other) result(beyond)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(edge_t), intent(in) :: edge
+      !> A phase where it has ended.
+      real(dp), intent(in) :: other
+      type(strip_t) :: strip
+      real(dp) :: share
+
+      share = beyond_edge
+      do
+         beyond%theta = edge%theta + share*(other - edge%theta)
+         if (edge%ending == ends_in_fold) then
+            call new_surface_strip(surface, penetration, share_at(beyond%theta), strip)
+            call find_beyond_fold(strip, surface%branch, edge%state, beyond%state)
+            return
+         end if
+         beyond = probe(surface, penetration, beyond%theta)
+         if (beyond%state%regime /= edge%regime .or. share >= 1) return
+         share = min(10*share, 1.0_dp)
+      end do
+   end function look_beyond
 
 end module adfric_wavy_panel_edges

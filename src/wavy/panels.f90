@@ -1,16 +1,16 @@
 !> Panels across a 3-D surface: stretches of the crosswise phase \( \theta = k y \) in which all strips are in one regime.
 !>
 !> Where the regime changes, forces have kinks or jumps across the surface, and no quadrature rule gets past them.
-!> Edges of panels are known in closed form where contact begins or saturates. Where adhesion starts to be lost, the
-!> margin of the range passes through zero; where a branch ends, 1 - multiplier does, like a square root.
+!> Edges of panels are known in closed form where contact begins or saturates; others are searched for.
 module adfric_wavy_panels
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
-   use adfric_wavy_panel_edges, only: probe_t, probe, locate_edge, sharp
+   use adfric_wavy_panel_edges, only: probe_t, edge_t, probe, locate_edge, locate_release, solve_end, look_beyond, sharp, &
+      & ends_in_release, ends_in_touch
    use adfric_wavy_saturated_adhesion, only: saturation_level
    use adfric_wavy_steady_state, only: branch_adhered, branch_approach
    use adfric_wavy_strip, only: regime_saturated_adhesion
-   use adfric_wavy_surface, only: surface_t
+   use adfric_wavy_surface, only: surface_t, phase_of_share
    implicit none (type, external)
    private
    public :: panel_t, division_t, divide_surface
@@ -22,8 +22,6 @@ module adfric_wavy_panels
    integer, parameter :: n_probes = 10
    !> How far from the ends of a stretch the first and last of them are, as a share of it.
    real(dp), parameter :: at_end = 1.0e-5_dp
-   !> How far beyond an edge the next regime is looked at, as a share of the way left.
-   real(dp), parameter :: beyond_edge = 1.0e-4_dp
 
    !> A stretch of strips in one regime.
    type :: panel_t
@@ -33,6 +31,8 @@ module adfric_wavy_panels
       integer :: regime = 0
       !> Which closed form its start is known by; 0 if it was searched for.
       integer :: kind = 0
+      !> The edge at its start.
+      type(edge_t) :: edge
    end type panel_t
 
    !> All panels of half a period, from the crest line to the valley line.
@@ -95,7 +95,7 @@ contains
       n_edges = 1
       do k = 1, n_known
          if (.not. (shares(k) > 0 .and. shares(k) < 1)) cycle
-         theta = 2*acos(sqrt(shares(k)))
+         theta = phase_of_share(shares(k))
          n_edges = n_edges + 1
          j = n_edges
          do while (edges(j - 1) > theta)
@@ -118,8 +118,7 @@ contains
       integer, intent(in) :: kinds(:)
       type(division_t), intent(inout) :: division
       logical, intent(out) :: is_tracked
-      type(probe_t) :: one, two
-      real(dp) :: reach, edge
+      real(dp) :: reach
       integer :: k, n_searched
 
       n_searched = count(division%panels(2:division%n_panels)%kind == 0)
@@ -131,31 +130,52 @@ contains
             if (this%kind > 0) then
                is_tracked = any(kinds == this%kind)
                if (.not. is_tracked) return
-               edge = edges(findloc(kinds, this%kind, 1))
+               this%edge%theta = edges(findloc(kinds, this%kind, 1))
             else
-               is_tracked = reach < min(this%start - before%start, this%finish - this%start)/3
+               call track_edge(surface, penetration, reach, before, this, division%n_strips, is_tracked)
                if (.not. is_tracked) return
-               one = probe(surface, penetration, this%start - reach)
-               two = probe(surface, penetration, this%start + reach)
-               is_tracked = one%state%regime == before%regime .and. two%state%regime == this%regime
-               if (.not. is_tracked) return
-               if (.not. ends_first(surface, before%regime, this%regime)) then
-                  two = one
-                  one = probe(surface, penetration, this%start + reach)
-               end if
-               call locate_edge(surface, penetration, one, two%theta, edge, division%n_strips)
-               ! nothing may have come between
-               one = look_beyond(surface, penetration, one%state%regime, edge, two%theta)
-               is_tracked = one%state%regime == two%state%regime
-               division%n_strips = division%n_strips + 4
             end if
-            is_tracked = is_tracked .and. edge > before%start
+            is_tracked = this%edge%theta > before%start
             if (.not. is_tracked) return
-            before%finish = edge
-            this%start = edge
+            before%finish = this%edge%theta
+            this%start = this%edge%theta
          end associate
       end do
    end subroutine track_edges
+
+   !> Follow the edge between two panels.
+   pure subroutine track_edge(surface, penetration, reach, before, this, n_strips, is_tracked)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      !> How far it may have moved.
+      real(dp), intent(in) :: reach
+      type(panel_t), intent(in) :: before
+      !> Out: its edge has moved.
+      type(panel_t), intent(inout) :: this
+      integer, intent(inout) :: n_strips
+      logical, intent(out) :: is_tracked
+      type(probe_t) :: beyond
+      real(dp) :: theta, side
+      integer :: next_regime
+
+      is_tracked = reach < min(this%start - before%start, this%finish - this%start)/3
+      if (.not. is_tracked) return
+      theta = this%start
+      side = merge(1, -1, this%edge%regime == before%regime)
+      next_regime = merge(this%regime, before%regime, this%edge%regime == before%regime)
+      if (this%edge%ending == ends_in_release) then
+         call locate_release(surface, penetration, theta - side*reach, theta + side*reach, this%edge, is_tracked, n_strips)
+      else
+         call solve_end(surface, penetration, this%edge, is_tracked)
+         n_strips = n_strips + 1
+      end if
+      is_tracked = is_tracked .and. abs(this%edge%theta - theta) < reach
+      ! nothing may have come between
+      if (.not. is_tracked .or. this%edge%ending == ends_in_touch) return
+      beyond = look_beyond(surface, penetration, this%edge, this%edge%theta + side*reach)
+      is_tracked = beyond%state%regime == next_regime
+      n_strips = n_strips + 1
+   end subroutine track_edge
 
    !> Divide a stretch without known edges.
    pure subroutine divide_stretch(surface, penetration, n_looks, start, finish, kind, division)
@@ -202,7 +222,7 @@ contains
       type(probe_t), intent(in) :: one, two
       type(division_t), intent(inout) :: division
       type(probe_t) :: beyond
-      real(dp) :: edge
+      type(edge_t) :: edge
 
       if (one%state%regime == two%state%regime .or. division%n_panels == max_panels) return
       if (two%theta - one%theta <= sharp) then
@@ -212,36 +232,18 @@ contains
       end if
       if (ends_first(surface, one%state%regime, two%state%regime)) then
          call locate_edge(surface, penetration, one, two%theta, edge, division%n_strips)
-         beyond = look_beyond(surface, penetration, one%state%regime, edge, two%theta)
-         division%panels(division%n_panels)%finish = edge
-         call add_panel(division, edge, beyond%state%regime, 0)
+         beyond = look_beyond(surface, penetration, edge, two%theta)
+         division%panels(division%n_panels)%finish = edge%theta
+         call add_panel(division, edge%theta, beyond%state%regime, 0, edge)
          call divide_between(surface, penetration, beyond, two, division)
       else
          call locate_edge(surface, penetration, two, one%theta, edge, division%n_strips)
-         beyond = look_beyond(surface, penetration, two%state%regime, edge, one%theta)
+         beyond = look_beyond(surface, penetration, edge, one%theta)
          call divide_between(surface, penetration, one, beyond, division)
-         division%panels(division%n_panels)%finish = edge
-         call add_panel(division, edge, two%state%regime, 0)
+         division%panels(division%n_panels)%finish = edge%theta
+         call add_panel(division, edge%theta, two%state%regime, 0, edge)
       end if
    end subroutine divide_between
-
-   !> The first strip beyond the edge of a regime, as close to it as the edge is sharp.
-   pure type(probe_t) function look_beyond(surface, penetration, regime, edge, other) result(beyond)
-      type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: penetration
-      !> The regime that ends.
-      integer, intent(in) :: regime
-      !> Where it ends, and where it has ended.
-      real(dp), intent(in) :: edge, other
-      real(dp) :: share
-
-      share = beyond_edge
-      do
-         beyond = probe(surface, penetration, edge + share*(other - edge))
-         if (beyond%state%regime /= regime .or. share >= 1) return
-         share = min(10*share, 1.0_dp)
-      end do
-   end function look_beyond
 
    !> Of two regimes, is it the first whose end can be found more easily?
    pure logical function ends_first(surface, one, two)
@@ -256,13 +258,15 @@ contains
    end function ends_first
 
    !> Begin a panel; when there are too many the last one goes on.
-   pure subroutine add_panel(division, start, regime, kind)
+   pure subroutine add_panel(division, start, regime, kind, edge)
       type(division_t), intent(inout) :: division
       real(dp), intent(in) :: start
       integer, intent(in) :: regime, kind
+      type(edge_t), intent(in), optional :: edge
 
       if (division%n_panels < max_panels) division%n_panels = division%n_panels + 1
       division%panels(division%n_panels) = panel_t(start, pi, regime, kind)
+      if (present(edge)) division%panels(division%n_panels)%edge = edge
    end subroutine add_panel
 
 end module adfric_wavy_panels

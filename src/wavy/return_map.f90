@@ -18,19 +18,22 @@ contains
 
    !> Move the leading edge of adhesion until the period closes: Newton's method on the return map, one-sided,
    !> with every sign change and every turn of the map looked into, so that no steady state is passed.
-   pure subroutine close_period(strip, direction, xi, period, is_converged)
+   pure subroutine close_period(strip, direction, first_step, xi, period, is_converged)
       type(strip_t), intent(in) :: strip
       !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
+      !> Least step where there is nothing to find.
+      real(dp), intent(in) :: first_step
       !> Phase of the leading edge.
       real(dp), intent(inout) :: xi
-      !> The closed period, or one that shows that none closes (see its outcome).
-      type(period_t), intent(out) :: period
+      !> In: a period like it, if there is one. Out: the closed period, or one that shows that none closes (see its
+      !> outcome).
+      type(period_t), intent(inout) :: period
       logical, intent(out) :: is_converged
       real(dp) :: excess, step, last_xi, last_slope, dip, earliest
       integer :: k
 
-      step = 0
+      step = first_step
       call march_excess(strip, direction, xi, period, excess)
       do k = 1, max_periods
          ! the bound itself may close to within round-off
@@ -69,7 +72,7 @@ contains
       type(strip_t), intent(in) :: strip
       integer, intent(in) :: direction
       real(dp), intent(in) :: xi
-      type(period_t), intent(out) :: period
+      type(period_t), intent(inout) :: period
       real(dp), intent(out) :: excess
 
       call march_period(strip, xi, period)
@@ -98,7 +101,7 @@ contains
       real(dp), intent(in) :: near
       !> In: the far end. Out: the leading edge where the period closes.
       real(dp), intent(inout) :: far
-      type(period_t), intent(out) :: period
+      type(period_t), intent(inout) :: period
       logical, intent(out) :: is_converged
       real(dp) :: low, high, xi, excess, newton
       integer :: k
@@ -131,7 +134,7 @@ contains
       real(dp), intent(in) :: near
       !> In: the far end. Out: the leading edge where the period closes, if it does.
       real(dp), intent(inout) :: far
-      type(period_t), intent(out) :: period
+      type(period_t), intent(inout) :: period
       logical, intent(out) :: is_converged
       type(period_t) :: low_period, high_period
       real(dp) :: low, high, at_low, at_high, excess, width, meeting

@@ -20,13 +20,17 @@ module adfric_wavy_steady_state
       & regime_discrete, regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
    implicit none (type, external)
    private
-   public :: find_steady_state, find_without_release, continue_state, get_range_margin, branch_adhered, branch_approach
+   public :: find_steady_state, find_beyond_fold, find_without_release, continue_state, get_range_margin
+   public :: branch_adhered, branch_approach
 
    !> Which steady state is sought where there are several.
    integer, parameter :: branch_adhered = 1, branch_approach = 2
 
    !> Width of a contact that has just begun, as a share of the adhesion zone around it.
    real(dp), parameter :: narrow = 1.0e-4_dp
+
+   !> How far past a fold the search goes on [rad, or of the retardation phase where that is less].
+   real(dp), parameter :: past_fold = 1.0e-4_dp
 
 contains
 
@@ -71,6 +75,25 @@ contains
       if (.not. is_found) call search_with_release(strip, branch, state)
       state%bound_width = bound_width
    end subroutine find_steady_state
+
+   !> Find the steady state of a strip just beyond the fold of a branch. What is left of the branch would slow down the
+   !> search from the bound, so it starts on the far side of it.
+   pure subroutine find_beyond_fold(strip, branch, fold, state)
+      type(strip_t), intent(in) :: strip
+      integer, intent(in) :: branch
+      !> State at the fold.
+      type(steady_state_t), intent(in) :: fold
+      type(steady_state_t), intent(out) :: state
+
+      if (branch == branch_approach) then
+         if (-strip%crest > strip%range) return
+      else
+         call find_without_release(strip, state)
+         if (.not. state%is_converged) return
+         if (get_range_margin(strip, state) >= 0) return
+      end if
+      call search_with_release(strip, branch, state, fold%shift + fold%half_width + fold%leading)
+   end subroutine find_beyond_fold
 
    !> The state of this strip that continues a neighbour's in the same regime, if there is a stable one.
    pure subroutine continue_state(strip, guess, state, is_found)
@@ -144,14 +167,48 @@ contains
    end function get_range_margin
 
    !> Search the states in which adhesion is lost somewhere, from the bound of the branch.
-   pure subroutine search_with_release(strip, branch, state)
+   pure subroutine search_with_release(strip, branch, state, fold)
       type(strip_t), intent(in) :: strip
       integer, intent(in) :: branch
       type(steady_state_t), intent(out) :: state
+      !> Where the leading edge of adhesion is in a fold that has just been passed.
+      real(dp), intent(in), optional :: fold
       type(period_t) :: period
+      integer :: outcome, direction
+      real(dp) :: xi, step
+
+      direction = merge(1, -1, branch == branch_adhered)
+      if (present(fold)) then
+         step = past_fold*min(1.0_dp, strip%foundation%v)
+         xi = fold - direction*step
+         outcome = period_closed
+      else
+         step = 0
+         call find_first_edge(strip, branch, xi, outcome)
+      end if
+      if (outcome == period_closed) then
+         call close_period(strip, direction, step, xi, period, state%is_converged)
+         outcome = period%outcome
+      end if
+      if (outcome == period_never_released) then
+         call find_without_release(strip, state)
+      else if (outcome /= period_closed) then
+         state%regime = regime_free
+         state%is_converged = .true.
+      else if (state%is_converged) then
+         call read_edges(strip, xi, period, state)
+      end if
+   end subroutine search_with_release
+
+   !> The leading edge of adhesion that a column from the bound of a branch comes to first.
+   pure subroutine find_first_edge(strip, branch, xi, outcome)
+      type(strip_t), intent(in) :: strip
+      integer, intent(in) :: branch
+      real(dp), intent(out) :: xi
+      !> One of `period_...`.
+      integer, intent(out) :: outcome
       type(column_t) :: column
-      integer :: outcome, k
-      real(dp) :: xi
+      integer :: k
 
       if (branch == branch_adhered) then
          call get_lowest_column(strip, column, outcome)
@@ -168,19 +225,7 @@ contains
          call march_to_leading_edge(strip, column, outcome)
       end do
       xi = column%xi
-      if (outcome == period_closed) then
-         call close_period(strip, merge(1, -1, branch == branch_adhered), xi, period, state%is_converged)
-         outcome = period%outcome
-      end if
-      if (outcome == period_never_released) then
-         call find_without_release(strip, state)
-      else if (outcome /= period_closed) then
-         state%regime = regime_free
-         state%is_converged = .true.
-      else if (state%is_converged) then
-         call read_edges(strip, xi, period, state)
-      end if
-   end subroutine search_with_release
+   end subroutine find_first_edge
 
    !> A column below all steady states, on the orbit with adhesion everywhere in the gap. `outcome` is not closed if
    !> there is nothing to march.

@@ -14,6 +14,7 @@ module adfric_wavy_surface
    implicit none (type, external)
    private
    public :: negligible, surface_t, totals_t, new_surface_strip, add_strip, add_load_slope, is_same_surface, share_at
+   public :: phase_of_share
 
    !> A balance that is violated by this share of its terms has not been solved.
    real(dp), parameter :: unbalanced = 1.0e-3_dp
@@ -78,6 +79,13 @@ contains
 
       share_at = cos(theta/2)**2
    end function share_at
+
+   !> Crosswise phase at which the height has a share.
+   elemental real(dp) function phase_of_share(share)
+      real(dp), intent(in) :: share
+
+      phase_of_share = 2*acos(sqrt(share))
+   end function phase_of_share
 
    !> The strip with the share Y of the height, at a penetration of the surface.
    elemental subroutine new_surface_strip(surface, penetration, share, strip)
