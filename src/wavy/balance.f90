@@ -147,7 +147,7 @@ contains
       type(sums_t), intent(inout) :: sums
       type(balance_t), intent(inout) :: balance
       real(dp) :: s, c, sin_width, cubic_1, cubic_2, even, odd, m0, m_sin, m_versine, test_sin, test_versine, versine
-      real(dp) :: square(3), direct(4)
+      real(dp) :: square(11), direct(4)
 
       associate (u => strip%foundation%u, v => strip%foundation%v, width => state%half_width)
          s = sin(state%shift)
@@ -172,9 +172,9 @@ contains
          sums%displacement = 2*(width*strip%mean + sin_width*c)
          direct = contact_square(strip, state, s, c)
          ! q = r - (level + cos xi), and the integral of r^2 is that of r times the drive
-         square(1) = even*(m0 - m_versine) + odd*m_sin + strip%level*m0 + u*state%entry**2/2
-         square(2) = -2*(strip%level*m0 + c*(m0 - m_versine) - s*m_sin)
-         square(3) = 2*width*strip%level**2 + 4*strip%level*c*sin_width + c*c*(2*width - cubic_2) + s*s*cubic_2
+         square = [even*(m0 - m_versine), odd*m_sin, strip%level*m0, u*state%entry**2/2, &
+            & -2*strip%level*m0, -2*c*(m0 - m_versine), 2*s*m_sin, &
+            & 2*width*strip%level**2, 4*strip%level*c*sin_width, c*c*(2*width - cubic_2), s*s*cubic_2]
          ! the form with the smaller terms keeps more digits: the direct one in contacts longer than u
          sums%square = merge(sum(direct), sum(square), sum(abs(direct)) < sum(abs(square)))
          if (sums%square < cancelled*min(sum(abs(direct)), sum(abs(square)))) then

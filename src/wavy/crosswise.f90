@@ -43,8 +43,8 @@ module adfric_wavy_crosswise
       integer :: place = 0
       real(dp) :: start = 0, finish = pi
       type(totals_t) :: totals
-      !> Errors of load and friction.
-      real(dp) :: error(2) = 0
+      !> Errors of load and friction: of the rule, and of where the panel ends, which no finer rule takes away.
+      real(dp) :: error(2) = 0, blur(2) = 0
       !> Are all strips in the regime of the panel?
       logical :: is_uniform = .true.
    end type interval_t
@@ -179,7 +179,7 @@ contains
       error = 0
       do k = 1, n
          call add_totals(totals, intervals(k)%totals)
-         error = error + intervals(k)%error
+         error = error + intervals(k)%error + intervals(k)%blur
       end do
       totals%is_converged = totals%is_converged .and. is_fine
    end subroutine integrate_strips
@@ -256,10 +256,11 @@ contains
       type(totals_t) :: node
       type(strip_t) :: strip
       type(steady_state_t) :: guess, state
-      real(dp) :: phi, width, share, values(2, n_nodes), half
+      real(dp) :: phi, width, share, values(2, n_nodes), peak(2), half
       integer :: k
 
       interval%totals = totals_t()
+      peak = 0
       state = steady_state_t()
       half = (interval%finish - interval%start)/2
       associate (panel => interval%panel, place => interval%place)
@@ -280,9 +281,12 @@ contains
             call add_strip(surface, strip, state, share, width, node)
             if (memory%needs_slope) call add_load_slope(strip, state, width, node)
             values(:, k) = [node%load, node%friction]
+            peak = max(peak, abs(values(:, k))/width)
             call add_totals(interval%totals, node, kronrod_weights(k))
          end do
       end associate
+      ! an end that is not known well moves the integral by what stands there
+      interval%blur = interval%panel%blur/pi*peak
       interval%error = estimate_error(values) &
          & + epsilon(1.0_dp)*[interval%totals%load_scale, interval%totals%friction_scale]
    end subroutine integrate_interval

@@ -17,12 +17,15 @@ module adfric_wavy_panel_edges
 
    !> An edge known to this phase moves no result by more than round-off does.
    real(dp), parameter :: sharp = 1.0e-12_dp
+   !> An edge that is solved for is known to this.
+   real(dp), parameter :: solved = 1.0e-14_dp
    integer, parameter :: max_trials = 60
    !> A contact of this half width carries next to nothing, and the edge where it is lost need not be sharper.
    real(dp), parameter :: narrow = 1.0e-3_dp, sharp_enough = 1.0e-9_dp
 
-   !> How far beyond an edge the next regime is looked at, as a share of the way left.
-   real(dp), parameter :: beyond_edge = 1.0e-4_dp
+   !> How far beyond an edge the next regime is looked at, as a share of the way left; the latter where the edge has been
+   !> solved for.
+   real(dp), parameter :: beyond_edge = 1.0e-4_dp, beyond_end = 1.0e-8_dp
    !> How far before its end a branch is looked at, as a share of the way there.
    real(dp), parameter :: last_look = 1.0e-3_dp
 
@@ -72,15 +75,53 @@ contains
       real(dp), intent(in) :: outside
       type(edge_t), intent(out) :: edge
       integer, intent(inout) :: n_strips
+      type(probe_t) :: last
+      real(dp) :: limit
+      integer :: trial
       logical :: is_found
 
       edge%regime = inside%state%regime
       if (surface%branch == branch_adhered .and. inside%state%regime == regime_saturated_adhesion) then
          call locate_release(surface, penetration, inside%theta, outside, edge, is_found, n_strips)
-      else
-         call locate_end(surface, penetration, inside, outside, edge, n_strips)
+         return
       end if
+      last = inside
+      limit = outside
+      do trial = 1, max_trials
+         call locate_end(surface, penetration, last, limit, edge, n_strips)
+         if (edge%ending /= ends_somehow) return
+         call look_for_more(surface, penetration, edge, last, limit, n_strips, is_found)
+         if (.not. is_found) return
+      end do
    end subroutine locate_edge
+
+   !> Does a branch that Newton's method lost go on? `last` is where it was met again, `limit` where it has ended.
+   pure subroutine look_for_more(surface, penetration, edge, last, limit, n_strips, is_found)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(edge_t), intent(in) :: edge
+      type(probe_t), intent(inout) :: last
+      real(dp), intent(inout) :: limit
+      integer, intent(inout) :: n_strips
+      logical, intent(out) :: is_found
+      type(probe_t) :: next
+      real(dp) :: share, way
+
+      is_found = .false.
+      way = limit - edge%theta
+      share = beyond_edge
+      do while (share < 1 .and. share*abs(way) > sharp)
+         next = probe(surface, penetration, edge%theta + share*way)
+         n_strips = n_strips + 1
+         if (next%state%regime /= edge%regime) then
+            limit = next%theta
+            return
+         end if
+         is_found = .true.
+         last = next
+         share = 10*share
+      end do
+   end subroutine look_for_more
 
    !> Where adhesion begins to be lost: the margin of the range is positive at `inside`, negative at `outside`.
    !> Regula falsi with the Illinois rule.
@@ -194,7 +235,7 @@ contains
       is_found = .false.
       if (near%state%regime /= regime_adhesion_zones .and. near%state%regime /= regime_adhesion_only) return
       do k = 1, 2
-         ends(k) = edge_t(near%theta, merge(ends_in_fold, ends_in_touch, k == 1), near%state%regime, near%state, sharp)
+         ends(k) = edge_t(near%theta, merge(ends_in_fold, ends_in_touch, k == 1), near%state%regime, near%state, solved)
          call solve_end(surface, penetration, ends(k), is_end(k))
          is_end(k) = is_end(k) .and. (ends(k)%theta - near%theta)*(ends(k)%theta - limit) <= 0
       end do
@@ -226,7 +267,7 @@ contains
       case default
          is_found = .false.
       end select
-      edge%uncertainty = sharp
+      edge%uncertainty = solved
    end subroutine solve_end
 
    !> Half width and centre of contact and adhesion zones together, and half width of the contact.
@@ -249,7 +290,7 @@ contains
       type(strip_t) :: strip
       real(dp) :: share
 
-      share = beyond_edge
+      share = merge(beyond_edge, beyond_end, edge%ending == ends_somehow)
       do
          beyond%theta = edge%theta + share*(other - edge%theta)
          if (edge%ending == ends_in_fold) then

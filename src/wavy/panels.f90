@@ -9,7 +9,7 @@ module adfric_wavy_panels
       & ends_in_release, ends_in_touch
    use adfric_wavy_saturated_adhesion, only: saturation_level
    use adfric_wavy_steady_state, only: branch_adhered, branch_approach
-   use adfric_wavy_strip, only: regime_saturated_adhesion
+   use adfric_wavy_strip, only: regime_saturated_adhesion, regime_adhesion_zones, regime_adhesion_only
    use adfric_wavy_surface, only: surface_t, phase_of_share
    implicit none (type, external)
    private
@@ -33,6 +33,8 @@ module adfric_wavy_panels
       integer :: kind = 0
       !> The edge at its start.
       type(edge_t) :: edge
+      !> How well its two ends are known together.
+      real(dp) :: blur = 0
    end type panel_t
 
    !> All panels of half a period, from the crest line to the valley line.
@@ -69,6 +71,12 @@ contains
          end do
       end if
       division%penetration = penetration
+      associate (panels => division%panels(:division%n_panels))
+         panels%blur = panels%edge%uncertainty
+         do k = 1, division%n_panels - 1
+            panels(k)%blur = panels(k)%blur + panels(k + 1)%edge%uncertainty
+         end do
+      end associate
    end subroutine divide_surface
 
    !> Crosswise phases where the regime changes in closed form, with both ends, in increasing order.
@@ -170,8 +178,12 @@ contains
          n_strips = n_strips + 1
       end if
       is_tracked = is_tracked .and. abs(this%edge%theta - theta) < reach
+      if (.not. is_tracked) return
       ! nothing may have come between
-      if (.not. is_tracked .or. this%edge%ending == ends_in_touch) return
+      if (this%edge%ending == ends_in_touch) then
+         is_tracked = next_regime == regime_adhesion_zones .or. next_regime == regime_adhesion_only
+         return
+      end if
       beyond = look_beyond(surface, penetration, this%edge, this%edge%theta + side*reach)
       is_tracked = beyond%state%regime == next_regime
       n_strips = n_strips + 1
