@@ -57,7 +57,7 @@ contains
       class(progress_bar_t), intent(inout) :: self
       integer(i8), intent(in) :: n_done, n_total
       real(dp) :: now, rate
-      character(width) :: line
+      character(2*width) :: line
 
       if (.not. self%is_shown .or. n_done == 0) return
       now = wall_clock()
@@ -65,7 +65,7 @@ contains
       rate = n_done/(now - self%started_at)
       write (line, '(i0, a, i0, a, i0, a, es8.1, a)') n_done, ' of ', n_total, ' points (', (100*n_done)/n_total, &
          ' %),', rate, ' points/s, '//time_text((n_total - n_done)/rate)//' left'
-      write (error_unit, '(2a)', advance='no') carriage_return, line
+      write (error_unit, '(2a)', advance='no') carriage_return, line(:width)
       flush (error_unit)
       self%is_written = .true.
       self%written_at = now

@@ -6,6 +6,7 @@ module adfric_command_run
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_success, exit_not_converged
    use adfric_input_run, only: run_input_t
+   use adfric_output_operating_system, only: is_same_file
    use adfric_output_resources, only: check_resources
    use adfric_output_results_file, only: results_file_t, check_output_name
    use adfric_output_run_table, only: new_run_table
@@ -49,8 +50,9 @@ contains
       type(run_input_t), intent(in) :: run
       type(error_t), allocatable, intent(out) :: error
 
-      if (run%output == command%subject) then
-         call set_error(error, input_failure, run%output//': the results would replace the input')
+      if (is_same_file(run%output, command%subject)) then
+         call set_error(error, input_failure, command%subject//': the results would replace the input, given '// &
+            run%output//', allowed: the name of another file')
          return
       end if
       call check_output_name(run%output, command%overwrite, error)

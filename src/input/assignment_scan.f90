@@ -26,7 +26,7 @@ contains
    subroutine scan_assignments(bare, groups, assignments, problems)
       !> Text without comments.
       character(*), intent(in) :: bare
-      type(group_t), intent(in) :: groups(:)
+      type(group_t), intent(inout) :: groups(:)
       type(assignment_t), allocatable, intent(out) :: assignments(:)
       type(problems_t), intent(inout) :: problems
       integer :: i, n
@@ -46,33 +46,37 @@ contains
    !> Find the assignments of one group.
    subroutine scan_group(bare, group, number, assignments, n, problems)
       character(*), intent(in) :: bare
-      type(group_t), intent(in) :: group
+      type(group_t), intent(inout) :: group
       !> Number of the group.
       integer, intent(in) :: number
       type(assignment_t), intent(inout) :: assignments(:)
       !> Assignments found so far.
       integer, intent(inout) :: n
       type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: name
       integer :: equals, next_equals, name_first, next_first
 
       call find_assignment(bare, group%body_first, group%body_last, name_first, equals)
       call check_start(bare, group, name_first, problems)
       do while (equals <= group%body_last)
          call find_assignment(bare, equals + 1, group%body_last, next_first, next_equals)
-         call check_name(bare, group, name_first, equals, problems)
-         if (is_name(strip(bare(name_first:equals - 1)))) then
+         name = strip(bare(name_first:equals - 1))
+         if (is_name(name)) then
             n = n + 1
             assignments(n)%group = number
-            assignments(n)%name = to_lower(strip(bare(name_first:equals - 1)))
+            assignments(n)%name = to_lower(name)
             assignments(n)%first = name_first
             call trim_value(bare, equals + 1, next_first - 1, assignments(n))
+         else
+            call report_name(bare, group, name, equals, problems)
          end if
          equals = next_equals
          name_first = next_first
       end do
    end subroutine scan_group
 
-   !> Find the next `name =`; both positions are behind `last` if there is none.
+   !> Find the next `name =`; both positions are behind `last` if there is none. A `=` without a name is passed over:
+   !> it belongs to what stands before it.
    pure subroutine find_assignment(bare, first, last, name_first, equals)
       character(*), intent(in) :: bare
       integer, intent(in) :: first, last
@@ -85,7 +89,7 @@ contains
             equals = end_of_quote(bare, equals)
          case ('=')
             name_first = first + start_of_name(bare(first:equals - 1)) - 1
-            return
+            if (len(strip(bare(name_first:equals - 1))) > 0) return
          end select
          equals = equals + 1
       end do
@@ -125,34 +129,35 @@ contains
    !> Report what stands between the name of a group and its first assignment.
    subroutine check_start(bare, group, name_first, problems)
       character(*), intent(in) :: bare
-      type(group_t), intent(in) :: group
+      type(group_t), intent(inout) :: group
       integer, intent(in) :: name_first
       type(problems_t), intent(inout) :: problems
       integer :: first
 
       first = group%body_first + verify(bare(group%body_first:name_first - 1), ' '//newline) - 1
       if (first < group%body_first) return
+      group%is_garbled = .true.
       call problems%add(trim(group%name), '', 'not an assignment, given '// &
          show_text(strip(bare(first:name_first - 1)))//', allowed: variable = value', &
          index=group%shown_index, line=line_at(bare, first))
    end subroutine check_start
 
    !> Report what cannot be the name of a variable.
-   subroutine check_name(bare, group, name_first, equals, problems)
+   subroutine report_name(bare, group, name, equals, problems)
       character(*), intent(in) :: bare
-      type(group_t), intent(in) :: group
-      integer, intent(in) :: name_first, equals
+      type(group_t), intent(inout) :: group
+      !> What stands for a name.
+      character(*), intent(in) :: name
+      integer, intent(in) :: equals
       type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: name, what
+      character(:), allocatable :: what
 
-      name = strip(bare(name_first:equals - 1))
-      if (is_name(name)) return
+      group%is_garbled = .true.
       what = 'not a name of a variable'
-      if (len(name) == 0) what = 'a name is missing before ='
       if (scan(name, '(%') > 0) what = 'subscripts and components are not known here'
-      call problems%add(trim(group%name), '', what//', given '//show_text(strip(name//' ='))// &
+      call problems%add(trim(group%name), '', what//', given '//show_text(name//' =')// &
          ', allowed: variable = value', index=group%shown_index, line=line_at(bare, equals))
-   end subroutine check_name
+   end subroutine report_name
 
    !> Set where the value of an assignment stands.
    pure subroutine trim_value(bare, first, last, assignment)

@@ -10,7 +10,7 @@ module adfric_input_case
                                       say_unknown_group, say_unknown_variable
    implicit none (type, external)
    private
-   public :: case_t, read_groups
+   public :: case_t, read_groups, mark_meant
 
    !> A value for every variable, each component of shape `(n_variables)`.
    type :: case_t
@@ -51,7 +51,7 @@ contains
       end do
    end subroutine read_groups
 
-   !> Report groups that the model does not have.
+   !> Report groups that the model does not have, and mark what is behind a group that makes no sense.
    subroutine check_group_names(file, model, input, problems)
       type(namelist_file_t), intent(in) :: file
       class(model_t), intent(in) :: model
@@ -61,6 +61,7 @@ contains
 
       do i = 1, size(file%groups)
          associate (group => file%groups(i))
+            if (group%is_garbled) call mark_group(model, trim(group%name), input)
             if (has_word('job sweep '//list_groups(model), group%name)) cycle
             call file%report(problems, i, '', say_unknown_group(model, trim(group%name)), group%first)
             call mark_group(model, find_nearest(trim(group%name), 'job sweep '//list_groups(model)), input)
@@ -68,7 +69,7 @@ contains
       end do
    end subroutine check_group_names
 
-   !> Mark the variables of a group that an unknown name probably means.
+   !> Mark the variables of a group.
    subroutine mark_group(model, group, input)
       class(model_t), intent(in) :: model
       character(*), intent(in) :: group
@@ -112,6 +113,7 @@ contains
    !> Mark the variables that an unknown name probably means: their absence needs no report of its own.
    subroutine mark_meant(model, group, name, input)
       class(model_t), intent(in) :: model
+      !> Where the name stands; empty where it may be of any group.
       character(*), intent(in) :: group
       character(*), intent(in) :: name
       type(case_t), intent(inout) :: input

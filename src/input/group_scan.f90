@@ -5,7 +5,7 @@
 !> Everything is a position in the text, so that each problem can be reported with its line.
 module adfric_input_group_scan
    use adfric_base_problems, only: problems_t
-   use adfric_input_source_text, only: end_of_quote, end_of_line, line_at
+   use adfric_input_source_text, only: end_of_quote, is_closed, end_of_line, line_at
    use adfric_input_text, only: newline, name_length, to_lower, is_letter, is_name_character, show_text
    implicit none (type, external)
    private
@@ -26,6 +26,8 @@ module adfric_input_group_scan
       integer :: first = 0
       !> Where its assignments stand.
       integer :: body_first = 0, body_last = 0
+      !> Does something in it make no sense, so that any of its variables may have been meant?
+      logical :: is_garbled = .false.
    end type group_t
 
 contains
@@ -132,13 +134,16 @@ contains
       integer, intent(inout) :: position
       type(group_t), intent(inout) :: group
       type(problems_t), intent(inout) :: problems
+      integer :: last
 
       group%body_first = position
       do while (position <= len(bare))
          group%body_last = position - 1
          select case (bare(position:position))
          case ('''', '"')
-            position = end_of_quote(bare, position)
+            last = end_of_quote(bare, position)
+            group%is_garbled = group%is_garbled .or. .not. is_closed(bare(position:last))
+            position = last
          case ('/')
             position = position + 1
             return
@@ -152,6 +157,8 @@ contains
          position = position + 1
       end do
       if (position > len(bare)) group%body_last = len(bare)
+      ! a quote that is not closed is reported with its variable, and takes the / with it
+      if (group%is_garbled) return
       call problems%add(trim(group%name), '', 'the / that ends the group is missing', &
          index=group%shown_index, line=line_at(bare, group%first))
    end subroutine skip_to_group_end

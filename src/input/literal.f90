@@ -1,15 +1,15 @@
-!> The values of an assignment one by one, and whether a word is a number.
+!> One value, from its text to what it means.
 !>
-!> What the run-time library would accept in silence (an overflow, a null value, `1+3` for 1000, any word
-!> that begins with t for true) is found here, before it reads the value. A flaw is a text that says
-!> what is wrong and what was given; empty, nothing is wrong.
+!> What the run-time library would accept in silence (an overflow, `1+3` for 1000, any word that begins with t for true)
+!> is found here; it only converts what is known to be a number. A flaw is a text that says what is wrong and what was
+!> given; empty, nothing is wrong.
 module adfric_input_literal
-   use adfric_base_kinds, only: i8
-   use adfric_input_source_text, only: end_of_quote
-   use adfric_input_text, only: newline, to_lower, is_separator, show_text
+   use adfric_base_kinds, only: dp, i8
+   use adfric_input_source_text, only: end_of_quote, is_closed
+   use adfric_input_text, only: to_lower, show_text
    implicit none (type, external)
    private
-   public :: item_t, next_item, find_real_flaw, find_integer_flaw, find_logical_flaw, find_string_flaw
+   public :: convert
 
    !> Numbers from this decimal exponent on, or with these digits at the exponent, are too large.
    integer, parameter :: largest_exponent = 308
@@ -18,86 +18,32 @@ module adfric_input_literal
    integer, parameter :: smallest_exponent = -307
    !> Digits that an integer may have.
    integer, parameter :: most_digits = 18
-   !> Digits that a repeat count may have.
-   integer, parameter :: most_repeat_digits = 9
 
-   !> One value, with the number of times it is meant.
-   type :: item_t
-      !> Where it stands, without its repeat count; 0 if there is none.
-      integer :: first = 0, last = 0
-      integer(i8) :: repeat = 1
-   end type item_t
+   !> `call convert(word, value, flaw)`, by the type of the value.
+   interface convert
+      module procedure convert_real
+      module procedure convert_integer
+      module procedure convert_logical
+      module procedure convert_quoted
+   end interface convert
 
 contains
 
-   !> Take the next value of a list.
-   pure subroutine next_item(text, position, item, flaw)
-      character(*), intent(in) :: text
-      !> Where to look, then where to look next.
-      integer, intent(inout) :: position
-      type(item_t), intent(out) :: item
-      character(:), allocatable, intent(out) :: flaw
-
-      flaw = ''
-      call skip_blanks(text, position)
-      if (position > len(text)) return
-      item%first = position
-      do while (position <= len(text))
-         if (is_separator(text(position:position))) exit
-         if (scan(text(position:position), '''"') > 0) position = end_of_quote(text, position)
-         position = position + 1
-      end do
-      item%last = position - 1
-      call take_repeat_count(text, item)
-      if (item%last < item%first .or. item%repeat < 1) flaw = 'a value is missing, given '//show_text(text)
-      call skip_blanks(text, position)
-      if (position > len(text)) return
-      if (text(position:position) /= ',') return
-      position = position + 1
-      call skip_blanks(text, position)
-      if (position > len(text)) flaw = 'a value is missing, given '//show_text(text//',')
-   end subroutine next_item
-
-   !> Move to what is neither blank nor line end.
-   pure subroutine skip_blanks(text, position)
-      character(*), intent(in) :: text
-      integer, intent(inout) :: position
-
-      do while (position <= len(text))
-         if (.not. (text(position:position) == ' ' .or. text(position:position) == newline)) return
-         position = position + 1
-      end do
-   end subroutine skip_blanks
-
-   !> Take `3*` off a value.
-   pure subroutine take_repeat_count(text, item)
-      character(*), intent(in) :: text
-      type(item_t), intent(inout) :: item
-      integer :: length
-
-      length = verify(text(item%first:item%last)//'.', '0123456789') - 1
-      if (length < 1 .or. length > most_repeat_digits) return
-      if (item%first + length > item%last) return
-      if (text(item%first + length:item%first + length) /= '*') return
-      read (text(item%first:item%first + length - 1), *) item%repeat
-      item%first = item%first + length + 1
-   end subroutine take_repeat_count
-
-   !> What is wrong with a real number?
-   pure function find_real_flaw(word) result(flaw)
+   !> A real number; 0 if something is wrong.
+   pure subroutine convert_real(word, value, flaw)
       character(*), intent(in) :: word
-      character(:), allocatable :: flaw
+      real(dp), intent(out) :: value
+      character(:), allocatable, intent(out) :: flaw
       character(:), allocatable :: digits
       integer :: exponent
       logical :: is_number
 
+      value = 0
       flaw = ''
+      call split_number(word, digits, exponent, is_number)
       if (is_not_finite(word)) then
          flaw = 'not a finite number, given '//show_text(word)
-         return
-      end if
-      call split_number(word, digits, exponent, is_number)
-      if (.not. is_number) then
+      else if (.not. is_number) then
          flaw = 'not a number, given '//show_text(word)
       else if (len(digits) == 0) then
          return
@@ -105,8 +51,10 @@ contains
          flaw = 'a number too large to be held, given '//show_text(word)
       else if (exponent < smallest_exponent) then
          flaw = 'a number too small to be held, given '//show_text(word)
+      else
+         read (word, *) value
       end if
-   end function find_real_flaw
+   end subroutine convert_real
 
    !> Is it one of the words for infinity and for no number?
    pure logical function is_not_finite(word)
@@ -169,12 +117,14 @@ contains
       if (word(1:1) == '-') exponent = -exponent
    end subroutine read_exponent
 
-   !> What is wrong with an integer?
-   pure function find_integer_flaw(word) result(flaw)
+   !> An integer; 0 if something is wrong.
+   pure subroutine convert_integer(word, value, flaw)
       character(*), intent(in) :: word
-      character(:), allocatable :: flaw
+      integer(i8), intent(out) :: value
+      character(:), allocatable, intent(out) :: flaw
       integer :: first
 
+      value = 0
       flaw = ''
       first = 1
       if (scan(word, '+-') == 1) first = 2
@@ -182,40 +132,54 @@ contains
          flaw = 'not an integer, given '//show_text(word)
       else if (len(word) - first + 1 > most_digits) then
          flaw = 'an integer too large to be held, given '//show_text(word)
+      else
+         read (word, *) value
       end if
-   end function find_integer_flaw
+   end subroutine convert_integer
 
-   !> What is wrong with a logical?
-   pure function find_logical_flaw(word) result(flaw)
+   !> A logical; false if something is wrong.
+   pure subroutine convert_logical(word, value, flaw)
       character(*), intent(in) :: word
-      character(:), allocatable :: flaw
+      logical, intent(out) :: value
+      character(:), allocatable, intent(out) :: flaw
 
+      value = .false.
       flaw = ''
       select case (to_lower(word))
-      case ('.true.', '.false.', 'true', 'false', 't', 'f', '.t.', '.f.')
+      case ('.true.', 'true', '.t.', 't')
+         value = .true.
+      case ('.false.', 'false', '.f.', 'f')
       case default
          flaw = 'not a logical, given '//show_text(word)
       end select
-   end function find_logical_flaw
+   end subroutine convert_logical
 
-   !> What is wrong with a quoted word?
-   pure function find_string_flaw(word) result(flaw)
+   !> A text in quotes, without them and without the blanks at its end; empty if something is wrong.
+   pure subroutine convert_quoted(word, value, flaw)
       character(*), intent(in) :: word
-      character(:), allocatable :: flaw
+      character(:), allocatable, intent(out) :: value
+      character(:), allocatable, intent(out) :: flaw
       integer :: i, last
 
+      value = ''
       flaw = ''
-      if (len(word) == 0) return
       if (scan(word, '''"') /= 1) then
          flaw = 'not a text in quotes, given '//show_text(word)
          return
       end if
       last = end_of_quote(word, 1)
-      if (mod(count([(word(i:i) == word(1:1), i=1, last)]), 2) == 1) then
+      if (.not. is_closed(word(:last))) then
          flaw = 'a quote is not closed on its line, given '//show_text(word)
       else if (last < len(word)) then
          flaw = 'something stands directly behind the closing quote, given '//show_text(word)
+      else
+         i = 2
+         do while (i < last)
+            value = value//word(i:i)
+            i = i + merge(2, 1, word(i:i) == word(1:1))
+         end do
+         value = trim(value)
       end if
-   end function find_string_flaw
+   end subroutine convert_quoted
 
 end module adfric_input_literal

@@ -1,10 +1,11 @@
 !> A namelist file in memory: its whole text, its groups and its assignments.
 module adfric_input_namelist_file
    use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_kinds, only: i8
    use adfric_base_problems, only: problems_t
    use adfric_input_assignment_scan, only: assignment_t, scan_assignments
    use adfric_input_group_scan, only: group_t, scan_groups
-   use adfric_input_source_text, only: strip_comments, line_at
+   use adfric_input_source_text, only: strip_comments, find_control_character, line_at
    use adfric_input_text, only: show_count
    implicit none (type, external)
    private
@@ -31,6 +32,7 @@ module adfric_input_namelist_file
       procedure :: value_of
       procedure :: line_of
       procedure :: report
+      procedure :: report_variable
    end type namelist_file_t
 
 contains
@@ -44,11 +46,14 @@ contains
       !> The file cannot be read, or is no text.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: text
+      integer :: place
 
       call read_whole_file(path, text, error)
       if (allocated(error)) return
-      if (index(text, achar(0)) > 0) then
-         call set_error(error, input_failure, path//': cannot be an input, it is not a text file')
+      place = find_control_character(text)
+      if (place > 0) then
+         call set_error(error, input_failure, path//': cannot be an input, it is not a text, given the control '// &
+            'character '//show_count(iachar(text(place:place)))//' (line '//show_count(line_at(text, place))//')')
          return
       end if
       call new_namelist_file(self, path, text, problems)
@@ -76,7 +81,8 @@ contains
       character(:), allocatable, intent(out) :: text
       type(error_t), allocatable, intent(out) :: error
       character(256) :: message
-      integer :: unit, status, length
+      integer(i8) :: length
+      integer :: unit, status
       logical :: exists
 
       inquire (file=path, exist=exists)
@@ -91,37 +97,42 @@ contains
          return
       end if
       inquire (unit=unit, size=length)
-      if (length > largest_file) then
-         call set_error(error, input_failure, path//': cannot be an input, it is larger than 100 MiB')
-      else if (length > 0) then
+      if (length < 1) then
+         call read_stream(unit, text, status, message)
+         length = len(text)
+      else if (length <= largest_file) then
          allocate (character(length) :: text)
          read (unit, iostat=status, iomsg=message) text
-         if (status /= 0) call set_error(error, input_failure, path//': cannot read the input, '//trim(message))
-      else
-         call read_stream(unit, text)
       end if
-      close (unit, iostat=status)
+      close (unit)
+      if (length > largest_file) then
+         call set_error(error, input_failure, path//': cannot be an input, it is larger than 100 MiB')
+      else if (status /= 0) then
+         call set_error(error, input_failure, path//': cannot read the input, '//trim(message))
+      end if
    end subroutine read_whole_file
 
-   !> Read what has no known length, such as a pipe.
-   subroutine read_stream(unit, text)
+   !> Read what has no known length, such as a pipe: to its end, or one byte more than is allowed.
+   subroutine read_stream(unit, text, status, message)
       integer, intent(in) :: unit
       character(:), allocatable, intent(out) :: text
-      integer, parameter :: chunk = 4096
-      character(chunk) :: buffer
-      integer :: n, status
+      !> 0 if everything has been read.
+      integer, intent(out) :: status
+      !> What went wrong, where something did.
+      character(*), intent(inout) :: message
+      integer :: n
 
-      text = ''
+      allocate (character(4096) :: text)
       n = 0
       do
-         read (unit, iostat=status) buffer(n + 1:n + 1)
-         if (status /= 0 .or. len(text) > largest_file) exit
+         if (n == len(text)) text = text//repeat(' ', n)
+         read (unit, iostat=status, iomsg=message) text(n + 1:n + 1)
+         if (status /= 0) exit
          n = n + 1
-         if (n < chunk) cycle
-         text = text//buffer
-         n = 0
+         if (n > largest_file) exit
       end do
-      text = text//buffer(:n)
+      if (is_iostat_end(status)) status = 0
+      text = text(:n)
    end subroutine read_stream
 
    !> Report groups that stand twice.
@@ -213,5 +224,25 @@ contains
       call problems%add(trim(self%groups(group)%name), variable, text, &
          index=self%groups(group)%shown_index, line=self%line_of(position))
    end subroutine report
+
+   !> Add a problem of a variable to the list, with the line where it stands; where it does not, that of its group.
+   subroutine report_variable(self, problems, group, variable, text, place)
+      class(namelist_file_t), intent(in) :: self
+      type(problems_t), intent(inout) :: problems
+      !> Number of the group.
+      integer, intent(in) :: group
+      character(*), intent(in) :: variable
+      !> What is wrong, what was given, what is allowed.
+      character(*), intent(in) :: text
+      !> Where in the text of its value; absent: at its name.
+      integer, intent(in), optional :: place
+      integer :: number, position
+
+      position = self%groups(group)%first
+      number = self%find_assignment(group, variable)
+      if (number > 0) position = self%assignments(number)%first
+      if (number > 0 .and. present(place)) position = self%assignments(number)%value_first + place - 1
+      call self%report(problems, group, variable, text, position)
+   end subroutine report_variable
 
 end module adfric_input_namelist_file

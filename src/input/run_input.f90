@@ -7,11 +7,12 @@ module adfric_input_run
    use adfric_base_problems, only: problems_t
    use adfric_input_case, only: case_t, read_groups
    use adfric_input_consistency, only: check_consistency
+   use adfric_input_item, only: take_only_word
+   use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_input_sweep, only: read_sweeps, find_size_problem
    use adfric_input_text, only: join_words, show_count
-   use adfric_input_value_text, only: read_string
    use adfric_input_vocabulary, only: job_names, has_word, report_unknown_names
    use adfric_sweep_plan, only: plan_t
    implicit none (type, external)
@@ -58,7 +59,8 @@ contains
       run%text = file%text
       group = file%find_group('job')
       if (group == 0) then
-         call report_missing_job(file, known_models, problems)
+         ! a file without any group is no input, and that has been said
+         if (size(file%groups) > 0 .or. problems%count() == 0) call report_missing_job(file, known_models, problems)
          return
       end if
       call report_unknown_names(file, group, job_names, problems)
@@ -123,18 +125,18 @@ contains
       character(*), intent(in) :: name
       character(:), allocatable, intent(inout) :: word
       type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: given, flaw
+      character(:), allocatable :: quoted, given, flaw
       integer :: number, place
 
       number = file%find_assignment(group, name)
       if (number == 0) return
-      call read_string(file%value_of(number), given, flaw, place)
+      call take_only_word(file%value_of(number), quoted, flaw, place)
+      if (len(flaw) == 0) call convert(quoted, given, flaw)
       if (len(flaw) == 0) then
          word = given
-         return
+      else
+         call file%report_variable(problems, group, name, flaw//', allowed: a text in quotes', place)
       end if
-      call file%report(problems, group, name, flaw//', allowed: a text in quotes', &
-         file%assignments(number)%value_first + place - 1)
    end subroutine read_word
 
    !> Read the name of the results file.
@@ -143,17 +145,13 @@ contains
       integer, intent(in) :: group
       character(:), allocatable, intent(inout) :: output
       type(problems_t), intent(inout) :: problems
-      integer :: position
 
       call read_word(file, group, 'output', output, problems)
-      position = file%groups(group)%first
-      if (file%find_assignment(group, 'output') > 0) &
-         position = file%assignments(file%find_assignment(group, 'output'))%first
       if (len(output) == 0) then
-         call file%report(problems, group, 'output', 'empty, allowed: the name of a file', position)
+         call file%report_variable(problems, group, 'output', 'empty, allowed: the name of a file')
       else if (output == file%path) then
-         call file%report(problems, group, 'output', 'the results would replace the input, given '''//output// &
-            ''', allowed: the name of another file', position)
+         call file%report_variable(problems, group, 'output', 'the results would replace the input, given '''// &
+            output//''', allowed: the name of another file')
       end if
    end subroutine read_output
 
@@ -165,20 +163,20 @@ contains
       character(:), allocatable, intent(inout) :: model
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: choices
-      integer :: number, n_before
+      integer :: n_before
 
       choices = ''''//join_words(known_models, ''', ''')//''''
-      number = file%find_assignment(group, 'model')
-      if (number == 0) then
-         call file%report(problems, group, 'model', 'not given, allowed: '//choices, file%groups(group)%first)
+      if (file%find_assignment(group, 'model') == 0) then
+         if (.not. file%groups(group)%is_garbled) &
+            call file%report_variable(problems, group, 'model', 'not given, allowed: '//choices)
          return
       end if
       n_before = problems%count()
       call read_word(file, group, 'model', model, problems)
       if (problems%count() > n_before) return
       if (has_word(known_models, model)) return
-      call file%report(problems, group, 'model', 'unknown model, given '''//model//''', allowed: '//choices// &
-         did_you_mean(model, known_models), file%assignments(number)%first)
+      call file%report_variable(problems, group, 'model', 'unknown model, given '''//model//''', allowed: '// &
+         choices//did_you_mean(model, known_models))
       model = ''
    end subroutine read_model
 

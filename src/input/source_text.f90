@@ -3,7 +3,7 @@ module adfric_input_source_text
    use adfric_input_text, only: newline
    implicit none (type, external)
    private
-   public :: strip_comments, end_of_quote, end_of_line, line_at
+   public :: strip_comments, find_control_character, end_of_quote, is_closed, end_of_line, line_at
 
    character(*), parameter :: carriage_return = achar(13)
    !> Mark that some editors put before the first line.
@@ -41,6 +41,19 @@ contains
       end do
    end function strip_comments
 
+   !> Position of the first character that no text has; 0 if there is none.
+   pure integer function find_control_character(text)
+      character(*), intent(in) :: text
+
+      do find_control_character = 1, len(text)
+         select case (iachar(text(find_control_character:find_control_character)))
+         case (0:8, 14:31, 127)
+            return
+         end select
+      end do
+      find_control_character = 0
+   end function find_control_character
+
    !> Position of the quote that closes the one at `first`; the end of the line if there is none.
    pure integer function end_of_quote(text, first)
       character(*), intent(in) :: text
@@ -59,6 +72,14 @@ contains
       end do
       end_of_quote = last
    end function end_of_quote
+
+   !> Is a text in quotes, from the first to `end_of_quote`, closed? A doubled quote within it stands for itself.
+   pure logical function is_closed(quoted)
+      character(*), intent(in) :: quoted
+      integer :: i
+
+      is_closed = mod(count([(quoted(i:i) == quoted(1:1), i=1, len(quoted))]), 2) == 0
+   end function is_closed
 
    !> Position of the last character of a line, its line end excluded.
    pure integer function end_of_line(text, first)

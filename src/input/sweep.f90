@@ -4,12 +4,13 @@ module adfric_input_sweep
    use adfric_base_model, only: model_t, kind_real, kind_integer
    use adfric_base_problems, only: problems_t
    use adfric_base_words, only: count_words
-   use adfric_input_case, only: case_t
+   use adfric_input_case, only: case_t, mark_meant
+   use adfric_input_item, only: take_only_word
+   use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_sweep_range, only: read_sweep_values
    use adfric_input_text, only: join_words, to_lower, show_count
-   use adfric_input_value_text, only: read_string
    use adfric_input_variable, only: is_in_range, describe_allowed, show_value
    use adfric_input_vocabulary, only: sweep_names, list_groups_of, list_variables, report_unknown_names
    use adfric_sweep_plan, only: axis_t, plan_t
@@ -59,7 +60,7 @@ contains
 
       call report_unknown_names(file, group, sweep_names, problems)
       call read_sweep_values(file, group, axis%values, problems)
-      call find_swept_variable(file, group, model, variable, problems)
+      call find_swept_variable(file, group, model, input, variable, problems)
       if (variable == 0) return
       n_before = problems%count()
       call check_not_twice(file, group, model, variable, input, problems)
@@ -76,29 +77,35 @@ contains
    end subroutine read_axis
 
    !> Find which variable of the model is swept; 0 if it cannot be.
-   subroutine find_swept_variable(file, group, model, variable, problems)
+   subroutine find_swept_variable(file, group, model, input, variable, problems)
       type(namelist_file_t), intent(in) :: file
       integer, intent(in) :: group
       class(model_t), intent(in) :: model
+      !> What an unknown name probably means is marked here; everything, if there is no name.
+      type(case_t), intent(inout) :: input
       integer, intent(out) :: variable
       type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: name, flaw
+      character(:), allocatable :: quoted, name, flaw
       integer :: number, place
 
       variable = 0
       number = file%find_assignment(group, 'variable')
       if (number == 0) then
-         call file%report(problems, group, 'variable', 'not given, needed: the name of a variable of the model', &
-            file%groups(group)%first)
+         input%is_broken = .true.
+         if (.not. file%groups(group)%is_garbled) call file%report_variable(problems, group, 'variable', &
+            'not given, needed: the name of a variable of the model')
          return
       end if
-      call read_string(file%value_of(number), name, flaw, place)
+      call take_only_word(file%value_of(number), quoted, flaw, place)
+      if (len(flaw) == 0) call convert(quoted, name, flaw)
       if (len(flaw) > 0) then
+         input%is_broken = .true.
          flaw = flaw//', allowed: the name of a variable of the model'
       else
          call look_up(model, to_lower(name), variable, flaw)
+         if (variable == 0) call mark_meant(model, '', to_lower(name(index(name, '%') + 1:)), input)
       end if
-      if (len(flaw) > 0) call file%report(problems, group, 'variable', flaw, file%assignments(number)%first)
+      if (len(flaw) > 0) call file%report_variable(problems, group, 'variable', flaw, place)
    end subroutine find_swept_variable
 
    !> Look up `name` or `group%name`.
@@ -175,9 +182,9 @@ contains
       else
          return
       end if
-      call file%report(problems, group, 'variable', model%variables(variable)%name//' is given twice, here and '// &
-         where_else//' in line '//show_count(input%line(variable))//', allowed: one of them', &
-         file%groups(group)%first)
+      call file%report_variable(problems, group, 'variable', model%variables(variable)%name// &
+         ' is given twice, here and '//where_else//' in line '//show_count(input%line(variable))// &
+         ', allowed: one of them')
    end subroutine check_not_twice
 
    !> Every value is within the range of the variable.
@@ -189,7 +196,7 @@ contains
       real(dp), intent(in) :: values(:)
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, text
-      integer :: i, first, number, n
+      integer :: i, first, n
 
       n = 0
       do i = size(values), 1, -1
@@ -200,13 +207,12 @@ contains
       if (n == 0) return
       name = 'values'
       if (file%find_assignment(group, name) == 0) name = merge('to  ', 'from', first == size(values))
-      number = file%find_assignment(group, trim(name))
       text = model%variables(variable)%name//' out of range at value '//show_count(first)//' of '// &
          show_count(size(values))
       if (n > 1) text = text//' and at '//show_count(n - 1)//' more'
       text = text//', given '//show_value(values(first), model%variables(variable))//', allowed: '// &
-         describe_allowed(model%variables(variable))
-      call file%report(problems, group, trim(name), text, file%assignments(number)%first)
+         describe_allowed(model%variables(variable), values(first))
+      call file%report_variable(problems, group, trim(name), text)
    end subroutine check_swept_range
 
    !> Is the number of points beyond all counting? Empty if it is not.

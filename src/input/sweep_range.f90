@@ -3,11 +3,13 @@ module adfric_input_sweep_range
    use adfric_base_kinds, only: dp, i8
    use adfric_base_problems, only: problems_t
    use adfric_base_words, only: get_word
+   use adfric_input_item, only: take_only_word
+   use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_number_list, only: read_list, most_values
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_sweep_values, only: fill_linear, fill_logarithmic
    use adfric_input_text, only: show_number, show_count
-   use adfric_input_value_text, only: read_reals, read_real, read_integer, read_string, most_values
    implicit none (type, external)
    private
    public :: read_sweep_values
@@ -37,15 +39,15 @@ contains
       n_before = problems%count()
       if (file%find_assignment(group, 'values') > 0) then
          call check_alone(file, group, problems)
-         call read_list(file, group, values, problems)
+         call read_sweep_list(file, group, values, problems)
       else
          call check_complete(file, group, problems)
          call read_range(file, group, interval, problems)
          if (problems%count() == n_before) call check_range(file, group, interval, problems)
          if (problems%count() == n_before) then
             allocate (values(interval%count), stat=status)
-            if (status /= 0) call complain(file, group, 'count', 'too many values for the memory, given '// &
-               show_count(interval%count), problems)
+            if (status /= 0) call file%report_variable(problems, group, 'count', &
+               'too many values for the memory, given '//show_count(interval%count)//', allowed: fewer')
          end if
          if (problems%count() == n_before) call fill_range(interval, values)
       end if
@@ -53,24 +55,6 @@ contains
       if (allocated(values)) deallocate (values)
       allocate (values(0))
    end subroutine read_sweep_values
-
-   !> Add a problem with a variable of the group, whether it stands there or not.
-   subroutine complain(file, group, name, text, problems, place)
-      type(namelist_file_t), intent(in) :: file
-      integer, intent(in) :: group
-      character(*), intent(in) :: name
-      character(*), intent(in) :: text
-      type(problems_t), intent(inout) :: problems
-      !> Position in the text of the value.
-      integer, intent(in), optional :: place
-      integer :: number, position
-
-      number = file%find_assignment(group, name)
-      position = file%groups(group)%first
-      if (number > 0) position = file%assignments(number)%first
-      if (number > 0 .and. present(place)) position = file%assignments(number)%value_first + place - 1
-      call file%report(problems, group, name, text, position)
-   end subroutine complain
 
    !> A list stands alone.
    subroutine check_alone(file, group, problems)
@@ -81,13 +65,13 @@ contains
 
       do k = 1, 4
          if (file%find_assignment(group, get_word(range_names, k)) == 0) cycle
-         call complain(file, group, get_word(range_names, k), 'contradicts values, given both, '// &
-            'allowed: values, or from, to and count', problems)
+         call file%report_variable(problems, group, get_word(range_names, k), 'contradicts values, given both, '// &
+            'allowed: values, or from, to and count')
       end do
    end subroutine check_alone
 
    !> Read a list.
-   subroutine read_list(file, group, values, problems)
+   subroutine read_sweep_list(file, group, values, problems)
       type(namelist_file_t), intent(in) :: file
       integer, intent(in) :: group
       real(dp), allocatable, intent(out) :: values(:)
@@ -95,11 +79,12 @@ contains
       character(:), allocatable :: flaw
       integer :: place
 
-      call read_reals(file%value_of(file%find_assignment(group, 'values')), values, flaw, place)
-      if (len(flaw) > 0) call complain(file, group, 'values', flaw//', allowed: numbers', problems, place)
-   end subroutine read_list
+      call read_list(file%value_of(file%find_assignment(group, 'values')), values, flaw, place)
+      if (len(flaw) > 0) call file%report_variable(problems, group, 'values', flaw//', allowed: numbers, at most '// &
+         show_count(most_values), place)
+   end subroutine read_sweep_list
 
-   !> A range has both ends and a count.
+   !> A range has both ends and a count. Of a group that makes no sense nothing is missed.
    subroutine check_complete(file, group, problems)
       type(namelist_file_t), intent(in) :: file
       integer, intent(in) :: group
@@ -107,14 +92,15 @@ contains
       logical :: is_there(3)
       integer :: k
 
+      if (file%groups(group)%is_garbled) return
       is_there = [(file%find_assignment(group, get_word(range_names, k)) > 0, k=1, 3)]
       if (.not. any(is_there)) then
-         call complain(file, group, '', 'no values given, allowed: values, or from, to and count', problems)
+         call file%report_variable(problems, group, '', 'no values given, allowed: values, or from, to and count')
          return
       end if
       do k = 1, 3
          if (is_there(k)) cycle
-         call complain(file, group, get_word(range_names, k), 'not given, needed: from, to and count', problems)
+         call file%report_variable(problems, group, get_word(range_names, k), 'not given, needed: from, to and count')
       end do
    end subroutine check_complete
 
@@ -138,14 +124,15 @@ contains
       character(*), intent(in) :: name
       real(dp), intent(out) :: value
       type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: flaw
+      character(:), allocatable :: word, flaw
       integer :: number, place
 
       value = 0
       number = file%find_assignment(group, name)
       if (number == 0) return
-      call read_real(file%value_of(number), value, flaw, place)
-      if (len(flaw) > 0) call complain(file, group, name, flaw//', allowed: a number', problems, place)
+      call take_only_word(file%value_of(number), word, flaw, place)
+      if (len(flaw) == 0) call convert(word, value, flaw)
+      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: a number', place)
    end subroutine read_end
 
    !> Read the number of values.
@@ -155,16 +142,18 @@ contains
       integer(i8), intent(out) :: n_values
       type(problems_t), intent(inout) :: problems
       character(*), parameter :: allowed = ', allowed: an integer >= 1 and <= '
-      character(:), allocatable :: flaw
+      character(:), allocatable :: word, flaw
       integer :: number, place
 
       n_values = 0
       number = file%find_assignment(group, 'count')
       if (number == 0) return
-      call read_integer(file%value_of(number), n_values, flaw, place)
+      call take_only_word(file%value_of(number), word, flaw, place)
+      if (len(flaw) == 0) call convert(word, n_values, flaw)
       if (len(flaw) == 0 .and. n_values < 1) flaw = 'out of range, given '//show_count(n_values)
       if (len(flaw) == 0 .and. n_values > most_values) flaw = 'too many values, given '//show_count(n_values)
-      if (len(flaw) > 0) call complain(file, group, 'count', flaw//allowed//show_count(most_values), problems, place)
+      if (len(flaw) > 0) &
+         call file%report_variable(problems, group, 'count', flaw//allowed//show_count(most_values), place)
    end subroutine read_count
 
    !> Read the spacing.
@@ -174,18 +163,19 @@ contains
       logical, intent(out) :: is_logarithmic
       type(problems_t), intent(inout) :: problems
       character(*), parameter :: allowed = ', allowed: ''linear'', ''log'''
-      character(:), allocatable :: word, flaw
+      character(:), allocatable :: quoted, word, flaw
       integer :: number, place
 
       is_logarithmic = .false.
       number = file%find_assignment(group, 'spacing')
       if (number == 0) return
-      call read_string(file%value_of(number), word, flaw, place)
+      word = ''
+      call take_only_word(file%value_of(number), quoted, flaw, place)
+      if (len(flaw) == 0) call convert(quoted, word, flaw)
       is_logarithmic = word == 'log'
-      if (len(flaw) == 0 .and. word /= 'log' .and. word /= 'linear') &
-         flaw = 'unknown choice, given '''//word//''''
-      if (len(flaw) > 0) call complain(file, group, 'spacing', flaw//allowed//did_you_mean(word, 'linear log'), &
-         problems, place)
+      if (len(flaw) == 0 .and. word /= 'log' .and. word /= 'linear') flaw = 'unknown choice, given '''//word//''''
+      if (len(flaw) > 0) call file%report_variable(problems, group, 'spacing', &
+         flaw//allowed//did_you_mean(word, 'linear log'), place)
    end subroutine read_spacing
 
    !> Do the ends, the count and the spacing agree?
@@ -199,15 +189,14 @@ contains
 
       ends = 'from = '//show_number(interval%from)//' and to = '//show_number(interval%to)
       is_one_value = .not. (interval%from < interval%to .or. interval%from > interval%to)
-      if (interval%count == 1 .and. .not. is_one_value) call complain(file, group, 'count', &
-         'contradicts the ends, given 1 with '//ends//', allowed: 2 or more between different ends', problems)
-      if (interval%count > 1 .and. is_one_value) call complain(file, group, 'count', &
-         'contradicts the ends, given '//show_count(interval%count)//' with '//ends// &
-         ', allowed: 1 between equal ends', problems)
+      if (interval%count == 1 .and. .not. is_one_value) call file%report_variable(problems, group, 'count', &
+         'contradicts the ends, given 1 with '//ends//', allowed: 2 or more between different ends')
+      if (interval%count > 1 .and. is_one_value) call file%report_variable(problems, group, 'count', &
+         'contradicts the ends, given '//show_count(interval%count)//' with '//ends//', allowed: 1 between equal ends')
       if (.not. interval%is_logarithmic) return
       if (min(interval%from, interval%to) > 0 .or. max(interval%from, interval%to) < 0) return
-      call complain(file, group, 'spacing', 'a logarithmic sweep cannot reach or pass zero, given '//ends// &
-         ', allowed: ends of one sign', problems)
+      call file%report_variable(problems, group, 'spacing', 'a logarithmic sweep cannot reach or pass zero, given '// &
+         ends//', allowed: ends of one sign')
    end subroutine check_range
 
    !> Set the values of a range.

@@ -4,12 +4,16 @@ module adfric_input_variable
    use adfric_base_model, only: variable_t, kind_real, kind_integer, kind_logical
    use adfric_base_unset, only: unset
    use adfric_base_words, only: count_words, get_word
+   use adfric_input_item, only: take_only_word
+   use adfric_input_literal, only: convert
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_text, only: join_words, show_number
-   use adfric_input_value_text, only: read_real, read_integer, read_logical, read_string
    implicit none (type, external)
    private
    public :: read_variable, is_in_range, describe_allowed, show_value
+
+   !> No number of physics is larger, or smaller without being 0.
+   real(dp), parameter :: largest = 1.0e60_dp, smallest = 1.0e-60_dp
 
 contains
 
@@ -24,62 +28,77 @@ contains
       character(:), allocatable, intent(out) :: flaw
       !> Position of what is wrong in the text.
       integer, intent(out) :: place
-      logical :: is_on
+      character(:), allocatable :: word, question
       integer(i8) :: n
+      logical :: is_on
 
-      select case (variable%kind)
-      case (kind_real)
-         call read_real(text, value, flaw, place)
-      case (kind_integer)
-         call read_integer(text, n, flaw, place)
-         value = real(n, dp)
-      case (kind_logical)
-         call read_logical(text, is_on, flaw, place)
-         value = merge(1.0_dp, 0.0_dp, is_on)
-      case default
-         call read_choice(text, variable%choices, value, flaw, place)
-      end select
-      if (len(flaw) > 0) then
-         if (index(flaw, 'allowed: ') == 0) flaw = flaw//', allowed: '//describe_allowed(variable)
-      else if (.not. is_in_range(value, variable)) then
-         flaw = 'out of range, given '//show_value(value, variable)//', allowed: '//describe_allowed(variable)
+      value = variable%default
+      question = ''
+      call take_only_word(text, word, flaw, place)
+      if (len(flaw) == 0) then
+         select case (variable%kind)
+         case (kind_real)
+            call convert(word, value, flaw)
+         case (kind_integer)
+            call convert(word, n, flaw)
+            value = real(n, dp)
+         case (kind_logical)
+            call convert(word, is_on, flaw)
+            value = merge(1.0_dp, 0.0_dp, is_on)
+         case default
+            call convert_choice(word, variable%choices, value, flaw, question)
+         end select
       end if
-      if (len(flaw) > 0) value = variable%default
+      if (len(flaw) == 0 .and. .not. is_in_range(value, variable)) flaw = 'out of range, given '//show_value(value, variable)
+      if (len(flaw) == 0) return
+      flaw = flaw//', allowed: '//describe_allowed(variable, value)//question
+      value = variable%default
    end subroutine read_variable
 
-   !> Read one of several words.
-   subroutine read_choice(text, choices, value, flaw, place)
-      character(*), intent(in) :: text
+   !> One of several words.
+   pure subroutine convert_choice(word, choices, value, flaw, question)
+      !> With its quotes.
+      character(*), intent(in) :: word
       !> Separated by a blank.
       character(*), intent(in) :: choices
       !> Place of the word in `choices`.
       real(dp), intent(out) :: value
       character(:), allocatable, intent(out) :: flaw
-      integer, intent(out) :: place
-      character(:), allocatable :: word
+      !> Which word may be meant; empty if that cannot be said.
+      character(:), allocatable, intent(out) :: question
+      character(:), allocatable :: choice
       integer :: k
 
       value = unset
-      call read_string(text, word, flaw, place)
+      question = ''
+      call convert(word, choice, flaw)
       if (len(flaw) > 0) return
       do k = 1, count_words(choices)
-         if (get_word(choices, k) /= word .or. len(word) == 0) cycle
+         if (get_word(choices, k) /= choice .or. len(choice) == 0) cycle
          value = real(k, dp)
          return
       end do
-      flaw = 'unknown choice, given '''//word//''', allowed: '//list_choices(choices)//did_you_mean(word, choices)
-   end subroutine read_choice
+      flaw = 'unknown choice, given '''//choice//''''
+      question = did_you_mean(choice, choices)
+   end subroutine convert_choice
 
    !> Is a value within the range of its variable?
    elemental logical function is_in_range(value, variable)
       real(dp), intent(in) :: value
       type(variable_t), intent(in) :: variable
 
-      is_in_range = abs(value) < unset .and. value >= variable%lower .and. value <= variable%upper
+      is_in_range = is_usable(value) .and. value >= variable%lower .and. value <= variable%upper
       if (variable%lower_open) is_in_range = is_in_range .and. value > variable%lower
       if (variable%upper_open) is_in_range = is_in_range .and. value < variable%upper
       if (variable%kind == kind_integer) is_in_range = is_in_range .and. is_integer(value)
    end function is_in_range
+
+   !> Can a number be multiplied with a few others of its kind without leaving the range of numbers?
+   elemental logical function is_usable(value)
+      real(dp), intent(in) :: value
+
+      is_usable = abs(value) <= largest .and. .not. (abs(value) > 0 .and. abs(value) < smallest)
+   end function is_usable
 
    !> Can a value be held as an integer of default kind?
    elemental logical function is_integer(value)
@@ -90,8 +109,10 @@ contains
    end function is_integer
 
    !> What a variable may be, in words.
-   pure function describe_allowed(variable) result(text)
+   pure function describe_allowed(variable, value) result(text)
       type(variable_t), intent(in) :: variable
+      !> What was given instead.
+      real(dp), intent(in), optional :: value
       character(:), allocatable :: text
       logical :: has_lower, has_upper
 
@@ -113,6 +134,8 @@ contains
       if (has_lower .and. has_upper) text = text//' and'
       if (has_upper) text = text//trim(merge(' < ', ' <=', variable%upper_open))//' '//show_number(variable%upper)
       if (has_unit(variable)) text = text//' ['//variable%unit//']'
+      if (.not. present(value)) return
+      if (.not. is_usable(value)) text = text//', of size '//show_number(smallest)//' to '//show_number(largest)
    end function describe_allowed
 
    !> Words in quotes, with commas between them.

@@ -84,19 +84,16 @@ contains
       character(*), intent(in) :: group
       character(*), intent(in) :: name
       character(:), allocatable :: text
-      character(:), allocatable :: near
+      character(:), allocatable :: home, near
 
+      home = list_groups_of(model, name)
+      if (len(home) == 0 .and. has_word(job_names, name)) home = 'job'
+      if (len(home) == 0 .and. has_word(sweep_names, name)) home = 'sweep'
       text = 'unknown variable'
-      near = find_nearest(name, list_variables(model, ''))
-      if (len(list_groups_of(model, name)) > 0) then
-         text = text//', it belongs to &'//join_words(list_groups_of(model, name), ' or &')
-      else if (has_word(job_names, name)) then
-         text = text//', it belongs to &job'
-      else if (has_word(sweep_names, name)) then
-         text = text//', it belongs to &sweep'
-      end if
+      if (len(home) > 0) text = text//', it belongs to &'//join_words(home, ' or &')
       text = text//', allowed: '//join_words(list_variables(model, group), ', ')
-      if (index(text, 'belongs') > 0) return
+      if (len(home) > 0) return
+      near = find_nearest(name, list_variables(model, ''))
       if (len(find_nearest(name, list_variables(model, group))) > 0) then
          text = text//did_you_mean(name, list_variables(model, group))
       else if (len(near) > 0) then

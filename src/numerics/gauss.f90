@@ -6,6 +6,7 @@ module adfric_numerics_gauss
    private
    public :: gauss_nodes, gauss_weights, kronrod_nodes, kronrod_weights, kronrod_gauss_weights
 
+   !> Nodes and weights of 16 points.
    real(dp), parameter :: gauss_nodes(16) = [ &
       & -0.98940093499164993260_dp, &
       & -0.94457502307323257608_dp, &

@@ -1,5 +1,6 @@
 !> A root of one equation in one unknown, inside a bracket that is never left.
 module adfric_numerics_scalar_root
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
@@ -30,7 +31,8 @@ module adfric_numerics_scalar_root
 
 contains
 
-   !> Newton's method, with bisection wherever it would leave the bracket or does not converge.
+   !> Newton's method, with bisection wherever it would leave the bracket or does not converge. Where the value is
+   !> not a number there is no convergence.
    pure subroutine find_root(equation, low, high, rises, x, is_converged)
       class(equation_t), intent(in) :: equation
       !> Ends of the bracket; the value changes its sign once between them. They are not evaluated.
@@ -50,6 +52,7 @@ contains
       is_converged = .false.
       do iteration = 1, max_iterations
          call equation%evaluate(x, value, slope)
+         if (ieee_is_nan(value)) return
          is_converged = abs(value) < tiny(value)
          if (is_converged) return
          if ((value < 0) .eqv. rises) then

@@ -26,6 +26,14 @@ int adfric_kind_of_path(const char *path)
    return S_ISREG(entry.st_mode) ? 1 : 2;
 }
 
+/* Do two names stand for one file, by whatever path or link? */
+int adfric_is_same_file(const char *a, const char *b)
+{
+   struct stat entry_a, entry_b;
+   if (stat(a, &entry_a) != 0 || stat(b, &entry_b) != 0) return 0;
+   return entry_a.st_dev == entry_b.st_dev && entry_a.st_ino == entry_b.st_ino;
+}
+
 /* Does another process, or another part of this one, hold the lock that HDF5 takes on files it writes? */
 int adfric_is_locked(const char *path)
 {

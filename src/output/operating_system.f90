@@ -6,7 +6,7 @@ module adfric_output_operating_system
    implicit none (type, external)
    private
    public :: kind_of_path, path_free, path_file, path_other
-   public :: folder_of, is_locked, free_space, free_memory, utc_time
+   public :: folder_of, is_same_file, is_locked, free_space, free_memory, utc_time
    public :: move_file, remove_file, ignore_file_size_signal
 
    !> What can stand at a path: nothing, a regular file, anything else.
@@ -21,6 +21,12 @@ module adfric_output_operating_system
          implicit none (type, external)
          character(kind=c_char), intent(in) :: path(*)
       end function c_kind_of_path
+
+      integer(c_int) function c_is_same_file(a, b) bind(c, name='adfric_is_same_file')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: a(*), b(*)
+      end function c_is_same_file
 
       integer(c_int) function c_is_locked(path) bind(c, name='adfric_is_locked')
          import :: c_char, c_int
@@ -93,6 +99,13 @@ contains
          folder = path(:slash - 1)
       end if
    end function folder_of
+
+   !> Do two names stand for one file, by whatever path or link?
+   logical function is_same_file(a, b)
+      character(*), intent(in) :: a, b
+
+      is_same_file = c_is_same_file(a//c_null_char, b//c_null_char) /= 0
+   end function is_same_file
 
    !> Is a file being written by another run?
    logical function is_locked(path)

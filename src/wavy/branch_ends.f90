@@ -19,6 +19,8 @@ module adfric_wavy_branch_ends
    integer, parameter :: max_iterations = 15
    !> Relative step after which nothing but round-off is left, for convergence is quadratic.
    real(dp), parameter :: close_enough = 1.0e-8_dp
+   !> A step that leads nowhere.
+   real(dp), parameter :: longest_step = 1.0e10_dp
    !> Unknowns of a strip with contact and adhesion zones, and of one with an adhesion zone alone.
    integer, parameter :: n_zones = 4, n_adhesion = 2
 
@@ -98,6 +100,7 @@ contains
          step = -step
          call dgesv(n, 1, matrix, n_zones + 1, pivots, step, n_zones + 1, info)
          if (info /= 0) return
+         if (.not. maxval(abs(step(:n, 1))) < longest_step) return
          size_now = maxval(abs(step(:n - 1, 1)))/state%half_width + abs(step(n, 1))/inverse
          if (.not. size_now < 2) return
          share = 1
@@ -271,7 +274,8 @@ contains
       state%is_converged = .true.
       state%entry = 0
       state = with_entry(strip, state)
-      state%multiplier = get_multiplier(strip, state)
+      state%multiplier = 1
+      if (.not. is_fold) state%multiplier = get_multiplier(strip, state)
       if (state%regime == regime_adhesion_zones) then
          is_end = is_admissible(strip, state)
       else

@@ -18,6 +18,8 @@ module adfric_wavy_edges
    real(dp), parameter :: close_enough = 1.0e-9_dp
    !> Relative step that round-off alone may cause near the end of a branch.
    real(dp), parameter :: round_off = 1.0e-6_dp
+   !> A disturbance that grows like this is not told from one that grows without bounds.
+   real(dp), parameter :: unstable = 1.0e100_dp
    !> Beyond this retardation phase what a gap loses in a zone is less than round-off.
    real(dp), parameter :: fastest = 1.0e12_dp
 
@@ -158,9 +160,13 @@ contains
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
       type(edge_rates_t) :: rates
+      real(dp) :: kept, denominator
 
       rates = get_rates(strip, state)
-      multiplier = exp(-min(rates%damping, longest_decay))*(rates%freed/rates%release)*(rates%attached/rates%attach)
+      kept = exp(-min(rates%damping, longest_decay))*rates%freed*rates%attached
+      denominator = rates%release*rates%attach
+      multiplier = huge(1.0_dp)
+      if (abs(kept) < unstable*abs(denominator)) multiplier = kept/denominator
    end function get_multiplier
 
    !> What the edges of adhesion do to a disturbance.

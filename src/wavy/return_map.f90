@@ -13,6 +13,8 @@ module adfric_wavy_return_map
    integer, parameter :: max_periods = 2000, max_bisections = 60
    !> Phase after which a period counts as closed; Newton's method on the edges does the rest.
    real(dp), parameter :: closed = 1.0e-9_dp
+   !> Longest steps of the phase, by Newton's method and where the excess rises.
+   real(dp), parameter :: longest_step = 1, longest_rise = 0.25_dp
 
 contains
 
@@ -30,7 +32,7 @@ contains
       !> outcome).
       type(period_t), intent(inout) :: period
       logical, intent(out) :: is_converged
-      real(dp) :: excess, step, last_xi, last_slope, dip, earliest
+      real(dp) :: excess, step, last_xi, last_excess, last_slope, dip, earliest
       integer :: k
 
       step = first_step
@@ -40,16 +42,27 @@ contains
          is_converged = excess <= closed*contraction(period) .and. period%outcome == period_closed
          if (is_converged .or. period%outcome /= period_closed) return
          ! on the rising side there is nothing to find: ever longer steps
-         step = merge(excess/max(1 - period%slope, excess/4), 2*max(excess, step), period%slope < 1)
+         if (period%slope < 1) then
+            step = min(excess/max(1 - period%slope, excess/4), longest_step)
+         else
+            step = max(excess, min(2*max(excess, step), longest_rise))
+         end if
          last_xi = xi
+         last_excess = excess
          last_slope = period%slope
-         xi = xi - direction*min(step, 1.0_dp)
+         xi = xi - direction*step
          if (direction < 0) then
             ! no column comes into the range of adhesion earlier than this
             earliest = last_xi + phases_since(strip, last_xi, strip%stress - strip%range)*(1 - 4*epsilon(xi))
             xi = min(xi, earliest)
          end if
          call march_excess(strip, direction, xi, period, excess)
+         do while (last_slope >= 1 .and. period%outcome /= period_closed .and. step > last_excess)
+            ! the map increases, so a step of the excess passes nothing; a longer one may have
+            step = max(step/2, last_excess)
+            xi = last_xi - direction*step
+            call march_excess(strip, direction, xi, period, excess)
+         end do
          if (excess < -closed*contraction(period)) then
             call bisect_period(strip, direction, last_xi, xi, period, is_converged)
             return

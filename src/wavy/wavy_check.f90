@@ -98,10 +98,6 @@ contains
 
          call resolve_case(values, resolved)
          associate (s => resolved%surface)
-            if (.not. (in_bounds(resolved%pressure_unit) .and. in_bounds(resolved%friction_unit) &
-               & .and. in_bounds(resolved%load_unit))) then
-               call add(v_height, 'gives stresses and forces beyond all numbers with this period and stiffness')
-            end if
             if (.not. s%foundation%v < largest) call add(v_velocity, &
                & 'times relaxation_time and retardation_ratio is too large for the period')
             if (.not. max(s%stress, s%range) < largest) call add(v_stress, &
@@ -112,13 +108,5 @@ contains
       end subroutine check_reduced
 
    end subroutine check_wavy_values
-
-   !> Is a unit a number that can be divided by?
-   pure logical function in_bounds(unit)
-      real(dp), intent(in) :: unit
-      real(dp), parameter :: smallest = 1.0e-200_dp
-
-      in_bounds = unit > smallest .and. unit < 1/smallest
-   end function in_bounds
 
 end module adfric_wavy_check

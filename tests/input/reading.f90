@@ -4,34 +4,34 @@ module reading
    use adfric_base_problems, only: problems_t
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_run, only: run_input_t, read_job, read_case
-   use fake_model, only: fake_model_t, new_fake_model
+   use trial_model, only: trial_model_t, new_trial_model
    implicit none (type, external)
    private
    public :: read_text, all_problems, has, says, job_and_surface
 
    !> The lines that most tests begin with.
-   character(*), parameter :: job_and_surface = '&job model = ''fake'' /|&surface period = 1e-3 /|'
+   character(*), parameter :: job_and_surface = '&job model = ''trial'' /|&surface period = 1e-3 /|'
    !> File that the tests write.
    character(*), parameter :: scratch = 'adfric_test_input.nml'
 
 contains
 
-   !> Read an input with the fake model.
+   !> Read an input with the trial model.
    subroutine read_text(text, run, problems)
       !> `|` ends a line.
       character(*), intent(in) :: text
       type(run_input_t), intent(out) :: run
       type(problems_t), intent(out) :: problems
       type(namelist_file_t) :: file
-      type(fake_model_t) :: model
+      type(trial_model_t) :: model
       type(error_t), allocatable :: error
 
       call write_file(text)
-      call read_job(scratch, 'fake other', file, run, problems, error)
+      call read_job(scratch, 'trial other', file, run, problems, error)
       call delete_file()
       if (allocated(error)) error stop 'the scratch file cannot be read'
-      if (run%model /= 'fake') return
-      call new_fake_model(model)
+      if (run%model /= 'trial') return
+      call new_trial_model(model)
       call read_case(file, model, run, problems)
    end subroutine read_text
 

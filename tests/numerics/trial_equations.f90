@@ -1,17 +1,20 @@
 !> Equations with known roots.
 module trial_equations
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use adfric_base_kinds, only: dp
    use adfric_numerics_scalar_root, only: equation_t
    implicit none (type, external)
    private
-   public :: trial_equation_t, cubic, steep, flat, straight, wrong_slope
+   public :: trial_equation_t, cubic, steep, flat, straight, wrong_slope, no_number
 
-   !> x^3 - 2; atan(1e4 (x - 0.3)); (x - 0.5)^5; root - x; and x^3 - 2 with the slope of its opposite.
-   integer, parameter :: cubic = 1, steep = 2, flat = 3, straight = 4, wrong_slope = 5
+   !> x^3 - 2; atan(1e4 (x - 0.3)); (x - 0.5)^5; root - x; x^3 - 2 with the slope of its opposite; and NaN.
+   integer, parameter :: cubic = 1, steep = 2, flat = 3, straight = 4, wrong_slope = 5, no_number = 6
 
+   !> One of them.
    type, extends(equation_t) :: trial_equation_t
       integer :: kind = cubic
-      real(dp) :: scale = 1, root = 0.25_dp
+      !> Of the straight one alone.
+      real(dp) :: root = 0.25_dp
    contains
       procedure :: evaluate
    end type trial_equation_t
@@ -35,9 +38,12 @@ contains
       case (flat)
          value = (x - 0.5_dp)**5
          slope = 5*(x - 0.5_dp)**4
+      case (no_number)
+         value = ieee_value(x, ieee_quiet_nan)
+         slope = 1
       case default
-         value = self%scale*(self%root - x)
-         slope = -self%scale
+         value = self%root - x
+         slope = -1
       end select
    end subroutine evaluate
 

@@ -1,4 +1,5 @@
-!> A model for tests of what lies around a model: cheap, with results that can be said in advance.
+!> A model for tests of what lies around a model: cheap, with every kind of variable, with a contradiction, and with
+!> results that can be said in advance.
 !>
 !> force = friction * load, regime by the sign of the velocity. A negative load has no equilibrium; a load
 !> above `largest_load` does not converge. `place` is the place of a point in its block, so that a sweep whose blocks
@@ -10,18 +11,22 @@ module trial_model
       kind_real, kind_integer, kind_logical, kind_choice, &
       status_solved, status_no_equilibrium, status_not_converged
    use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set, unset
    implicit none (type, external)
    private
-   public :: trial_model_t, new_trial_model, trial_force, trial_profile, largest_load
+   public :: trial_model_t, new_trial_model, trial_values, trial_force, trial_profile, largest_load
+   public :: kind_place, period_place, velocity_place, load_place, friction_place
+   public :: strips_place, profiles_place, size_place, n_x_place, n_y_place
 
    !> Load above which nothing converges [N].
    real(dp), parameter :: largest_load = 1e6_dp
    !> Distance of the points of a profile [m].
    real(dp), parameter :: spacing = 0.5_dp
 
-   !> Places of the variables.
-   integer, parameter :: kind_place = 1, period_place = 2, velocity_place = 3, load_place = 4, friction_place = 5
-   integer, parameter :: profiles_place = 6, n_x_place = 7, n_y_place = 8, n_variables = 8
+   !> Places of the variables. There are two sizes, the first of the surface.
+   integer, parameter :: kind_place = 1, period_place = 2, size_place = 3, velocity_place = 4, load_place = 5, &
+      penetration_place = 6, friction_place = 7, strips_place = 8, second_size_place = 9, profiles_place = 10, &
+      n_x_place = 11, n_y_place = 12, n_variables = 12
 
    !> The model.
    type, extends(model_t) :: trial_model_t
@@ -37,65 +42,77 @@ module trial_model
 
 contains
 
-   !> Make the model, with `n_extra` further results.
-   subroutine new_trial_model(self, n_extra)
+   !> Make the model.
+   subroutine new_trial_model(self)
       type(trial_model_t), intent(out) :: self
-      integer, intent(in), optional :: n_extra
 
       self%name = 'trial'
       self%summary = 'a block that slides on a table'
       self%profile_axes = 'y x'
       allocate (self%variables(n_variables))
-      call set(self%variables(kind_place), 'table', 'kind', kind_choice, '', 'shape of the table', 1.0_dp)
-      self%variables(kind_place)%choices = 'flat round'
-      call set(self%variables(period_place), 'table', 'period', kind_real, 'm', 'length of the table', 2.0_dp)
-      self%variables(period_place)%lower = 0
-      self%variables(period_place)%lower_open = .true.
-      call set(self%variables(velocity_place), 'operating', 'velocity', kind_real, 'm/s', 'sliding velocity', 1.0_dp)
-      call set(self%variables(load_place), 'operating', 'load', kind_real, 'N', 'normal load', 1.0_dp)
-      call set(self%variables(friction_place), 'operating', 'friction', kind_real, '-', 'coefficient', 0.5_dp)
-      call set(self%variables(profiles_place), 'output', 'profiles', kind_logical, '', 'write profiles?', 0.0_dp)
-      call set(self%variables(n_x_place), 'output', 'n_x', kind_integer, '-', 'points along x', 4.0_dp)
-      call set(self%variables(n_y_place), 'output', 'n_y', kind_integer, '-', 'points along y', 1.0_dp)
-      call add_results(self, n_extra)
+      associate (variables => self%variables)
+         call set(variables(kind_place), 'surface', 'kind', kind_choice, '', 1.0_dp)
+         variables(kind_place)%choices = 'wave_2d wave_3d'
+         call set(variables(period_place), 'surface', 'period', kind_real, 'm', unset)
+         variables(period_place)%lower = 0
+         variables(period_place)%lower_open = .true.
+         call set(variables(size_place), 'surface', 'size', kind_real, 'm', unset)
+         call set(variables(velocity_place), 'operating', 'velocity', kind_real, 'm/s', 0.5_dp)
+         variables(velocity_place)%lower = 0
+         call set(variables(load_place), 'operating', 'load', kind_real, 'N', unset)
+         call set(variables(penetration_place), 'operating', 'penetration', kind_real, 'm', unset)
+         call set(variables(friction_place), 'operating', 'friction', kind_real, '-', 0.5_dp)
+         variables(friction_place)%lower = 0
+         variables(friction_place)%upper = 1
+         variables(friction_place)%upper_open = .true.
+         call set(variables(strips_place), 'numerics', 'strips', kind_integer, '-', 10.0_dp)
+         variables(strips_place)%lower = 1
+         call set(variables(second_size_place), 'numerics', 'size', kind_real, 'm', unset)
+         call set(variables(profiles_place), 'output', 'profiles', kind_logical, '', 0.0_dp)
+         call set(variables(n_x_place), 'output', 'n_x', kind_integer, '-', 4.0_dp)
+         call set(variables(n_y_place), 'output', 'n_y', kind_integer, '-', 1.0_dp)
+      end associate
+      call add_results(self)
    end subroutine new_trial_model
 
    !> Describe a variable.
-   subroutine set(variable, group, name, kind, unit, meaning, default)
+   subroutine set(variable, group, name, kind, unit, default)
       type(variable_t), intent(inout) :: variable
       character(*), intent(in) :: group, name
       integer, intent(in) :: kind
-      character(*), intent(in) :: unit, meaning
+      character(*), intent(in) :: unit
       real(dp), intent(in) :: default
 
       variable%group = group
       variable%name = name
       variable%kind = kind
       variable%unit = unit
-      variable%meaning = meaning
+      variable%meaning = 'the '//name
       variable%choices = ''
       variable%default = default
    end subroutine set
 
    !> Describe the results and the profiles.
-   subroutine add_results(self, n_extra)
+   subroutine add_results(self)
       type(trial_model_t), intent(inout) :: self
-      integer, intent(in), optional :: n_extra
-      integer :: i, n
 
-      n = 0
-      if (present(n_extra)) n = n_extra
-      allocate (self%results(4 + n), self%profiles(2))
+      allocate (self%results(4), self%profiles(2))
       self%results(1) = result_t('load', 'N', 'load that is carried', '', .true.)
       self%results(2) = result_t('force', 'N', 'friction force', '', .true.)
       self%results(3) = result_t('regime', '-', 'what the block does', 'rests slides', .false.)
       self%results(4) = result_t('place', '-', 'place in its block', '', .false.)
-      do i = 5, size(self%results)
-         self%results(i) = result_t('extra_'//achar(iachar('a') + i - 5), 'N', 'the force again', '', .false.)
-      end do
       self%profiles(1) = profile_t('pressure', 'Pa', 'pressure')
       self%profiles(2) = profile_t('gap', 'm', 'gap')
    end subroutine add_results
+
+   !> Values of a point that can be solved: the defaults, and a load of 1 N.
+   pure function trial_values(model) result(values)
+      type(trial_model_t), intent(in) :: model
+      real(dp) :: values(n_variables)
+
+      values = model%variables%default
+      values(load_place) = 1
+   end function trial_values
 
    !> Friction force [N].
    elemental real(dp) function trial_force(friction, load)
@@ -112,14 +129,20 @@ contains
       trial_profile = number*(load + i + 100*j)
    end function trial_profile
 
+   !> The period is required and longer than 1e-6, load and penetration contradict each other, and a load has a limit.
    subroutine check_values(self, values, is_swept, problems)
       class(trial_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       logical, intent(in) :: is_swept(:)
       type(problems_t), intent(inout) :: problems
 
-      if (values(kind_place) > 1.5_dp .and. .not. is_swept(kind_place)) call problems%add('table', 'kind', &
-         'a round table is not known to the model '//self%name)
+      if (size(is_swept) /= size(self%variables)) error stop 'is_swept has the wrong size'
+      if (.not. is_set(values(period_place))) call problems%add('surface', 'period', 'not given, needed: a number')
+      if (values(period_place) < 1e-6_dp) call problems%add('surface', 'period', 'shorter than an atom')
+      if (.not. is_set(values(load_place))) return
+      if (is_set(values(penetration_place))) &
+         call problems%add('operating', 'load', 'contradicts penetration, given both, allowed: one of them')
+      if (values(load_place) > 100) call problems%add('operating', '', 'the weight breaks the surface')
    end subroutine check_values
 
    function describe_results(self, values) result(results)
@@ -162,8 +185,7 @@ contains
       do i = 1, size(status)
          associate (load => values(load_place, i), &
                     force => trial_force(values(friction_place, i), values(load_place, i)))
-            results(1:4, i) = [load, force, merge(1.0_dp, 0.0_dp, values(velocity_place, i) > 0), real(i, dp)]
-            results(5:size(self%results), i) = force
+            results(:, i) = [load, force, merge(1.0_dp, 0.0_dp, values(velocity_place, i) > 0), real(i, dp)]
             error_estimate(i) = 1e-12_dp*i
             status(i) = status_solved
             if (load < 0) status(i) = status_no_equilibrium
