@@ -23,7 +23,7 @@ module adfric_sweep_runner
    public :: run_sweep, block_size_of, memory_needed
 
    !> Smallest and largest number of points of a block, and the number of blocks that a plan between them has.
-   integer, parameter :: smallest_block = 16, largest_block = 256, blocks_of_small_plan = 64
+   integer, parameter :: smallest_block = 16, largest_block = 256, blocks_of_small_plan = 32
    !> Least number of blocks of a slab, and least number of them for each thread.
    integer, parameter :: blocks_per_slab = 64, blocks_per_thread = 4
 

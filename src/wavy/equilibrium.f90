@@ -20,6 +20,8 @@ module adfric_wavy_equilibrium
    real(dp), parameter :: mean_depth_2d = 0.5_dp, mean_depth_3d = 0.75_dp
    !> Longest and shortest step of the penetration on the way to a bracket [h].
    real(dp), parameter :: longest_step = 0.05_dp, shortest_step = 1.0e-6_dp
+   !> Relative tolerance on the way to a bracket.
+   real(dp), parameter :: rough_tolerance = 1.0e-4_dp
    !> A minimum of the load is known well enough when its place is known to this [h].
    real(dp), parameter :: closest = 1.0e-10_dp
    !> Relative tolerance of what is known in closed form.
@@ -74,7 +76,7 @@ contains
 
       call refine_guess(surface, load, guess, memory, high, is_found)
       if (.not. is_found) then
-         call bracket_load(surface, load, memory, low, high, is_found)
+         call find_bracket(surface, load, memory, low, high, is_found)
          if (is_found) call close_bracket(surface, load, memory, low, high)
       end if
       if (is_found) then
@@ -110,7 +112,7 @@ contains
       carries_load = abs(trial%excess) <= tolerance*max(abs(trial%totals%load), share_of_scale*trial%totals%load_scale)
    end function carries_load
 
-   !> Does the penetration of one load lead to that of another on the same branch? Without adhesion it always does.
+   !> Does the penetration of one load (or one penetration) lead to another on the same branch? Without adhesion it always does.
    !> With it the load need not be monotone. On the adhered branch every penetration above the one that carries a load
    !> carries more, so what carries less lies below it; on the approach branch it is the other way round.
    pure logical function leads_to(from, from_load, to, to_load)
@@ -158,7 +160,30 @@ contains
       end do
    end subroutine refine_guess
 
-   !> A penetration that carries too little and a larger one that carries enough, next to each other on the branch.
+   !> A penetration that carries too little and a larger one that carries enough, next to each other on the branch. It is
+   !> looked for to a tolerance that is enough to tell the one from the other, or else to the one that is asked for.
+   pure subroutine find_bracket(surface, load, memory, low, high, has_bracket)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: load
+      type(memory_t), intent(inout) :: memory
+      type(trial_t), intent(out) :: low, high
+      logical, intent(out) :: has_bracket
+      type(surface_t) :: rough
+      real(dp) :: ends(2)
+
+      rough = surface
+      ! without adhesion there is no way to go
+      if (surface%is_3d .and. surface%stress > 0) rough%tolerance = max(surface%tolerance, rough_tolerance)
+      call bracket_load(rough, load, memory, low, high, has_bracket)
+      if (.not. has_bracket .or. surface%tolerance >= rough%tolerance) return
+      ends = [low%penetration, high%penetration]
+      call try_penetration(surface, ends(1), load, memory, low)
+      call try_penetration(surface, ends(2), load, memory, high)
+      if (low%excess < 0 .and. (high%excess >= 0 .or. carries_load(surface, high))) return
+      call bracket_load(surface, load, memory, low, high, has_bracket)
+   end subroutine find_bracket
+
+   !> The same to the tolerance of the surface.
    pure subroutine bracket_load(surface, load, memory, low, high, has_bracket)
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: load

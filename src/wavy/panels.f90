@@ -9,8 +9,9 @@ module adfric_wavy_panels
       & ends_in_release, ends_in_touch
    use adfric_wavy_saturated_adhesion, only: saturation_level
    use adfric_wavy_steady_state, only: branch_adhered, branch_approach
-   use adfric_wavy_strip, only: regime_saturated_adhesion, regime_adhesion_zones, regime_adhesion_only
-   use adfric_wavy_surface, only: surface_t, phase_of_share
+   use adfric_wavy_strip, only: regime_free, regime_saturated, regime_saturated_adhesion, regime_adhesion_zones, &
+      & regime_adhesion_only
+   use adfric_wavy_surface, only: surface_t, phase_of_share, is_same_surface
    implicit none (type, external)
    private
    public :: panel_t, division_t, divide_surface
@@ -41,8 +42,11 @@ module adfric_wavy_panels
    type :: division_t
       type(panel_t) :: panels(max_panels)
       integer :: n_panels = 0
-      !> Penetration they belong to [h].
+      !> Surface and penetration [h] they belong to.
+      type(surface_t) :: surface
       real(dp) :: penetration = 0
+      !> Penetration at which these regimes were found from nothing [h].
+      real(dp) :: since = 0
       !> Strips solved on the way.
       integer :: n_strips = 0
    end type division_t
@@ -63,13 +67,17 @@ contains
 
       division%n_strips = 0
       call get_known_edges(surface, penetration, edges, kinds, n_edges)
-      call track_edges(surface, penetration, edges(:n_edges), kinds(:n_edges), division, is_tracked)
+      is_tracked = may_track(surface, penetration, division)
+      if (is_tracked) call track_edges(surface, penetration, edges(:n_edges), kinds(:n_edges), division, is_tracked)
+      if (is_tracked) call check_panels(surface, penetration, division, is_tracked)
       if (.not. is_tracked) then
          division%n_panels = 0
+         division%since = penetration
          do k = 1, n_edges - 1
             call divide_stretch(surface, penetration, fineness*n_probes, edges(k), edges(k + 1), kinds(k), division)
          end do
       end if
+      division%surface = surface
       division%penetration = penetration
       associate (panels => division%panels(:division%n_panels))
          panels%blur = panels%edge%uncertainty
@@ -118,6 +126,24 @@ contains
       edges(n_edges) = pi
    end subroutine get_known_edges
 
+   !> May edges be followed to a penetration? Only where their branch leads: unloading on the adhered branch, loading on
+   !> the other. The other way, strips join the branch wherever they like.
+   pure logical function may_track(surface, penetration, division)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(division_t), intent(in) :: division
+
+      may_track = division%n_panels > 0
+      if (.not. may_track) return
+      if (surface%branch == branch_adhered) then
+         may_track = penetration <= division%since
+      else
+         may_track = penetration >= division%since
+      end if
+      ! without release the closed forms know every edge
+      may_track = (may_track .or. surface%stress <= 0) .and. is_same_surface(surface, division%surface)
+   end function may_track
+
    !> Follow the edges of a neighbouring surface to where they are now. It fails where an edge is not found nearby;
    !> an edge that is born elsewhere shows when strips of the wrong regime are met.
    pure subroutine track_edges(surface, penetration, edges, kinds, division, is_tracked)
@@ -130,7 +156,7 @@ contains
       integer :: k, n_searched
 
       n_searched = count(division%panels(2:division%n_panels)%kind == 0)
-      is_tracked = division%n_panels > 0 .and. n_searched + size(edges) - 1 == division%n_panels
+      is_tracked = n_searched + size(edges) - 1 == division%n_panels
       if (.not. is_tracked) return
       reach = 20*abs(penetration - division%penetration) + 1.0e-6_dp
       do k = 2, division%n_panels
@@ -150,6 +176,30 @@ contains
          end associate
       end do
    end subroutine track_edges
+
+   !> Are panels that will not be looked into, because they are free or saturated, still in their regime?
+   pure subroutine check_panels(surface, penetration, division, is_right)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(division_t), intent(inout) :: division
+      logical, intent(out) :: is_right
+      type(probe_t) :: found
+      real(dp), parameter :: looks(2) = [0.1_dp, 0.9_dp]
+      integer :: k, look
+
+      is_right = .true.
+      do k = 1, division%n_panels
+         associate (panel => division%panels(k))
+            if (panel%regime /= regime_free .and. panel%regime /= regime_saturated) cycle
+            do look = 1, size(looks)
+               found = probe(surface, penetration, panel%start + (panel%finish - panel%start)*looks(look))
+               division%n_strips = division%n_strips + 1
+               is_right = found%state%regime == panel%regime
+               if (.not. is_right) return
+            end do
+         end associate
+      end do
+   end subroutine check_panels
 
    !> Follow the edge between two panels.
    pure subroutine track_edge(surface, penetration, reach, before, this, n_strips, is_tracked)

@@ -164,9 +164,12 @@ contains
          meeting = width/2
          if (high_period%outcome == period_closed) then
             associate (fall => low_period%slope - 1, rise => high_period%slope - 1)
-               meeting = (at_low - at_high + rise*width)/(rise - fall)
-               if (at_low + fall*meeting > closed) return
-               meeting = min(max(meeting, 0.05_dp*width), 0.95_dp*width)
+               ! only where the excess is above both tangents
+               if (at_high >= at_low + fall*width .and. at_low >= at_high - rise*width) then
+                  meeting = (at_low - at_high + rise*width)/(rise - fall)
+                  if (at_low + fall*meeting > closed) return
+                  meeting = min(max(meeting, 0.05_dp*width), 0.95_dp*width)
+               end if
             end associate
          end if
          far = low - direction*meeting

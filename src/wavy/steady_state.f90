@@ -54,6 +54,8 @@ contains
       end if
       is_known = .false.
       if (present(is_regime_known)) is_known = is_regime_known
+      ! adhesion everywhere is the same regime as adhesion in a zone, and another branch
+      if (branch == branch_adhered .and. strip%depth <= 0) is_known = is_known .and. strip%range < 2 - strip%depth
       if (is_known .and. present(guess)) then
          call continue_state(strip, guess, state, is_found)
          if (is_found) return

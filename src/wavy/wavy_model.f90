@@ -91,7 +91,8 @@ contains
       coordinate = [(values(v_period)*(real(k, dp)/(n - 1) - 0.5_dp), k=0, n - 1)]
    end function get_profile_axis
 
-   !> See `model_t`. Loads are solved in the order in which each leads to the next on its branch.
+   !> See `model_t`. Loads, and penetrations in 3-D, are solved in the order in which each leads to the next on its
+   !> branch.
    subroutine solve_block(self, values, results, error_estimate, status, attributes)
       class(wavy_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
@@ -151,8 +152,13 @@ contains
 
       call resolve_case(first, one)
       call resolve_case(second, two)
-      leads_backwards = one%is_load_given .and. leads_to(two%surface, two%load, one%surface, one%load) &
-         & .and. .not. leads_to(one%surface, one%load, two%surface, two%load)
+      if (one%is_load_given) then
+         leads_backwards = leads_to(two%surface, two%load, one%surface, one%load) &
+            & .and. .not. leads_to(one%surface, one%load, two%surface, two%load)
+      else
+         leads_backwards = two%surface%is_3d .and. leads_to(two%surface, two%penetration, one%surface, one%penetration) &
+            & .and. .not. leads_to(one%surface, one%penetration, two%surface, two%penetration)
+      end if
    end function leads_backwards
 
    !> Results of a point in SI units.

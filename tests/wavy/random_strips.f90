@@ -1,10 +1,12 @@
 !> Random strips, the same on every machine.
 module random_strips
    use adfric_base_kinds, only: dp, i8
+   use adfric_wavy_foundation, only: new_foundation
+   use adfric_wavy_surface, only: surface_t
    use unit_strips, only: trial_strip_t, edge_continuous, edge_instantaneous, branch_adhered, branch_approach
    implicit none (type, external)
    private
-   public :: dice_t, draw_strip
+   public :: dice_t, draw_strip, draw_surface
 
    !> A source of random numbers (Lewis, Goodman and Miller, 1969; multiplier of Park and Miller, 1993).
    type :: dice_t
@@ -49,5 +51,23 @@ contains
       trial%edge = merge(edge_continuous, edge_instantaneous, mod(number, 2) == 0)
       trial%branch = merge(branch_adhered, branch_approach, mod(number/2, 2) == 0)
    end subroutine draw_strip
+
+   !> A 3-D surface with the parameters of a strip, and a penetration of it.
+   subroutine draw_surface(dice, number, surface, penetration)
+      type(dice_t), intent(inout) :: dice
+      integer, intent(in) :: number
+      type(surface_t), intent(out) :: surface
+      real(dp), intent(out) :: penetration
+      type(trial_strip_t) :: trial
+
+      call draw_strip(dice, number, trial)
+      surface%is_3d = .true.
+      call new_foundation(surface%foundation, trial%u, trial%beta)
+      surface%stress = trial%stress
+      surface%range = trial%range
+      surface%edge = trial%edge
+      surface%branch = trial%branch
+      penetration = trial%penetration
+   end subroutine draw_surface
 
 end module random_strips
