@@ -4,13 +4,13 @@ import argparse
 import sys
 from pathlib import Path
 
-from .results import BadFile, Results
+from .results import BadFile, NothingToDraw, Results
 
 FORMATS = (".png", ".pdf", ".svg")
 
 
 def main(arguments):
-    """Draw one figure; return the exit status: 0, or 2 for a bad command line or file."""
+    """Draw one figure; return the exit status: 0, 2 for a bad command line or file, 3 if there is nothing to draw."""
     parser = argparse.ArgumentParser(
         prog="scripts/plot",
         description="Draw the figure of a results file; what is drawn follows from what was swept.",
@@ -24,7 +24,12 @@ def main(arguments):
         if figure_file.suffix.lower() not in FORMATS:
             raise BadFile(f"{figure_file}: a figure is one of {', '.join(FORMATS)}")
         results = Results(given.file)
+        if figure_file.exists() and figure_file.samefile(given.file):
+            raise BadFile(f"{figure_file}: the figure would replace the results")
         draw(results, figure_file)
+    except NothingToDraw as problem:
+        print(f"plot: {problem}", file=sys.stderr)
+        return 3
     except BadFile as problem:
         print(f"plot: {problem}", file=sys.stderr)
         return 2

@@ -3,7 +3,7 @@
 import numpy as np
 
 from .curves import add_key, draw_curves, find_curves
-from .results import BadFile
+from .results import NothingToDraw
 from .style import plt
 from .surface import draw_pressure_maps, draw_stresses
 
@@ -15,20 +15,13 @@ MOST_PANELS = 6
 
 
 def choose_figure(results):
-    """The procedure that draws a run, by its model and by what was swept."""
-    swept = results.axis_names
+    """The procedure that draws a run: by its profiles, by its model and what was swept, or the general one."""
     if "pressure" in results.profiles:
         return draw_pressure_maps if len(results.profile_axes) == 2 else draw_stresses
-    if not swept:
-        raise BadFile(f"{results.path}: one point without profiles: nothing to draw")
-    if results.model == "wavy_sliding":
-        if sorted(swept) == ["load", "stress"]:
-            return draw_width_and_friction
-        if sorted(swept) == ["load", "stress", "velocity"]:
-            return draw_friction
-        if sorted(swept) == ["stress", "velocity"]:
-            return draw_coefficient
-    return draw_sweep
+    several = [axis.name for axis in results.axes if axis.values.size > 1]
+    if not several:
+        raise NothingToDraw(f"{results.path}: one point without profiles of the pressure: nothing to draw")
+    return FIGURES.get((results.model, frozenset(several)), draw_sweep)
 
 
 def draw_width_and_friction(results):
@@ -48,10 +41,7 @@ def draw_friction(results):
 
 def draw_sweep(results):
     """Every result worth drawing against the variable that varies fastest among those with several values."""
-    sizes = [axis.values.size for axis in results.axes]
-    several = [axis.name for axis, size in zip(results.axes, sizes) if size > 1]
-    if not several:
-        raise BadFile(f"{results.path}: one point without profiles: nothing to draw")
+    several = [axis.name for axis in results.axes if axis.values.size > 1]
     return draw_panels(results, several[-1], choose_results(results))
 
 
@@ -61,7 +51,7 @@ def choose_results(results):
     names += [name for name in results.fields if name not in MAIN_RESULTS + CHECKS]
     varying = [name for name in names if _varies(results.fields[name].values)]
     if not varying:
-        raise BadFile(f"{results.path}: no result varies: nothing to draw")
+        raise NothingToDraw(f"{results.path}: no result varies: nothing to draw")
     return varying[:MOST_PANELS]
 
 
@@ -83,3 +73,11 @@ def draw_panels(results, abscissa, ordinates):
         draw_curves(panel, results, abscissa, ordinate, curves)
     add_key(figure, panels.flat[0], results, abscissa, curves)
     return figure
+
+
+# figures of their own, by model and the variables with several values; all others have that of draw_sweep
+FIGURES = {
+    ("wavy_sliding", frozenset({"load", "stress"})): draw_width_and_friction,
+    ("wavy_sliding", frozenset({"load", "stress", "velocity"})): draw_friction,
+    ("wavy_sliding", frozenset({"stress", "velocity"})): draw_coefficient,
+}

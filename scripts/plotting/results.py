@@ -1,15 +1,22 @@
 """A results file, read into arrays that know their axes and units."""
 
+import os
 from dataclasses import dataclass
 
 import h5py
 import numpy as np
 
-NOT_CONVERGED = 2
+SOLVED, NOT_CONVERGED = 0, 2
+# why a point is empty, by its status
+REASONS = {-1: "not reached", 1: "no equilibrium", 2: "not converged"}
 
 
 class BadFile(Exception):
     """A file that cannot be drawn; the text names the file and the reason."""
+
+
+class NothingToDraw(BadFile):
+    """A results file without a figure."""
 
 
 @dataclass
@@ -36,8 +43,12 @@ class Results:
         try:
             with h5py.File(path, "r") as file:
                 self._read(file)
-        except OSError:
-            raise BadFile(f"{path}: not an HDF5 file") from None
+        except OSError as problem:
+            if "unable to lock file" in str(problem):
+                raise BadFile(f"{path}: a run is writing this file") from None
+            if not os.access(path, os.R_OK):
+                raise BadFile(f"{path}: no permission to read it") from None
+            raise BadFile(f"{path}: not an HDF5 file, or a damaged one") from None
 
     def _read(self, file):
         if not {"model", "adfric_version"} <= set(file.attrs) or "status" not in file:
@@ -46,6 +57,8 @@ class Results:
         self.title = _text(file.attrs.get("title", ""))
         self.status = file["status"][()]
         names = _scales(file["status"])
+        if not set(names) <= set(file):
+            raise BadFile(f"{self.path}: not a results file of adfric: its axes are missing")
         self.axes = [_field(file, name) for name in names]
         self.fields = {}
         self.profiles = {}
@@ -64,9 +77,9 @@ class Results:
     def axis_names(self):
         return [axis.name for axis in self.axes]
 
-    def describe(self, index, skip=()):
+    def describe(self, index):
         """The swept values of a point, as pairs of axis and value."""
-        return [(axis, axis.values[i]) for axis, i in zip(self.axes, index) if axis.name not in skip]
+        return [(axis, axis.values[i]) for axis, i in zip(self.axes, index)]
 
 
 def _field(file, name):

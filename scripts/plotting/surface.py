@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.patches import Patch
 
 from .labels import axis_label, point_label, scale_of
+from .results import REASONS, SOLVED
 from .style import COLOURS, plt, pressure_colours
 
 MOST_PANELS = 6
@@ -14,12 +15,13 @@ OUTLINE = 1e-3
 
 
 def draw_stresses(results):
-    """Pressure and shear stress along x, a panel for each point of the sweep."""
+    """Pressure and shear stress along the one axis, a panel for each point of the sweep."""
     points = choose_points(results)
     x = results.profile_axes[0]
     x_factor, x_unit = scale_of(x.values, x.unit)
     names = [name for name in ("pressure", "shear_stress") if name in results.profiles]
-    factor, unit = scale_of([np.nanmax(np.abs(results.profiles[name].values), initial=0.0) for name in names], "Pa")
+    factor, unit = scale_of([np.nanmax(np.abs(results.profiles[name].values), initial=0.0) for name in names],
+                            results.profiles["pressure"].unit)
     figure, panels = make_panels(len(points), (3.4, 2.7))
     for panel, index in zip(panels, points):
         shade_contact(panel, results, index, x.values * x_factor)
@@ -28,16 +30,16 @@ def draw_stresses(results):
                        label=axis_label(name, ""))
         panel.axhline(0, color="0.7", linewidth=0.6, zorder=0)
         panel.set_title(panel_title(results, index))
-        panel.set_xlabel(axis_label("x", x_unit))
+        panel.set_xlabel(axis_label(x.name, x_unit))
         panel.set_xlim(x.values[0] * x_factor, x.values[-1] * x_factor)
-        label_rows(panel, f"Stress ({unit})")
+        label_rows(panel, f"Stress ({unit})" if unit else "Stress")
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend([*handles, Patch(color="0.9")], [*labels, "Contact"], loc="outside lower center", ncols=3)
     return figure
 
 
 def draw_pressure_maps(results):
-    """Pressure over x and y, a map for each point of the sweep."""
+    """Pressure over the two axes, a map for each point of the sweep."""
     points = choose_points(results)
     pressure = results.profiles["pressure"]
     y, x = results.profile_axes
@@ -52,8 +54,8 @@ def draw_pressure_maps(results):
         outline_contact(panel, results, index, x.values * x_factor, y.values * x_factor)
         panel.set_aspect("equal")
         panel.set_title(panel_title(results, index))
-        panel.set_xlabel(axis_label("x", x_unit) + ", direction of sliding")
-        label_rows(panel, axis_label("y", x_unit))
+        panel.set_xlabel(axis_label(x.name, x_unit) + (", direction of sliding" if results.model == "wavy_sliding" else ""))
+        label_rows(panel, axis_label(y.name, x_unit))
     figure.colorbar(image, ax=panels, label=axis_label("pressure", unit), shrink=0.85)
     return figure
 
@@ -86,8 +88,8 @@ def label_rows(panel, label):
 def panel_title(results, index):
     """Swept values and friction coefficient of a point, or why it is empty."""
     words = [point_label(results.describe(index), results.model)]
-    if results.status[index] != 0:
-        words.append("no equilibrium" if results.status[index] == 1 else "not converged")
+    if results.status[index] != SOLVED:
+        words.append(REASONS[int(results.status[index])])
     elif "friction_coefficient" in results.fields:
         coefficient = results.fields["friction_coefficient"].values[index]
         if np.isfinite(coefficient):

@@ -2,15 +2,18 @@
 
 import contextlib
 import io
+import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 from pathlib import Path
 
 import h5py
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+SCRIPTS = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(SCRIPTS))
 
 from plotting import command, figures, labels  # noqa: E402
 from plotting.results import Results  # noqa: E402
@@ -63,9 +66,9 @@ class PlotTest(unittest.TestCase):
                 status = end.code
         return status, errors.getvalue()
 
-    def assert_refused(self, words, *options):
+    def assert_refused(self, words, *options, expected=2):
         status, errors = self.plot(*options)
-        self.assertEqual(status, 2)
+        self.assertEqual(status, expected)
         self.assertIn(words, errors)
         self.assertEqual(errors.count("\n"), 1)
         self.assertEqual(list(self.folder.glob("*.p*")), [])
@@ -114,7 +117,52 @@ class PlotTest(unittest.TestCase):
 
     def test_single_point(self):
         make_file(self.file, [])
-        self.assert_refused("one point without profiles")
+        self.assert_refused("one point without profiles", expected=3)
+
+    def test_nothing_varies(self):
+        for axes in ([("load", [0.0, 1.0])], [("load", [0.0]), ("stress", [0.0])]):
+            make_file(self.file, axes)
+            self.assert_refused("nothing to draw", expected=3)
+
+    def test_every_registered_figure_without_a_solution(self):
+        for model, swept in figures.FIGURES:
+            with self.subTest(model=model, swept=sorted(swept)):
+                make_file(self.file, [(name, [0.0, 1.0]) for name in sorted(swept)], model=model)
+                with h5py.File(self.file, "r+") as file:
+                    file["status"][...] = -1
+                    for name in ("friction_force", "contact_width", "friction_coefficient"):
+                        file[name][...] = np.nan
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    self.assertEqual(self.plot(), (0, ""))
+
+    def test_profiles_of_another_model(self):
+        make_file(self.file, [("load", [0.0, 1.0])], [("radius", [0.0, 0.5, 1.0])], model="sphere")
+        with h5py.File(self.file, "r+") as file:
+            file["pressure"].attrs["units"] = "-"
+            file["status"][...] = -1
+        self.assertEqual(self.plot(), (0, ""))
+
+    def test_file_of_a_run_that_goes_on(self):
+        make_file(self.file, [("load", [0.0, 1.0, 2.0])])
+        with h5py.File(self.file, "r+"):
+            code = f"import sys; from plotting.command import main; sys.exit(main([{str(self.file)!r}]))"
+            ended = subprocess.run([sys.executable, "-c", code], cwd=SCRIPTS, capture_output=True, text=True)
+        self.assertEqual((ended.returncode, ended.stdout), (2, ""))
+        self.assertIn("a run is writing this file", ended.stderr)
+
+    def test_figure_never_replaces_the_results(self):
+        self.file = self.folder / "run.png"
+        make_file(self.file, [("load", [0.0, 1.0, 2.0])])
+        content = self.file.read_bytes()
+        self.assertEqual(self.plot()[0], 2)
+        self.assertEqual(self.file.read_bytes(), content)
+
+    def test_axes_are_missing(self):
+        with h5py.File(self.file, "w") as file:
+            file.attrs.update(model="wavy_sliding", adfric_version="0.0.0")
+            file["status"] = np.zeros(3, dtype="i1")
+        self.assert_refused("its axes are missing")
 
     def test_unknown_format(self):
         make_file(self.file, [("load", [0.0, 1.0])])

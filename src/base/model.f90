@@ -6,6 +6,7 @@ module adfric_base_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: unset
+   use adfric_base_words, only: count_words, get_word
    implicit none (type, external)
    private
    public :: model_t, variable_t, result_t, profile_t, attribute_t
@@ -53,9 +54,11 @@ module adfric_base_model
       character(:), allocatable :: flag_meanings
       !> Main results stand in the table at the end of a run.
       logical :: is_main = .false.
+   contains
+      procedure :: n_states
    end type result_t
 
-   !> A result per point of the surface.
+   !> A result along the profile axes, or one of these axes.
    type :: profile_t
       character(:), allocatable :: name
       character(:), allocatable :: unit
@@ -80,7 +83,7 @@ module adfric_base_model
       type(result_t), allocatable :: results(:)
       !> Profiles; size 0 if the model has none.
       type(profile_t), allocatable :: profiles(:)
-      !> Names and long names of the profile axes, slowest first, separated by a blank: 'x' or 'y x'.
+      !> Names of the profile axes, at most two, the slowest first, separated by a blank: 'x' or 'y x'.
       character(:), allocatable :: profile_axes
    contains
       procedure(check_values_i), deferred :: check_values
@@ -90,6 +93,8 @@ module adfric_base_model
       procedure(solve_block_i), deferred :: solve_block
       procedure(solve_profiles_i), deferred :: solve_profiles
       procedure(describe_case_i), deferred :: describe_case
+      procedure :: describe_profiles
+      procedure :: describe_profile_axis
       procedure :: index_of
    end type model_t
 
@@ -124,7 +129,7 @@ module adfric_base_model
          real(dp), intent(in) :: values(:)
       end function wants_profiles_i
 
-      !> Coordinates along a profile axis [m]; size 1 for an axis that the case does not have.
+      !> Coordinates along a profile axis, in the unit of `describe_profile_axis`; size 1 for an axis that the case does not have.
       function get_profile_axis_i(self, values, axis) result(coordinate)
          import :: model_t, dp
          implicit none (type, external)
@@ -176,6 +181,41 @@ module adfric_base_model
    end interface
 
 contains
+
+   !> Number of states of an enumerated result; 0 for a number.
+   pure integer function n_states(self)
+      class(result_t), intent(in) :: self
+
+      n_states = 0
+      if (allocated(self%flag_meanings)) n_states = count_words(self%flag_meanings)
+   end function n_states
+
+   !> The profiles with their units for this case: those of the table. A model whose units depend on the case
+   !> (reduced units) overrides it.
+   function describe_profiles(self, values) result(profiles)
+      class(model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(profile_t), allocatable :: profiles(:)
+
+      profiles = self%profiles
+      associate (unused => values)
+      end associate
+   end function describe_profiles
+
+   !> A profile axis with its unit for this case: a coordinate [m]. A model may override it.
+   function describe_profile_axis(self, values, axis) result(profile)
+      class(model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      !> Place in `profile_axes`, from 1.
+      integer, intent(in) :: axis
+      type(profile_t) :: profile
+
+      profile%name = get_word(self%profile_axes, axis)
+      profile%unit = 'm'
+      profile%long_name = 'coordinate '//profile%name//' of the profiles'
+      associate (unused => values)
+      end associate
+   end function describe_profile_axis
 
    !> Place of a variable in `variables`; 0 if there is none of that name.
    pure integer function index_of(self, group, name)

@@ -134,7 +134,7 @@ contains
       do i = 1, size(model%results)
          associate (result => model%results(i))
             text = text//pad('  '//result%name//' ['//result%unit//']', name_width)//result%long_name//newline
-            if (len_trim(result%flag_meanings) == 0) cycle
+            if (result%n_states() == 0) cycle
             text = text//repeat(' ', name_width)//'  '//list_states(result%flag_meanings)//newline
          end associate
       end do

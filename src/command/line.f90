@@ -144,9 +144,10 @@ contains
             call set_error(error, input_failure, 'adfric: unknown command, given '''//text//''', allowed: ' &
                //known_commands//did_you_mean(text, known_commands))
          end if
-      else if (len(command%subject) == 0 .or. command%name == 'help') then
+      else if (len(command%subject) == 0) then
          command%subject = text
-      else
+      else if (command%name /= 'help') then
+         ! A call for help counts wherever it stands: adfric run --help INPUT.nml.
          call set_error(error, input_failure, 'adfric: '//command%name//': one input is allowed, given ' &
             //command%subject//' and '//text)
       end if

@@ -1,14 +1,14 @@
 !> `adfric run`: solve every point of an input and write the results file.
 module adfric_command_run
-   use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_error, only: error_t, set_error, input_failure, file_failure
    use adfric_base_model, only: model_t, status_not_converged
    use adfric_command_case, only: open_case
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_success, exit_not_converged
    use adfric_input_run, only: run_input_t
-   use adfric_output_operating_system, only: is_same_file
+   use adfric_output_names, only: check_output_name, would_replace
    use adfric_output_resources, only: check_resources
-   use adfric_output_results_file, only: results_file_t, check_output_name
+   use adfric_output_results_file, only: results_file_t
    use adfric_output_run_table, only: new_run_table
    use adfric_sweep_progress, only: progress_t
    use adfric_sweep_runner, only: run_sweep
@@ -50,9 +50,8 @@ contains
       type(run_input_t), intent(in) :: run
       type(error_t), allocatable, intent(out) :: error
 
-      if (is_same_file(run%output, command%subject)) then
-         call set_error(error, input_failure, command%subject//': the results would replace the input, given '// &
-            run%output//', allowed: the name of another file')
+      if (would_replace(run%output, command%subject)) then
+         call set_error(error, input_failure, run%output//': the results would replace the input')
          return
       end if
       call check_output_name(run%output, command%overwrite, error)
@@ -75,7 +74,12 @@ contains
       if (allocated(error)) return
       call run_sweep(model, run%plan, results, progress, summary, error)
       if (allocated(error)) then
-         call results%discard()
+         ! What could be written may be the work of hours.
+         if (error%code == file_failure) then
+            call results%abandon(error)
+         else
+            call results%discard()
+         end if
          return
       end if
       call results%finish(summary%wall_seconds, summary%attributes, error)

@@ -30,7 +30,8 @@ contains
       integer(hid_t), intent(in) :: place
       character(*), intent(in) :: name
       character(*), intent(in) :: text
-      character(kind=c_char, len=len(text) + 1), target :: buffer
+      !> Allocated, since a whole input may not fit on the stack.
+      character(kind=c_char, len=:), allocatable, target :: buffer
       type(c_ptr), target :: pointer_to_text(1)
       integer(hid_t) :: type_id
 

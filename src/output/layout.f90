@@ -1,8 +1,8 @@
 !> Which datasets a results file has, of what shape and size.
 module adfric_output_layout
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: model_t, result_t, status_meanings
-   use adfric_base_words, only: count_words, get_word
+   use adfric_base_model, only: model_t, result_t, profile_t, status_meanings
+   use adfric_base_words, only: count_words
    use adfric_sweep_plan, only: plan_t
    implicit none (type, external)
    private
@@ -65,7 +65,7 @@ contains
       call find_fields(results, self%axes, self%fields)
       if (model%wants_profiles(plan%base)) then
          call find_profile_axes(model, plan%base, self%profile_axes)
-         call find_profiles(model, self%profiles)
+         call find_profiles(model%describe_profiles(plan%base), self%profiles)
       else
          allocate (self%profile_axes(0), self%profiles(0))
       end if
@@ -115,8 +115,7 @@ contains
          n = n + 1
          call set_field(fields(n), results(i)%name, results(i)%unit, results(i)%long_name)
          fields(n)%column = i
-         if (.not. allocated(results(i)%flag_meanings)) cycle outer
-         if (len(results(i)%flag_meanings) == 0) cycle outer
+         if (results(i)%n_states() == 0) cycle outer
          fields(n)%flag_meanings = no_state_meaning//' '//results(i)%flag_meanings
          fields(n)%first_flag = -1
       end do outer
@@ -142,29 +141,31 @@ contains
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:)
       type(scale_t), allocatable, intent(out) :: axes(:)
+      type(profile_t) :: coordinate
       type(scale_t) :: axis
       integer :: k
 
       allocate (axes(0))
       do k = 1, count_words(model%profile_axes)
-         axis%name = get_word(model%profile_axes, k)
-         axis%unit = 'm'
-         axis%long_name = 'coordinate '//axis%name//' of the profiles'
+         coordinate = model%describe_profile_axis(values, k)
+         axis%name = coordinate%name
+         axis%unit = coordinate%unit
+         axis%long_name = coordinate%long_name
          axis%values = model%get_profile_axis(values, k)
          if (size(axis%values) > 1) axes = [axes, axis]
       end do
    end subroutine find_profile_axes
 
    !> Profiles that are written.
-   subroutine find_profiles(model, profiles)
-      class(model_t), intent(in) :: model
-      type(field_t), allocatable, intent(out) :: profiles(:)
+   subroutine find_profiles(profiles, fields)
+      type(profile_t), intent(in) :: profiles(:)
+      type(field_t), allocatable, intent(out) :: fields(:)
       integer :: i
 
-      allocate (profiles(size(model%profiles)))
-      do i = 1, size(profiles)
-         call set_field(profiles(i), model%profiles(i)%name, model%profiles(i)%unit, model%profiles(i)%long_name)
-         profiles(i)%column = i
+      allocate (fields(size(profiles)))
+      do i = 1, size(fields)
+         call set_field(fields(i), profiles(i)%name, profiles(i)%unit, profiles(i)%long_name)
+         fields(i)%column = i
       end do
    end subroutine find_profiles
 

@@ -1,8 +1,11 @@
 /* What neither Fortran nor HDF5 says about files: kinds, locks, free space, and a move that overwrites nothing. */
 
+#define _DEFAULT_SOURCE
+
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/file.h>
@@ -18,26 +21,28 @@ static void copy_text(char *to, size_t size, const char *from)
    to[size - 1] = '\0';
 }
 
-/* 0: nothing there that can be seen, 1: a regular file, 2: something else. */
+/* 0: nothing there that can be seen, 1: a regular file, 2: something else, such as a link that leads nowhere. */
 int adfric_kind_of_path(const char *path)
 {
    struct stat entry;
-   if (stat(path, &entry) != 0) return 0;
-   return S_ISREG(entry.st_mode) ? 1 : 2;
+   if (stat(path, &entry) == 0) return S_ISREG(entry.st_mode) ? 1 : 2;
+   return lstat(path, &entry) == 0 ? 2 : 0;
 }
 
-/* Do two names stand for one file, by whatever path or link? */
-int adfric_is_same_file(const char *a, const char *b)
+/* Device and inode of what stands at a path, by whatever name; zeros if there is nothing. */
+void adfric_identify(const char *path, int64_t id[2])
 {
-   struct stat entry_a, entry_b;
-   if (stat(a, &entry_a) != 0 || stat(b, &entry_b) != 0) return 0;
-   return entry_a.st_dev == entry_b.st_dev && entry_a.st_ino == entry_b.st_ino;
+   struct stat entry;
+   const int is_there = stat(path, &entry) == 0;
+   id[0] = is_there ? (int64_t)entry.st_dev : 0;
+   id[1] = is_there ? (int64_t)entry.st_ino : 0;
 }
 
 /* Does another process, or another part of this one, hold the lock that HDF5 takes on files it writes? */
 int adfric_is_locked(const char *path)
 {
-   const int file = open(path, O_RDONLY);
+   /* without waiting for whoever opens the other end of a pipe */
+   const int file = open(path, O_RDONLY | O_NONBLOCK);
    if (file < 0) return 0;
    const int is_locked = flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
    close(file);
@@ -52,9 +57,23 @@ double adfric_free_space(const char *folder)
    return (double)system.f_bavail * (double)system.f_frsize;
 }
 
+/* Bring a file to the disk itself. 0 or an error number. */
+static int synchronise(const char *path)
+{
+   const int file = open(path, O_RDONLY | O_NONBLOCK);
+   if (file < 0) return errno;
+   const int number = fsync(file) == 0 ? 0 : errno;
+   close(file);
+   /* some file systems cannot do it */
+   return number == EINVAL || number == ENOTSUP || number == ENOSYS ? 0 : number;
+}
+
 /* Rename a file; what stands at the new name is overwritten only if asked for. 0 or an error number. */
 int adfric_move_file(const char *from, const char *to, int overwrite)
 {
+   /* the old results go only when the new ones are safe */
+   const int number = synchronise(from);
+   if (number != 0) return number;
    if (!overwrite) {
       if (link(from, to) == 0) return unlink(from) == 0 ? 0 : errno;
       if (errno == EEXIST) return EEXIST;

@@ -1,18 +1,26 @@
 !> What neither Fortran nor HDF5 says about files, with the bindings of `operating_system.c`.
 module adfric_output_operating_system
-   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_null_char, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_int64_t, c_null_char, c_size_t
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, set_error, file_failure
    implicit none (type, external)
    private
    public :: kind_of_path, path_free, path_file, path_other
-   public :: folder_of, is_same_file, is_locked, free_space, free_memory, utc_time
+   public :: file_id_t, id_of_file, is_same
+   public :: folder_of, is_locked, free_space, free_memory, utc_time
    public :: move_file, remove_file, ignore_file_size_signal
 
    !> What can stand at a path: nothing, a regular file, anything else.
    integer, parameter :: path_free = 0, path_file = 1, path_other = 2
    !> Room for a text that C gives back.
    integer, parameter :: text_length = 256
+
+   !> Which file it is, whatever its names.
+   type :: file_id_t
+      private
+      !> Device and inode; 0 for no file.
+      integer(c_int64_t) :: numbers(2) = 0
+   end type file_id_t
 
    interface
 
@@ -22,11 +30,12 @@ module adfric_output_operating_system
          character(kind=c_char), intent(in) :: path(*)
       end function c_kind_of_path
 
-      integer(c_int) function c_is_same_file(a, b) bind(c, name='adfric_is_same_file')
-         import :: c_char, c_int
+      subroutine c_identify(path, id) bind(c, name='adfric_identify')
+         import :: c_char, c_int64_t
          implicit none (type, external)
-         character(kind=c_char), intent(in) :: a(*), b(*)
-      end function c_is_same_file
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int64_t), intent(out) :: id(2)
+      end subroutine c_identify
 
       integer(c_int) function c_is_locked(path) bind(c, name='adfric_is_locked')
          import :: c_char, c_int
@@ -84,6 +93,21 @@ contains
       kind_of_path = int(c_kind_of_path(path//c_null_char))
    end function kind_of_path
 
+   !> Which file stands at a path.
+   function id_of_file(path) result(id)
+      character(*), intent(in) :: path
+      type(file_id_t) :: id
+
+      call c_identify(path//c_null_char, id%numbers)
+   end function id_of_file
+
+   !> Are these the same file? Two that do not exist are not.
+   pure logical function is_same(one, other)
+      type(file_id_t), intent(in) :: one, other
+
+      is_same = all(one%numbers == other%numbers) .and. any(one%numbers /= 0)
+   end function is_same
+
    !> Folder of a file.
    pure function folder_of(path) result(folder)
       character(*), intent(in) :: path
@@ -99,13 +123,6 @@ contains
          folder = path(:slash - 1)
       end if
    end function folder_of
-
-   !> Do two names stand for one file, by whatever path or link?
-   logical function is_same_file(a, b)
-      character(*), intent(in) :: a, b
-
-      is_same_file = c_is_same_file(a//c_null_char, b//c_null_char) /= 0
-   end function is_same_file
 
    !> Is a file being written by another run?
    logical function is_locked(path)

@@ -18,17 +18,16 @@ module adfric_output_results_file
       create_state_dataset, write_values, close_dataset, make_scale, attach_scale, no_state
    use adfric_output_hdf5_layer_file, only: create_file, flush_file, close_file
    use adfric_output_layout, only: layout_t, new_layout, scale_t, field_t
-   use adfric_output_operating_system, only: kind_of_path, path_free, path_file, is_locked, move_file, remove_file, &
-      ignore_file_size_signal, utc_time
+   use adfric_output_names, only: check_output_name, partial_name
+   use adfric_output_operating_system, only: kind_of_path, path_free, file_id_t, id_of_file, is_same, &
+      is_locked, move_file, remove_file, ignore_file_size_signal, utc_time
    use adfric_sweep_clock, only: wall_clock
    use adfric_sweep_plan, only: plan_t
    use adfric_sweep_sink, only: sink_t
    implicit none (type, external)
    private
-   public :: results_file_t, check_output_name, partial_name
+   public :: results_file_t
 
-   !> What is added to the name of a file that is not complete.
-   character(*), parameter :: partial_ending = '.partial'
    !> Time between two flushes [s].
    real(dp), parameter :: flush_interval = 10
 
@@ -41,6 +40,8 @@ module adfric_output_results_file
       logical :: overwrite = .false.
       type(layout_t) :: layout
       integer(hid_t) :: file = no_id
+      !> Which file has been created under the name of the partial one; others may put theirs there.
+      type(file_id_t) :: id
       !> Spaces of the shape of a result and of a profile of all points.
       integer(hid_t) :: space = no_id, profile_space = no_id
       !> The datasets, in the order of the layout.
@@ -52,37 +53,11 @@ module adfric_output_results_file
       procedure :: put
       procedure :: put_profiles
       procedure :: finish
+      procedure :: abandon
       procedure :: discard
    end type results_file_t
 
 contains
-
-   !> Name of the file until it is complete.
-   pure function partial_name(path) result(name)
-      character(*), intent(in) :: path
-      character(:), allocatable :: name
-
-      name = path//partial_ending
-   end function partial_name
-
-   !> May a file of this name be written?
-   subroutine check_output_name(path, overwrite, error)
-      character(*), intent(in) :: path
-      logical, intent(in) :: overwrite
-      type(error_t), allocatable, intent(out) :: error
-
-      select case (kind_of_path(path))
-      case (path_free)
-      case (path_file)
-         if (.not. overwrite) call set_error(error, file_failure, &
-            path//': this file exists; --force overwrites it, --output writes another one')
-      case default
-         call set_error(error, file_failure, path//': cannot write: this is no regular file')
-      end select
-      if (allocated(error)) return
-      if (is_locked(partial_name(path))) call set_error(error, file_failure, &
-         path//': another run is writing this file ('//partial_name(path)//' is in use)')
-   end subroutine check_output_name
 
    !> Create the file with every dataset in it.
    subroutine create(self, path, overwrite, model, plan, title, input, error)
@@ -99,6 +74,7 @@ contains
       character(*), intent(in) :: input
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
+      logical :: is_in_use
 
       call check_output_name(path, overwrite, error)
       if (allocated(error)) return
@@ -109,6 +85,9 @@ contains
       call new_layout(self%layout, model, plan)
       call ignore_file_size_signal()
       call create_file(calls, partial_name(path), self%file)
+      ! What a creation leaves that has failed half way is ours, too, but not what another run has just begun.
+      is_in_use = is_locked(partial_name(path))
+      if (calls%is_good() .or. .not. is_in_use) self%id = id_of_file(partial_name(path))
       call write_heading(calls, self%file, model, title, input)
       call create_scales(calls, self)
       call create_fields(calls, self)
@@ -326,13 +305,28 @@ contains
       end do
       call close_all(calls, self)
       call calls%get_error(self%path//': cannot complete', error)
-      if (allocated(error)) then
-         call self%discard()
-         return
+      if (.not. allocated(error)) then
+         if (is_same(self%id, id_of_file(partial_name(self%path)))) then
+            call move_file(partial_name(self%path), self%path, self%overwrite, error)
+         else
+            call set_error(error, file_failure, self%path//': the results are lost: '//partial_name(self%path) &
+               //' has been removed or replaced while it was written')
+         end if
       end if
-      call move_file(partial_name(self%path), self%path, self%overwrite, error)
-      if (allocated(error)) error%message = error%message//'; the results stay in '//partial_name(self%path)
+      if (allocated(error)) call self%abandon(error)
    end subroutine finish
+
+   !> Close the file and leave what has been written under the name of the partial file; the error says so.
+   subroutine abandon(self, error)
+      class(results_file_t), intent(inout) :: self
+      !> Why the run ends here.
+      type(error_t), intent(inout) :: error
+      type(hdf5_calls_t) :: calls
+
+      call close_all(calls, self)
+      if (is_same(self%id, id_of_file(partial_name(self%path)))) &
+         error%message = error%message//'; the results so far stay in '//partial_name(self%path)
+   end subroutine abandon
 
    !> Close the file and remove what has been written.
    subroutine discard(self)
@@ -341,8 +335,8 @@ contains
       type(error_t), allocatable :: error
 
       call close_all(calls, self)
-      ! Nothing is lost if there is nothing to remove.
-      if (kind_of_path(partial_name(self%path)) == path_file) call remove_file(partial_name(self%path), error)
+      ! A file that cannot be removed does no harm: the next run replaces it.
+      if (is_same(self%id, id_of_file(partial_name(self%path)))) call remove_file(partial_name(self%path), error)
    end subroutine discard
 
    !> Close every id.

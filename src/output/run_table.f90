@@ -2,7 +2,7 @@
 module adfric_output_run_table
    use adfric_base_kinds, only: dp, i8
    use adfric_base_model, only: result_t, status_meanings, status_solved, n_status
-   use adfric_base_words, only: count_words, get_word, pad
+   use adfric_base_words, only: get_word, pad
    use adfric_sweep_summary, only: run_summary_t
    implicit none (type, external)
    private
@@ -59,7 +59,7 @@ contains
       lines = ''
       if (all(counts == 0)) return
       lines = words_of(result%name)//newline
-      do i = 0, count_words(result%flag_meanings) - 1
+      do i = 0, result%n_states() - 1
          if (counts(i) == 0) cycle
          lines = lines//count_line('  '//words_of(get_word(result%flag_meanings, i + 1)), counts(i))
       end do

@@ -2,8 +2,8 @@
 !>
 !> The points are cut into blocks of neighbours, whose size depends on the plan alone, so that the results are
 !> the same for any number of threads. Many blocks make a slab. Whoever solves the last block of a slab puts
-!> it into the sink while the others go on with the next one; nobody waits, and the memory does not grow
-!> with the plan.
+!> it into the sink while the others go on with the next one; nobody waits as long as the sink keeps up, and the
+!> memory does not grow with the plan.
 module adfric_sweep_runner
    use omp_lib, only: omp_get_max_threads, omp_get_thread_num
    use adfric_base_kinds, only: dp, i8
@@ -24,8 +24,10 @@ module adfric_sweep_runner
 
    !> Smallest and largest number of points of a block, and the number of blocks that a plan between them has.
    integer, parameter :: smallest_block = 16, largest_block = 256, blocks_of_small_plan = 32
-   !> Least number of blocks of a slab, and least number of them for each thread.
-   integer, parameter :: blocks_per_slab = 64, blocks_per_thread = 4
+   !> Least number of slabs of a plan, so that a run that is stopped has most of its results in the sink.
+   integer, parameter :: slabs_per_plan = 8
+   !> Largest number of blocks of a slab, but for many threads: each has a block in every slab.
+   integer, parameter :: largest_slab = 64
 
    !> What the threads share.
    type :: sweep_t
@@ -88,16 +90,21 @@ contains
 
       n_results = size(model%results)
       n_threads = omp_get_max_threads()
-      memory_needed = n_slabs*slab_bytes(n_results, max_blocks()*largest_block) &
+      memory_needed = n_slabs*slab_bytes(n_results, blocks_per_slab(plan%n_points())*block_size_of(plan%n_points())) &
          + real(real_bytes, dp)*n_threads*largest_block*(size(model%variables) + n_results)
       if (model%wants_profiles(plan%base)) memory_needed = memory_needed &
          + real_bytes*n_threads*product(real(profile_shape_of(model, plan), dp))
    end function memory_needed
 
    !> Number of blocks of a slab.
-   integer function max_blocks()
-      max_blocks = max(blocks_per_slab, blocks_per_thread*omp_get_max_threads())
-   end function max_blocks
+   integer function blocks_per_slab(n_points)
+      integer(i8), intent(in) :: n_points
+      integer(i8) :: n_blocks
+
+      n_blocks = 1 + (n_points - 1)/block_size_of(n_points)
+      blocks_per_slab = int(min(n_blocks, max(min(n_blocks/slabs_per_plan, int(largest_slab, i8)), &
+         int(omp_get_max_threads(), i8))))
+   end function blocks_per_slab
 
    !> Shape of the profiles of a point: the axis that runs fastest first.
    function profile_shape_of(model, plan) result(counts)
@@ -118,12 +125,11 @@ contains
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       type(sweep_t), intent(out) :: sweep
-      integer :: block_size, n_blocks
       logical :: is_ready
 
-      block_size = block_size_of(plan%n_points())
-      n_blocks = int(min(int(max_blocks(), i8), 1 + plan%n_points()/block_size))
-      call new_ring(sweep%ring, plan%n_points(), size(model%results), block_size, n_blocks, is_ready)
+      associate (n => plan%n_points())
+         call new_ring(sweep%ring, n, size(model%results), block_size_of(n), blocks_per_slab(n), is_ready)
+      end associate
       if (.not. is_ready) call set_error(sweep%error, input_failure, 'no memory for the results')
       if (model%wants_profiles(plan%base)) sweep%profile_shape = profile_shape_of(model, plan)
       call new_summary(sweep%summary, model%results)

@@ -3,7 +3,6 @@ module adfric_sweep_summary
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp, i8
    use adfric_base_model, only: attribute_t, result_t, n_status, status_solved
-   use adfric_base_words, only: count_words
    implicit none (type, external)
    private
    public :: run_summary_t, new_summary, add_attributes
@@ -42,14 +41,12 @@ contains
       allocate (self%enumerated(0), self%main(0), self%attributes(0))
       n_states = 0
       do i = 1, size(results)
-         if (allocated(results(i)%flag_meanings)) then
-            if (len_trim(results(i)%flag_meanings) > 0) then
-               self%enumerated = [self%enumerated, i]
-               n_states = max(n_states, count_words(results(i)%flag_meanings))
-               cycle
-            end if
+         n_states = max(n_states, results(i)%n_states())
+         if (results(i)%n_states() > 0) then
+            self%enumerated = [self%enumerated, i]
+         else if (results(i)%is_main) then
+            self%main = [self%main, i]
          end if
-         if (results(i)%is_main) self%main = [self%main, i]
       end do
       allocate (self%by_state(0:n_states - 1, size(results)), source=0_i8)
       allocate (self%lowest(size(results)), source=huge(1.0_dp))

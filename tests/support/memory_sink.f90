@@ -20,6 +20,8 @@ module memory_sink
       !> Are the points put in their order?
       logical :: is_in_order = .true.
       integer(i8) :: next = 1
+      !> How often did points come?
+      integer :: n_calls = 0
    contains
       procedure :: put => keep
       procedure :: put_profiles => keep_profiles
@@ -66,6 +68,7 @@ contains
       last = first + size(status) - 1
       self%is_in_order = self%is_in_order .and. first == self%next
       self%next = last + 1
+      self%n_calls = self%n_calls + 1
       self%results(first:last, :) = results
       self%error_estimate(first:last) = error_estimate
       self%status(first:last) = status

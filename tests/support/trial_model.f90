@@ -12,6 +12,7 @@ module trial_model
       status_solved, status_no_equilibrium, status_not_converged
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
+   use adfric_base_words, only: get_word
    implicit none (type, external)
    private
    public :: trial_model_t, new_trial_model, trial_values, trial_force, trial_profile, largest_load
@@ -33,6 +34,8 @@ module trial_model
    contains
       procedure :: check_values
       procedure :: describe_results
+      procedure :: describe_profiles
+      procedure :: describe_profile_axis
       procedure :: wants_profiles
       procedure :: get_profile_axis
       procedure :: solve_block
@@ -153,6 +156,27 @@ contains
       results = self%results
       if (values(kind_place) > 1.5_dp) results(2)%unit = 'N/m'
    end function describe_results
+
+   !> In units of something else on a round table.
+   function describe_profiles(self, values) result(profiles)
+      class(trial_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(profile_t), allocatable :: profiles(:)
+
+      profiles = self%profiles
+      if (values(kind_place) > 1.5_dp) profiles(1)%unit = '-'
+   end function describe_profiles
+
+   function describe_profile_axis(self, values, axis) result(profile)
+      class(trial_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      integer, intent(in) :: axis
+      type(profile_t) :: profile
+
+      profile%name = get_word(self%profile_axes, axis)
+      profile%unit = trim(merge('- ', 'm ', values(kind_place) > 1.5_dp))
+      profile%long_name = 'place along '//profile%name
+   end function describe_profile_axis
 
    pure logical function wants_profiles(self, values)
       class(trial_model_t), intent(in) :: self
