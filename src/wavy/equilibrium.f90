@@ -160,8 +160,8 @@ contains
       end do
    end subroutine refine_guess
 
-   !> A penetration that carries too little and a larger one that carries enough, next to each other on the branch. It is
-   !> looked for to a tolerance that is enough to tell the one from the other, or else to the one that is asked for.
+   !> A penetration that carries too little and a larger one that carries enough, next to each other on the branch: to a
+   !> tolerance that tells the one from the other, or else to the one that is asked for.
    pure subroutine find_bracket(surface, load, memory, low, high, has_bracket)
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
@@ -172,7 +172,6 @@ contains
       real(dp) :: ends(2)
 
       rough = surface
-      ! without adhesion there is no way to go
       if (surface%is_3d .and. surface%stress > 0) rough%tolerance = max(surface%tolerance, rough_tolerance)
       call bracket_load(rough, load, memory, low, high, has_bracket)
       if (.not. has_bracket .or. surface%tolerance >= rough%tolerance) return
@@ -362,8 +361,7 @@ contains
             if (middle%totals%load_slope > 0) then
                penetration = middle%penetration - middle%excess/middle%totals%load_slope
             end if
-            ! outside the bracket: the chord, which is always inside
-            if (penetration <= low%penetration .or. penetration >= high%penetration) then
+                  if (penetration <= low%penetration .or. penetration >= high%penetration) then
                penetration = low%penetration - low%excess*width/(high%excess - low%excess)
             end if
          end if
