@@ -33,7 +33,7 @@ contains
 
    !> Newton's method, with bisection wherever it would leave the bracket or does not converge. Where the value is
    !> not a number there is no convergence.
-   pure subroutine find_root(equation, low, high, rises, x, is_converged)
+   pure subroutine find_root(equation, low, high, rises, x, is_converged, small_step)
       class(equation_t), intent(in) :: equation
       !> Ends of the bracket; the value changes its sign once between them. They are not evaluated.
       real(dp), intent(in) :: low, high
@@ -42,6 +42,8 @@ contains
       !> In: a first guess, or anything outside the bracket. Out: the root.
       real(dp), intent(inout) :: x
       logical, intent(out) :: is_converged
+      !> A step of this size leaves nothing to do, whatever the bracket.
+      real(dp), intent(in), optional :: small_step
       real(dp) :: left, right, value, slope, step, last_step
       integer :: iteration
 
@@ -68,7 +70,11 @@ contains
          if (x + step > left .and. x + step < right .and. abs(step) < last_step) then
             last_step = abs(step)
             x = x + step
-            is_converged = abs(step) <= close_enough*min(x - low, high - x)
+            if (present(small_step)) then
+               is_converged = abs(step) <= small_step
+            else
+               is_converged = abs(step) <= close_enough*min(x - low, high - x)
+            end if
          else
             x = left + (right - left)/2
             last_step = right - left

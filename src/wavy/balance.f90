@@ -6,7 +6,8 @@ module adfric_wavy_balance
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
-   use adfric_wavy_contact_zone, only: angle_minus_sine, decay
+   use adfric_numerics_trigonometry, only: angle_minus_sine
+   use adfric_wavy_contact_zone, only: decay
    use adfric_wavy_edge_equations, only: get_edge_rates, get_adhesion_rate
    use adfric_wavy_saturated_adhesion, only: depth_of_half_width
    use adfric_wavy_strip, only: strip_t, profile, lifted_profile, steady_state_t, regime_adhesion_only, regime_discrete, &

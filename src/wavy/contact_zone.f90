@@ -2,9 +2,10 @@
 module adfric_wavy_contact_zone
    use adfric_base_kinds, only: dp
    use adfric_numerics_libm, only: expm1
+   use adfric_numerics_trigonometry, only: sinc_minus_cos
    implicit none (type, external)
    private
-   public :: coth_and_slope, get_lag, angle_minus_sine, decay, longest_decay
+   public :: coth_and_slope, get_lag, decay, longest_decay
 
    !> exp(-x) of more than this is nothing for every purpose here, and exp(x) does not overflow.
    real(dp), parameter :: longest_decay = 700.0_dp
@@ -42,26 +43,6 @@ contains
       end if
    end function langevin
 
-   !> sin(x)/x - cos x for 0 <= x <= pi.
-   elemental real(dp) function sinc_minus_cos(x)
-      real(dp), intent(in) :: x
-      integer :: k
-      real(dp) :: y, term
-
-      if (x >= 1) then
-         sinc_minus_cos = sin(x)/x - cos(x)
-         return
-      end if
-      ! sum of (-1)^(k+1) 2k x^(2k)/(2k+1)!
-      y = x*x
-      term = y/6
-      sinc_minus_cos = 0
-      do k = 1, 9
-         sinc_minus_cos = sinc_minus_cos + 2*k*term
-         term = -term*y/((2*k + 2)*(2*k + 3))
-      end do
-   end function sinc_minus_cos
-
    !> \( \sin\lambda\coth(\lambda/u) - u\cos\lambda \), without loss of digits in narrow contacts.
    elemental real(dp) function get_lag(half_width, u, coth_u)
       real(dp), intent(in) :: half_width, u, coth_u
@@ -72,24 +53,5 @@ contains
          get_lag = u*sinc_minus_cos(half_width) + sin(half_width)*langevin(half_width/u)
       end if
    end function get_lag
-
-   !> x - sin x for x >= 0.
-   elemental real(dp) function angle_minus_sine(x)
-      real(dp), intent(in) :: x
-      integer :: k
-      real(dp) :: y, term
-
-      if (x >= 1) then
-         angle_minus_sine = x - sin(x)
-         return
-      end if
-      y = x*x
-      term = x*y/6
-      angle_minus_sine = 0
-      do k = 1, 9
-         angle_minus_sine = angle_minus_sine + term
-         term = -term*y/((2*k + 2)*(2*k + 3))
-      end do
-   end function angle_minus_sine
 
 end module adfric_wavy_contact_zone

@@ -1,0 +1,106 @@
+!> The curve of all states with contact in Maugis's theory, J 2.12-2.14, 4.8, 4.9, for every lambda and X.
+!>
+!> With a = c cos th, 0 < th < pi/2,
+!>
+!>     f = sin th cos th - th cos 2th,  k = th sin th + cos th - 1,  A = lambda f/2,  B = (4/3) X lambda^2 k
+!>     c = 2/(B + sqrt(B^2 + 4A)),  P = a^3 - X lambda c^2 (sin th cos th + th),  delta = a^2 - (4/3) X lambda c sin th
+!>
+!> c is the positive root of A c^2 + B c = 1, which is J 2.12: there is nothing to iterate. The place on the curve is
+!> y = ln tan th: it has all digits at both ends, th -> 0 (JKR, large contacts) and th -> pi/2 (DMT, point contact),
+!> and radii go like powers of exp y there.
+module adfric_sphere_dugdale_curve
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_numerics_trigonometry, only: sinc_minus_cos
+   implicit none (type, external)
+   private
+   public :: point_t, get_point, get_disc_radius, get_disc, guess_place, farthest
+
+   !> Beyond this, lengths and loads leave the range of numbers.
+   real(dp), parameter :: farthest = 160.0_dp
+   !> Below this angle the difference in f loses digits.
+   real(dp), parameter :: narrow = 0.5_dp
+
+   !> A point of the curve, and its change with the place.
+   type :: point_t
+      !> Radii of contact and adhesion, load, approach.
+      real(dp) :: radius = 0, adhesion_radius = 0, load = 0, approach = 0
+      real(dp) :: radius_slope = 0, adhesion_radius_slope = 0, load_slope = 0, approach_slope = 0
+   end type point_t
+
+contains
+
+   !> The point at a place.
+   elemental subroutine get_point(lambda, ratio, place, point)
+      !> > 0 and >= 0.
+      real(dp), intent(in) :: lambda, ratio
+      real(dp), intent(in) :: place
+      type(point_t), intent(out) :: point
+      real(dp) :: t, th, s, c, s_c, cos_2, f, k, aa, bb, root, c_slope, total, pull
+
+      t = exp(place)
+      th = atan(t)
+      c = 1/sqrt(1 + t*t)
+      s = t*c
+      s_c = s*c
+      cos_2 = (1 - t)*(1 + t)*c*c
+      if (th < narrow) then
+         f = th*sinc_minus_cos(2*th)
+      else
+         f = s_c - th*cos_2
+      end if
+      k = s*(th - s/(1 + c))
+      aa = lambda*f/2
+      bb = 4*ratio*lambda**2*k/3
+      root = sqrt(bb*bb + 4*aa)
+      total = s_c + th
+      pull = ratio*lambda
+      associate (p => point)
+         p%adhesion_radius = 2/(bb + root)
+         p%radius = p%adhesion_radius*c
+         p%load = p%radius**3 - pull*p%adhesion_radius**2*total
+         p%approach = p%radius**2 - 4*pull*p%adhesion_radius*s/3
+         ! by th, with f' = 2 th sin 2th and k' = th cos th; then by y, d th/dy = sin th cos th
+         c_slope = -p%adhesion_radius*(2*lambda*th*s_c*p%adhesion_radius + 4*ratio*lambda**2*th*c/3)/root
+         p%radius_slope = c_slope*c - p%adhesion_radius*s
+         p%load_slope = 3*p%radius**2*p%radius_slope &
+            & - 2*pull*(p%adhesion_radius*c_slope*total + p%radius**2)
+         p%approach_slope = 2*p%radius*p%radius_slope - 4*pull*(c_slope*s + p%radius)/3
+         p%radius_slope = p%radius_slope*s_c
+         p%adhesion_radius_slope = c_slope*s_c
+         p%load_slope = p%load_slope*s_c
+         p%approach_slope = p%approach_slope*s_c
+      end associate
+   end subroutine get_point
+
+   !> Radius of adhesion at a = 0, where the curve ends.
+   elemental real(dp) function get_disc_radius(lambda, ratio) result(radius)
+      real(dp), intent(in) :: lambda, ratio
+      real(dp) :: bb
+
+      bb = 4*ratio*lambda**2*(pi/2 - 1)/3
+      radius = 2/(bb + sqrt(bb*bb + pi*lambda))
+   end function get_disc_radius
+
+   !> Load and approach without contact, of an adhesive disc of radius c.
+   elemental subroutine get_disc(lambda, ratio, radius, load, approach)
+      real(dp), intent(in) :: lambda, ratio, radius
+      real(dp), intent(out) :: load, approach
+
+      load = -pi*ratio*lambda*radius**2/2
+      approach = radius**2/2 - 8*ratio*lambda*radius/(3*pi) - 2/(pi*lambda)
+   end subroutine get_disc
+
+   !> About where a contact of a radius is, from the leading terms of A c^2 + B c = 1 at both ends.
+   elemental real(dp) function guess_place(lambda, ratio, radius) result(place)
+      real(dp), intent(in) :: lambda, ratio, radius
+      real(dp) :: small, large
+
+      ! (2/3) lambda th^3 a^2 + (2/3) X lambda^2 th^2 a = 1, by the harmonic sum of what each alone gives
+      small = 1/((2*lambda*radius**2/3)**(1.0_dp/3) + lambda*sqrt(2*ratio*radius/3))
+      large = get_disc_radius(lambda, ratio)/radius
+      if (small > 1) small = max(large, 1.0_dp)
+      place = log(small)
+   end function guess_place
+
+end module adfric_sphere_dugdale_curve

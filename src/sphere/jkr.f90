@@ -1,0 +1,121 @@
+!> The theory of Johnson, Kendall and Roberts: P = a^3 - sqrt(6 X a^3), delta = a^2 - (2/3) sqrt(6 X a)
+!> (J 2.11, 4.10, limit lambda -> infinity).
+module adfric_sphere_jkr
+   use adfric_base_kinds, only: dp
+   use adfric_numerics_powers, only: cube_root
+   use adfric_numerics_scalar_root, only: equation_t, find_root
+   use adfric_sphere_contact, only: contact_t, theory_t, branch_stable, control_approach
+   implicit none (type, external)
+   private
+   public :: jkr_t
+
+   type, extends(theory_t) :: jkr_t
+   contains
+      procedure :: of_radius
+      procedure :: of_load
+      procedure :: of_approach
+      procedure :: pull_off
+   end type jkr_t
+
+   !> Approach as a function of the square root q of the radius, q^4 - (2/3) sqrt(6 X) q, less a given one.
+   type, extends(equation_t) :: approach_equation_t
+      real(dp) :: tension = 0, approach = 0
+   contains
+      procedure :: evaluate
+   end type approach_equation_t
+
+contains
+
+   !> See `theory_t`.
+   pure subroutine of_radius(self, value, contact)
+      class(jkr_t), intent(in) :: self
+      real(dp), intent(in) :: value
+      type(contact_t), intent(inout) :: contact
+      real(dp) :: tension
+
+      contact = contact_t()
+      contact%is_found = .true.
+      contact%radius = value
+      contact%adhesion_radius = value
+      tension = sqrt(6*self%ratio)
+      contact%load = value**3 - tension*value*sqrt(value)
+      contact%approach = value**2 - 2*tension*sqrt(value)/3
+      contact%is_stable = 2*value**3 >= 3*self%ratio
+   end subroutine of_radius
+
+   !> See `theory_t`. P is quadratic in a^(3/2).
+   pure subroutine of_load(self, value, branch, contact)
+      class(jkr_t), intent(in) :: self
+      real(dp), intent(in) :: value
+      integer, intent(in) :: branch
+      type(contact_t), intent(inout) :: contact
+      real(dp) :: tension, discriminant, root
+
+      contact = contact_t()
+      discriminant = 6*self%ratio + 4*value
+      if (discriminant < 0) return
+      tension = sqrt(6*self%ratio)
+      root = (tension + sqrt(discriminant))/2
+      if (branch /= branch_stable) then
+         ! the product of both roots is -P
+         if (value > 0 .or. .not. root > 0) return
+         root = -value/root
+      end if
+      call self%of_radius(cube_root(root*root), contact)
+      contact%load = value
+      contact%is_stable = branch == branch_stable
+   end subroutine of_load
+
+   !> See `theory_t`.
+   pure subroutine of_approach(self, value, branch, contact)
+      class(jkr_t), intent(in) :: self
+      real(dp), intent(in) :: value
+      integer, intent(in) :: branch
+      type(contact_t), intent(inout) :: contact
+      type(approach_equation_t) :: equation
+      real(dp) :: fold, root, highest
+      logical :: is_converged
+
+      contact = contact_t()
+      equation%tension = 2*sqrt(6*self%ratio)/3
+      equation%approach = value
+      ! the approach is least where 4 q^3 is the tension
+      fold = cube_root(equation%tension/4)
+      if (value < fold**4 - equation%tension*fold) return
+      if (branch == branch_stable) then
+         highest = cube_root(equation%tension) + sqrt(sqrt(max(value, 0.0_dp)))
+         root = highest*(1 - epsilon(root))
+         call find_root(equation, fold, highest, .true., root, is_converged)
+      else
+         if (value > 0) return
+         root = 0
+         call find_root(equation, 0.0_dp, fold, .false., root, is_converged)
+      end if
+      call self%of_radius(root*root, contact)
+      contact%approach = value
+      contact%is_stable = branch == branch_stable
+      contact%is_converged = is_converged
+   end subroutine of_approach
+
+   !> See `theory_t`: a^3 = 3 X/2 under load, X/6 under approach.
+   pure subroutine pull_off(self, control, contact)
+      class(jkr_t), intent(in) :: self
+      integer, intent(in) :: control
+      type(contact_t), intent(out) :: contact
+
+      call self%of_radius(cube_root(self%ratio*merge(1/6.0_dp, 1.5_dp, control == control_approach)), contact)
+      contact%is_stable = .true.
+   end subroutine pull_off
+
+   !> Value and slope of the equation of the approach.
+   pure subroutine evaluate(self, x, value, slope)
+      class(approach_equation_t), intent(in) :: self
+      real(dp), intent(in) :: x
+      real(dp), intent(out) :: value
+      real(dp), intent(out) :: slope
+
+      value = (x**3 - self%tension)*x - self%approach
+      slope = 4*x**3 - self%tension
+   end subroutine evaluate
+
+end module adfric_sphere_jkr

@@ -1,0 +1,274 @@
+!> Maugis's theory with Dugdale's constant stress of adhesion, for every lambda and X.
+!>
+!> Along its curve (see `dugdale_curve`) radius falls; load and approach fall to their least values and rise again
+!> to a = 0. Beyond, the surfaces only attract each other, on a disc of radius c, down to c = 0.
+module adfric_sphere_maugis_dugdale
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_numerics_powers, only: cube_root
+   use adfric_numerics_scalar_root, only: equation_t, find_root
+   use adfric_sphere_contact, only: contact_t, theory_t, branch_stable, control_approach
+   use adfric_sphere_dugdale_curve, only: point_t, get_point, get_disc, get_disc_radius, guess_place, farthest
+   implicit none (type, external)
+   private
+   public :: maugis_t
+
+   type, extends(theory_t) :: maugis_t
+      !> Maugis's parameter, > 0.
+      real(dp) :: lambda = 1
+   contains
+      procedure :: of_radius
+      procedure :: of_load
+      procedure :: of_approach
+      procedure :: pull_off
+   end type maugis_t
+
+   !> Quantities along the curve.
+   integer, parameter :: radius_along = 1, load_along = 2, approach_along = 3
+
+   !> A quantity along the curve less a given value, or its slope, as a function of the place.
+   type, extends(equation_t) :: curve_equation_t
+      real(dp) :: lambda = 1, ratio = 1, given = 0
+      !> One of `..._along`.
+      integer :: quantity = radius_along
+      logical :: is_slope = .false.
+   contains
+      procedure :: evaluate
+      procedure :: compare
+   end type curve_equation_t
+
+   !> Step of the place for the slope of a slope; it need not be exact.
+   real(dp), parameter :: small_step = 1.0e-5_dp
+   !> A step of the place after which Newton's method has nothing left to do, and one that it is not trusted with.
+   real(dp), parameter :: close_enough = 1.0e-8_dp, longest_step = 1.0_dp
+   integer, parameter :: max_plain_steps = 8
+
+contains
+
+   !> See `theory_t`. At radius 0 the surfaces are about to touch.
+   pure subroutine of_radius(self, value, contact)
+      class(maugis_t), intent(in) :: self
+      real(dp), intent(in) :: value
+      type(contact_t), intent(inout) :: contact
+
+      if (value > 0) then
+         if (.not. abs(contact%place) > 0) contact%place = guess_place(self%lambda, self%ratio, value)
+         call go_to(self, radius_along, value, -farthest, farthest, .false., contact)
+      else
+         call go_apart(self, get_disc_radius(self%lambda, self%ratio), contact)
+      end if
+      contact%radius = value
+   end subroutine of_radius
+
+   !> See `theory_t`. A load above -3X/2 is carried whatever lambda is.
+   pure subroutine of_load(self, value, branch, contact)
+      class(maugis_t), intent(in) :: self
+      real(dp), intent(in) :: value
+      integer, intent(in) :: branch
+      type(contact_t), intent(inout) :: contact
+      type(contact_t) :: fold
+
+      if (branch == branch_stable .and. value > -1.5_dp*self%ratio) then
+         if (.not. abs(contact%place) > 0) then
+            contact%place = guess_place(self%lambda, self%ratio, cube_root(value + (2 + sqrt(value + 2*self%ratio))*self%ratio))
+         end if
+         call go_to(self, load_along, value, -farthest, farthest, .false., contact)
+         if (contact%is_converged .and. contact%is_stable) return
+      end if
+      call self%pull_off(0, fold)
+      contact = contact_t()
+      if (value < fold%load .or. .not. fold%is_found) return
+      if (branch == branch_stable) then
+         contact%place = fold%place - 0.5_dp
+         call go_to(self, load_along, value, -farthest, fold%place, .false., contact)
+      else if (value > 0) then
+         return
+      else if (2*value < -pi*self%ratio*self%lambda*get_disc_radius(self%lambda, self%ratio)**2) then
+         contact%place = fold%place + 0.5_dp
+         call go_to(self, load_along, value, fold%place, farthest, .true., contact)
+      else if (self%ratio > 0) then
+         call go_apart(self, sqrt(-2*value/(pi*self%ratio*self%lambda)), contact)
+         contact%load = value
+      end if
+      contact%is_stable = branch == branch_stable
+   end subroutine of_load
+
+   !> See `theory_t`. Held at a distance, the surfaces may part without a jump, through a = 0 to a smaller disc.
+   pure subroutine of_approach(self, value, branch, contact)
+      class(maugis_t), intent(in) :: self
+      real(dp), intent(in) :: value
+      integer, intent(in) :: branch
+      type(contact_t), intent(inout) :: contact
+      type(contact_t) :: fold
+      real(dp) :: largest, mean, half, load, touching
+
+      largest = get_disc_radius(self%lambda, self%ratio)
+      mean = 8*self%ratio*self%lambda/(3*pi)
+      call get_disc(self%lambda, self%ratio, largest, load, touching)
+      if (branch == branch_stable .and. value >= touching) then
+         if (.not. abs(contact%place) > 0) then
+            contact%place = guess_place(self%lambda, self%ratio, &
+               & sqrt(max(value, 0.0_dp)) + cube_root(2*sqrt(6*self%ratio)/3)/2 + 0.1_dp*self%ratio/self%lambda)
+         end if
+         call go_to(self, approach_along, value, -farthest, farthest, .false., contact)
+         contact%is_stable = contact%is_converged .and. contact%is_stable
+         if (contact%is_stable) return
+      end if
+      call self%pull_off(control_approach, fold)
+      contact = contact_t()
+      if (value < fold%approach) return
+      half = sqrt(max(0.0_dp, mean**2 + 2*(value + 2/(pi*self%lambda))))
+      if (branch == branch_stable .and. largest > mean .and. value < touching) then
+         call go_apart(self, mean + half, contact)
+      else if (branch == branch_stable) then
+         contact%place = fold%place - 0.5_dp
+         call go_to(self, approach_along, value, -farthest, merge(fold%place, farthest, largest <= mean), .false., contact)
+      else if (largest <= mean .and. value < touching) then
+         contact%place = fold%place + 0.5_dp
+         call go_to(self, approach_along, value, fold%place, farthest, .true., contact)
+      else if (mean - half >= 0) then
+         call go_apart(self, mean - half, contact)
+      end if
+      contact%approach = value
+      contact%is_stable = branch == branch_stable
+   end subroutine of_approach
+
+   !> See `theory_t`.
+   pure subroutine pull_off(self, control, contact)
+      class(maugis_t), intent(in) :: self
+      integer, intent(in) :: control
+      type(contact_t), intent(out) :: contact
+      type(curve_equation_t) :: equation
+      type(point_t) :: point
+      real(dp) :: mean, largest, radius
+
+      largest = get_disc_radius(self%lambda, self%ratio)
+      mean = 8*self%ratio*self%lambda/(3*pi)
+      if (.not. self%ratio > 0) then
+         call go_apart(self, largest, contact)
+      else if (control == control_approach .and. largest > mean) then
+         call go_apart(self, mean, contact)
+      else
+         equation%lambda = self%lambda
+         equation%ratio = self%ratio
+         equation%is_slope = .true.
+         equation%quantity = merge(approach_along, load_along, control == control_approach)
+         ! between JKR's radius and what small lambda lead to
+         radius = cube_root(merge(1/6.0_dp, 1.5_dp, control == control_approach)*self%ratio)
+         contact%place = guess_place(self%lambda, self%ratio, 1/(1/radius + 0.5_dp/(self%ratio*self%lambda)))
+         call find_root(equation, -farthest, farthest, .true., contact%place, contact%is_converged, close_enough*small_step)
+         call get_point(self%lambda, self%ratio, contact%place, point)
+         call read_point(point, 0.0_dp, contact, equation%quantity)
+      end if
+      contact%is_stable = .true.
+   end subroutine pull_off
+
+   !> Go along the curve to where a quantity has a value.
+   pure subroutine go_to(self, quantity, value, low, high, rises, contact)
+      class(maugis_t), intent(in) :: self
+      !> One of `..._along`.
+      integer, intent(in) :: quantity
+      real(dp), intent(in) :: value
+      !> Ends of the part of the curve, and whether the quantity rises from one to the other.
+      real(dp), intent(in) :: low, high
+      logical, intent(in) :: rises
+      !> In: a place to start from. Out: the contact.
+      type(contact_t), intent(inout) :: contact
+      type(curve_equation_t) :: equation
+      type(point_t) :: point
+      real(dp) :: excess, slope, step
+      integer :: iteration
+
+      equation = curve_equation_t(self%lambda, self%ratio, value, quantity)
+      contact%is_converged = .false.
+      step = 0
+      do iteration = 1, max_plain_steps
+         call get_point(self%lambda, self%ratio, contact%place, point)
+         call equation%compare(point, excess, slope)
+         if (.not. abs(slope) > 0 .or. (slope > 0 .neqv. rises)) exit
+         step = -excess/slope
+         if (.not. (contact%place + step > low .and. contact%place + step < high .and. abs(step) < longest_step)) exit
+         contact%place = contact%place + step
+         contact%is_converged = abs(step) < close_enough
+         if (contact%is_converged) exit
+      end do
+      if (contact%is_converged) then
+         ! the last step is so small that the tangent is exact
+         call read_point(point, step, contact, quantity)
+      else
+         call find_root(equation, low, high, rises, contact%place, contact%is_converged, close_enough)
+         call get_point(self%lambda, self%ratio, contact%place, point)
+         call read_point(point, 0.0_dp, contact, quantity)
+      end if
+      if (quantity == load_along) contact%load = value
+      if (quantity == approach_along) contact%approach = value
+   end subroutine go_to
+
+   !> The contact a small step from a point of the curve.
+   pure subroutine read_point(point, step, contact, quantity)
+      type(point_t), intent(in) :: point
+      real(dp), intent(in) :: step
+      type(contact_t), intent(inout) :: contact
+      !> What is held: the contact is stable where load or approach fall along the curve.
+      integer, intent(in) :: quantity
+
+      contact%is_found = .true.
+      contact%radius = point%radius + point%radius_slope*step
+      contact%adhesion_radius = point%adhesion_radius + point%adhesion_radius_slope*step
+      contact%load = point%load + point%load_slope*step
+      contact%approach = point%approach + point%approach_slope*step
+      contact%is_stable = merge(point%approach_slope, point%load_slope, quantity == approach_along) < 0
+   end subroutine read_point
+
+   !> The state without contact whose adhesion reaches a radius.
+   pure subroutine go_apart(self, radius, contact)
+      class(maugis_t), intent(in) :: self
+      real(dp), intent(in) :: radius
+      type(contact_t), intent(inout) :: contact
+
+      contact = contact_t()
+      contact%is_found = .true.
+      contact%adhesion_radius = radius
+      call get_disc(self%lambda, self%ratio, radius, contact%load, contact%approach)
+   end subroutine go_apart
+
+   !> Value and slope of the equation. Radii are compared by their logarithms, along which the curve is nearly straight.
+   pure subroutine evaluate(self, x, value, slope)
+      class(curve_equation_t), intent(in) :: self
+      real(dp), intent(in) :: x
+      real(dp), intent(out) :: value
+      real(dp), intent(out) :: slope
+      type(point_t) :: point, next
+
+      call get_point(self%lambda, self%ratio, x, point)
+      if (self%is_slope) then
+         call get_point(self%lambda, self%ratio, x + small_step, next)
+         value = merge(point%approach_slope, point%load_slope, self%quantity == approach_along)
+         slope = (merge(next%approach_slope, next%load_slope, self%quantity == approach_along) - value)/small_step
+      else
+         call self%compare(point, value, slope)
+      end if
+   end subroutine evaluate
+
+   !> A quantity at a point less the given value, and its slope. Radii are compared by their logarithms, along which the
+   !> curve is nearly straight.
+   pure subroutine compare(self, point, value, slope)
+      class(curve_equation_t), intent(in) :: self
+      type(point_t), intent(in) :: point
+      real(dp), intent(out) :: value
+      real(dp), intent(out) :: slope
+
+      select case (self%quantity)
+      case (radius_along)
+         value = log(point%radius/self%given)
+         slope = point%radius_slope/point%radius
+      case (load_along)
+         value = point%load - self%given
+         slope = point%load_slope
+      case default
+         value = point%approach - self%given
+         slope = point%approach_slope
+      end select
+   end subroutine compare
+
+end module adfric_sphere_maugis_dugdale

@@ -1,0 +1,83 @@
+!> A contact of a sphere with a plane, and what every theory of it can do.
+!>
+!> Reduced variables of Johnson (2.11): radii in (3 pi w R^2/4E*)^(1/3), loads in pi w R, approach in
+!> (9 pi^2 w^2 R/16E*^2)^(1/3). Loads press, approach closes, tension is negative. The adhesion that friction
+!> leaves is the share X = w'/w of the work of adhesion w.
+module adfric_sphere_contact
+   use adfric_base_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: contact_t, theory_t
+   public :: theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale
+   public :: control_load, control_approach, control_radius, branch_stable, branch_unstable
+
+   !> Theories, as they stand in the results file.
+   integer, parameter :: theory_hertz = 0, theory_jkr = 1, theory_dmt = 2, theory_maugis_dugdale = 3
+   !> What is held.
+   integer, parameter :: control_load = 1, control_approach = 2, control_radius = 3
+   !> Where two states belong to what is held.
+   integer, parameter :: branch_stable = 1, branch_unstable = 2
+
+   !> A state of contact.
+   type :: contact_t
+      !> Is there one?
+      logical :: is_found = .false.
+      !> Has it been found to round-off?
+      logical :: is_converged = .true.
+      !> Is it stable under the control that was given? With a given radius: under load.
+      logical :: is_stable = .false.
+      !> Radii of intimate contact (0: the surfaces only attract each other) and of adhesion.
+      real(dp) :: radius = 0, adhesion_radius = 0
+      real(dp) :: load = 0, approach = 0
+      !> Where the theory found it; a neighbour's value is a first guess. 0: none.
+      real(dp) :: place = 0
+   end type contact_t
+
+   !> A theory of adhesion, for one value of X (and of lambda).
+   type, abstract :: theory_t
+      !> X = w'/w >= 0.
+      real(dp) :: ratio = 1
+   contains
+      procedure(find_i), deferred :: of_radius
+      procedure(find_branch_i), deferred :: of_load
+      procedure(find_branch_i), deferred :: of_approach
+      procedure(pull_off_i), deferred :: pull_off
+   end type theory_t
+
+   abstract interface
+
+      !> The contact of a radius >= 0.
+      pure subroutine find_i(self, value, contact)
+         import :: theory_t, contact_t, dp
+         implicit none (type, external)
+         class(theory_t), intent(in) :: self
+         real(dp), intent(in) :: value
+         !> In: a neighbour or a new one. Out: the contact; `is_found` and `is_converged` tell.
+         type(contact_t), intent(inout) :: contact
+      end subroutine find_i
+
+      !> The contact of a load or an approach.
+      pure subroutine find_branch_i(self, value, branch, contact)
+         import :: theory_t, contact_t, dp
+         implicit none (type, external)
+         class(theory_t), intent(in) :: self
+         real(dp), intent(in) :: value
+         !> One of `branch_...`.
+         integer, intent(in) :: branch
+         !> In: a neighbour or a new one. Out: the contact; `is_found` and `is_converged` tell.
+         type(contact_t), intent(inout) :: contact
+      end subroutine find_branch_i
+
+      !> The contact at the end of stability.
+      pure subroutine pull_off_i(self, control, contact)
+         import :: theory_t, contact_t
+         implicit none (type, external)
+         class(theory_t), intent(in) :: self
+         !> One of `control_...`; a given radius counts as a given load.
+         integer, intent(in) :: control
+         type(contact_t), intent(out) :: contact
+      end subroutine pull_off_i
+
+   end interface
+
+end module adfric_sphere_contact
