@@ -31,7 +31,7 @@ module adfric_numerics_scalar_root
 
 contains
 
-   !> Newton's method, with bisection wherever it would leave the bracket or does not converge. Where the value is
+   !> Newton's method, with bisection wherever it would leave the bracket or does not at least halve its steps. Where the value is
    !> not a number there is no convergence.
    pure subroutine find_root(equation, low, high, rises, x, is_converged, small_step)
       class(equation_t), intent(in) :: equation
@@ -44,7 +44,7 @@ contains
       logical, intent(out) :: is_converged
       !> A step of this size leaves nothing to do, whatever the bracket.
       real(dp), intent(in), optional :: small_step
-      real(dp) :: left, right, value, slope, step, last_step
+      real(dp) :: left, right, value, slope, step, last_step, enough
       integer :: iteration
 
       left = low
@@ -62,19 +62,19 @@ contains
          else
             right = x
          end if
-         if (abs(slope)*(right - left) > abs(value)) then
+         if (abs(slope)*(right - left) > abs(value) .and. (slope > 0 .eqv. rises)) then
             step = -value/slope
          else
             step = right - left
          end if
-         if (x + step > left .and. x + step < right .and. abs(step) < last_step) then
+         enough = close_enough*min(x - low, high - x)
+         if (present(small_step)) enough = small_step
+         is_converged = abs(step) <= enough
+         if (is_converged) then
+            x = min(max(x + step, left), right)
+         else if (x + step > left .and. x + step < right .and. abs(step) < last_step/2) then
             last_step = abs(step)
             x = x + step
-            if (present(small_step)) then
-               is_converged = abs(step) <= small_step
-            else
-               is_converged = abs(step) <= close_enough*min(x - low, high - x)
-            end if
          else
             x = left + (right - left)/2
             last_step = right - left

@@ -14,10 +14,10 @@ module adfric_sphere_dugdale_curve
    use adfric_numerics_trigonometry, only: sinc_minus_cos
    implicit none (type, external)
    private
-   public :: point_t, get_point, get_disc_radius, get_disc, guess_place, farthest
+   public :: point_t, get_point, get_disc_radius, get_disc, guess_place, farthest, largest_radius
 
-   !> Beyond this, lengths and loads leave the range of numbers.
-   real(dp), parameter :: farthest = 160.0_dp
+   !> Contacts that are larger, or nearer to the end at a = 0, are none of this world.
+   real(dp), parameter :: largest_radius = 1.0e60_dp, farthest = 150.0_dp
    !> Below this angle the difference in f loses digits.
    real(dp), parameter :: narrow = 0.5_dp
 

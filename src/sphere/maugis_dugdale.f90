@@ -8,7 +8,8 @@ module adfric_sphere_maugis_dugdale
    use adfric_numerics_powers, only: cube_root
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_sphere_contact, only: contact_t, theory_t, branch_stable, control_approach
-   use adfric_sphere_dugdale_curve, only: point_t, get_point, get_disc, get_disc_radius, guess_place, farthest
+   use adfric_sphere_dugdale_curve, only: point_t, get_point, get_disc, get_disc_radius, guess_place, &
+      & farthest, largest_radius
    implicit none (type, external)
    private
    public :: maugis_t
@@ -41,7 +42,7 @@ module adfric_sphere_maugis_dugdale
    real(dp), parameter :: small_step = 1.0e-5_dp
    !> A step of the place after which Newton's method has nothing left to do, and one that it is not trusted with.
    real(dp), parameter :: close_enough = 1.0e-8_dp, longest_step = 1.0_dp
-   integer, parameter :: max_plain_steps = 8
+   integer, parameter :: max_plain_steps = 12
 
 contains
 
@@ -53,7 +54,7 @@ contains
 
       if (value > 0) then
          if (.not. abs(contact%place) > 0) contact%place = guess_place(self%lambda, self%ratio, value)
-         call go_to(self, radius_along, value, -farthest, farthest, .false., contact)
+         call go_to(self, radius_along, value, start_of(self), farthest, .true., contact)
       else
          call go_apart(self, get_disc_radius(self%lambda, self%ratio), contact)
       end if
@@ -72,7 +73,7 @@ contains
          if (.not. abs(contact%place) > 0) then
             contact%place = guess_place(self%lambda, self%ratio, cube_root(value + (2 + sqrt(value + 2*self%ratio))*self%ratio))
          end if
-         call go_to(self, load_along, value, -farthest, farthest, .false., contact)
+         call go_to(self, load_along, value, start_of(self), farthest, value > 0, contact)
          if (contact%is_converged .and. contact%is_stable) return
       end if
       call self%pull_off(0, fold)
@@ -80,12 +81,12 @@ contains
       if (value < fold%load .or. .not. fold%is_found) return
       if (branch == branch_stable) then
          contact%place = fold%place - 0.5_dp
-         call go_to(self, load_along, value, -farthest, fold%place, .false., contact)
+         call go_to(self, load_along, value, start_of(self), fold%place, .true., contact)
       else if (value > 0) then
          return
       else if (2*value < -pi*self%ratio*self%lambda*get_disc_radius(self%lambda, self%ratio)**2) then
          contact%place = fold%place + 0.5_dp
-         call go_to(self, load_along, value, fold%place, farthest, .true., contact)
+         call go_to(self, load_along, value, fold%place, farthest, .true., contact, rises=.true.)
       else if (self%ratio > 0) then
          call go_apart(self, sqrt(-2*value/(pi*self%ratio*self%lambda)), contact)
          contact%load = value
@@ -110,7 +111,7 @@ contains
             contact%place = guess_place(self%lambda, self%ratio, &
                & sqrt(max(value, 0.0_dp)) + cube_root(2*sqrt(6*self%ratio)/3)/2 + 0.1_dp*self%ratio/self%lambda)
          end if
-         call go_to(self, approach_along, value, -farthest, farthest, .false., contact)
+         call go_to(self, approach_along, value, start_of(self), farthest, value > touching, contact)
          contact%is_stable = contact%is_converged .and. contact%is_stable
          if (contact%is_stable) return
       end if
@@ -122,10 +123,10 @@ contains
          call go_apart(self, mean + half, contact)
       else if (branch == branch_stable) then
          contact%place = fold%place - 0.5_dp
-         call go_to(self, approach_along, value, -farthest, merge(fold%place, farthest, largest <= mean), .false., contact)
+         call go_to(self, approach_along, value, start_of(self), merge(fold%place, farthest, largest <= mean), .true., contact)
       else if (largest <= mean .and. value < touching) then
          contact%place = fold%place + 0.5_dp
-         call go_to(self, approach_along, value, fold%place, farthest, .true., contact)
+         call go_to(self, approach_along, value, fold%place, farthest, .true., contact, rises=.true.)
       else if (mean - half >= 0) then
          call go_apart(self, mean - half, contact)
       end if
@@ -156,7 +157,8 @@ contains
          ! between JKR's radius and what small lambda lead to
          radius = cube_root(merge(1/6.0_dp, 1.5_dp, control == control_approach)*self%ratio)
          contact%place = guess_place(self%lambda, self%ratio, 1/(1/radius + 0.5_dp/(self%ratio*self%lambda)))
-         call find_root(equation, -farthest, farthest, .true., contact%place, contact%is_converged, close_enough*small_step)
+         call find_root(equation, start_of(self), farthest, .true., contact%place, contact%is_converged, &
+            & close_enough*small_step)
          call get_point(self%lambda, self%ratio, contact%place, point)
          call read_point(point, 0.0_dp, contact, equation%quantity)
       end if
@@ -164,28 +166,34 @@ contains
    end subroutine pull_off
 
    !> Go along the curve to where a quantity has a value.
-   pure subroutine go_to(self, quantity, value, low, high, rises, contact)
+   pure subroutine go_to(self, quantity, value, low, high, is_alone, contact, rises)
       class(maugis_t), intent(in) :: self
       !> One of `..._along`.
       integer, intent(in) :: quantity
       real(dp), intent(in) :: value
-      !> Ends of the part of the curve, and whether the quantity rises from one to the other.
+      !> Ends of the part of the curve.
       real(dp), intent(in) :: low, high
-      logical, intent(in) :: rises
+      !> Does it have the value only once there? Otherwise only the neighbourhood of the start is looked at.
+      logical, intent(in) :: is_alone
       !> In: a place to start from. Out: the contact.
       type(contact_t), intent(inout) :: contact
+      !> Does the quantity rise along that part? Usually it falls.
+      logical, intent(in), optional :: rises
       type(curve_equation_t) :: equation
       type(point_t) :: point
       real(dp) :: excess, slope, step
       integer :: iteration
+      logical :: does_rise
 
       equation = curve_equation_t(self%lambda, self%ratio, value, quantity)
+      does_rise = .false.
+      if (present(rises)) does_rise = rises
       contact%is_converged = .false.
       step = 0
       do iteration = 1, max_plain_steps
          call get_point(self%lambda, self%ratio, contact%place, point)
          call equation%compare(point, excess, slope)
-         if (.not. abs(slope) > 0 .or. (slope > 0 .neqv. rises)) exit
+         if (.not. abs(slope) > 0 .or. (slope > 0 .neqv. does_rise)) exit
          step = -excess/slope
          if (.not. (contact%place + step > low .and. contact%place + step < high .and. abs(step) < longest_step)) exit
          contact%place = contact%place + step
@@ -195,14 +203,21 @@ contains
       if (contact%is_converged) then
          ! the last step is so small that the tangent is exact
          call read_point(point, step, contact, quantity)
-      else
-         call find_root(equation, low, high, rises, contact%place, contact%is_converged, close_enough)
+      else if (is_alone) then
+         call find_root(equation, low, high, does_rise, contact%place, contact%is_converged, close_enough)
          call get_point(self%lambda, self%ratio, contact%place, point)
          call read_point(point, 0.0_dp, contact, quantity)
       end if
       if (quantity == load_along) contact%load = value
       if (quantity == approach_along) contact%approach = value
    end subroutine go_to
+
+   !> The place of the largest contact there is.
+   pure real(dp) function start_of(self)
+      class(maugis_t), intent(in) :: self
+
+      start_of = guess_place(self%lambda, self%ratio, largest_radius)
+   end function start_of
 
    !> The contact a small step from a point of the curve.
    pure subroutine read_point(point, step, contact, quantity)

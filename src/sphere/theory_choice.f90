@@ -1,0 +1,164 @@
+!> Which theory a point needs, and its contact.
+!>
+!> `auto` takes DMT or JKR where inequalities (see `theory_bounds`) prove that it is within the tolerance of
+!> Maugis-Dugdale, and Maugis-Dugdale otherwise.
+module adfric_sphere_theory_choice
+   use adfric_base_kinds, only: dp
+   use adfric_sphere_contact, only: contact_t, theory_t, theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale, &
+      & control_load, control_approach, branch_stable
+   use adfric_sphere_dmt, only: dmt_t
+   use adfric_sphere_hertz, only: hertz_t
+   use adfric_sphere_jkr, only: jkr_t
+   use adfric_sphere_maugis_dugdale, only: maugis_t
+   use adfric_sphere_theory_bounds, only: get_theory_bounds
+   implicit none (type, external)
+   private
+   public :: new_theory, find_contact, choose_theory
+
+   !> Relative errors are those of the larger of a value and this.
+   real(dp), parameter :: least_value = 0.1_dp
+
+contains
+
+   !> A theory by its number, for X = 1.
+   subroutine new_theory(theory, number, lambda)
+      class(theory_t), allocatable, intent(out) :: theory
+      !> One of `theory_...`.
+      integer, intent(in) :: number
+      !> Used by Maugis-Dugdale only, > 0.
+      real(dp), intent(in) :: lambda
+
+      select case (number)
+      case (theory_hertz)
+         allocate (hertz_t :: theory)
+      case (theory_jkr)
+         allocate (jkr_t :: theory)
+      case (theory_dmt)
+         allocate (dmt_t :: theory)
+      case default
+         allocate (theory, source=maugis_t(lambda=lambda))
+      end select
+   end subroutine new_theory
+
+   !> The contact for what is held.
+   pure subroutine find_contact(theory, control, value, branch, contact)
+      class(theory_t), intent(in) :: theory
+      !> One of `control_...`.
+      integer, intent(in) :: control
+      real(dp), intent(in) :: value
+      !> One of `branch_...`; a radius belongs to one contact only.
+      integer, intent(in) :: branch
+      !> In: a neighbour or a new one.
+      type(contact_t), intent(inout) :: contact
+
+      select case (control)
+      case (control_load)
+         call theory%of_load(value, branch, contact)
+      case (control_approach)
+         call theory%of_approach(value, branch, contact)
+      case default
+         call theory%of_radius(value, contact)
+      end select
+   end subroutine find_contact
+
+   !> The simplest theory that is proved to be within a tolerance.
+   pure subroutine choose_theory(lambda, ratio, control, value, branch, tolerance, number, error)
+      real(dp), intent(in) :: lambda, ratio
+      integer, intent(in) :: control
+      real(dp), intent(in) :: value
+      integer, intent(in) :: branch
+      !> Relative, of radius, load and approach.
+      real(dp), intent(in) :: tolerance
+      !> One of `theory_...`.
+      integer, intent(out) :: number
+      !> What is proved; 0 for Maugis-Dugdale.
+      real(dp), intent(out) :: error
+      type(jkr_t) :: jkr
+      type(dmt_t) :: dmt
+
+      number = theory_maugis_dugdale
+      error = 0
+      if (branch /= branch_stable .or. .not. ratio > 0) return
+      if (lambda < 1) then
+         dmt%ratio = ratio
+         call prove(dmt, theory_dmt, lambda, control, value, error)
+         number = theory_dmt
+      else
+         jkr%ratio = ratio
+         call prove(jkr, theory_jkr, lambda, control, value, error)
+         number = theory_jkr
+      end if
+      if (error <= tolerance) return
+      number = theory_maugis_dugdale
+      error = 0
+   end subroutine choose_theory
+
+   !> Bound of the relative error of radius, load and approach; huge where there is none.
+   pure subroutine prove(theory, number, lambda, control, value, error)
+      class(theory_t), intent(in) :: theory
+      integer, intent(in) :: number
+      real(dp), intent(in) :: lambda
+      integer, intent(in) :: control
+      real(dp), intent(in) :: value
+      real(dp), intent(out) :: error
+      type(contact_t) :: contact, low, high
+      real(dp) :: load, approach, spread, load_slope, approach_slope
+
+      error = huge(1.0_dp)
+      call find_contact(theory, control, value, branch_stable, contact)
+      if (.not. (contact%is_found .and. contact%is_stable .and. contact%radius > 0)) return
+      call get_theory_bounds(number, lambda, theory%ratio, contact%radius, load, approach)
+      if (.not. max(load, approach) < 1) return
+      spread = 0
+      if (control == control_load .or. control == control_approach) then
+         ! twice what the slope says is an interval of the radius; its ends must lie on either side for certain
+         call get_slopes(number, theory%ratio, contact%radius, load_slope, approach_slope)
+         if (control == control_load) spread = 2*load/(contact%radius*load_slope)
+         if (control == control_approach) spread = 2*approach/(contact%radius*approach_slope)
+         if (.not. (spread > 0 .and. spread < 0.5_dp)) return
+         call theory%of_radius(contact%radius*(1 - spread), low)
+         call theory%of_radius(contact%radius*(1 + spread), high)
+         if (.not. (lies_beyond(low, -1) .and. lies_beyond(high, 1))) return
+         load = load + load_slope*contact%radius*spread
+         approach = approach + abs(approach_slope)*contact%radius*spread
+         if (control == control_load) load = 0
+         if (control == control_approach) approach = 0
+      end if
+      ! relative to the least that the values of Maugis-Dugdale can be
+      if (.not. spread < 0.5_dp) return
+      error = max(spread/(1 - spread), load/max(abs(contact%load) - load, least_value), &
+         & approach/max(abs(contact%approach) - approach, least_value))
+
+   contains
+
+      !> Is the value of Maugis-Dugdale at the radius of a contact beyond what is held, however wrong the theory is?
+      pure logical function lies_beyond(other, side)
+         type(contact_t), intent(in) :: other
+         !> 1: above, -1: below.
+         integer, intent(in) :: side
+         real(dp) :: bounds(2)
+
+         call get_theory_bounds(number, lambda, theory%ratio, other%radius, bounds(1), bounds(2))
+         if (control == control_load) then
+            lies_beyond = side*(other%load - value) >= bounds(1)
+         else
+            lies_beyond = side*(other%approach - value) >= bounds(2)
+         end if
+      end function lies_beyond
+
+   end subroutine prove
+
+   !> Changes of load and approach with the radius.
+   pure subroutine get_slopes(number, ratio, radius, load_slope, approach_slope)
+      integer, intent(in) :: number
+      real(dp), intent(in) :: ratio, radius
+      real(dp), intent(out) :: load_slope, approach_slope
+
+      load_slope = 3*radius**2
+      approach_slope = 2*radius
+      if (number /= theory_jkr) return
+      load_slope = load_slope - 1.5_dp*sqrt(6*ratio*radius)
+      approach_slope = approach_slope - sqrt(6*ratio/radius)/3
+   end subroutine get_slopes
+
+end module adfric_sphere_theory_choice
