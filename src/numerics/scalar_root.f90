@@ -46,6 +46,7 @@ contains
       real(dp), intent(in), optional :: small_step
       real(dp) :: left, right, value, slope, step, last_step, enough
       integer :: iteration
+      logical :: is_tangent
 
       left = low
       right = high
@@ -62,14 +63,12 @@ contains
          else
             right = x
          end if
-         if (abs(slope)*(right - left) > abs(value) .and. (slope > 0 .eqv. rises)) then
-            step = -value/slope
-         else
-            step = right - left
-         end if
+         is_tangent = abs(slope)*(right - left) > abs(value) .and. (slope > 0 .eqv. rises)
+         step = right - left
+         if (is_tangent) step = -value/slope
          enough = close_enough*min(x - low, high - x)
          if (present(small_step)) enough = small_step
-         is_converged = abs(step) <= enough
+         is_converged = is_tangent .and. abs(step) <= enough
          if (is_converged) then
             x = min(max(x + step, left), right)
          else if (x + step > left .and. x + step < right .and. abs(step) < last_step/2) then
