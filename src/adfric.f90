@@ -2,13 +2,14 @@
 module adfric
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_model, only: model_t
+   use adfric_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_wavy_model, only: wavy_model_t, new_wavy_model
    implicit none (type, external)
    private
    public :: known_models, new_model
 
    !> Names of the models, separated by a blank.
-   character(*), parameter :: known_models = 'wavy_sliding'
+   character(*), parameter :: known_models = 'wavy_sliding sphere'
 
 contains
 
@@ -18,12 +19,17 @@ contains
       character(*), intent(in) :: name
       type(error_t), allocatable, intent(out) :: error
       type(wavy_model_t), allocatable :: wavy
+      type(sphere_model_t), allocatable :: sphere
 
       select case (name)
       case ('wavy_sliding')
          allocate (wavy)
          call new_wavy_model(wavy)
          call move_alloc(wavy, model)
+      case ('sphere')
+         allocate (sphere)
+         call new_sphere_model(sphere)
+         call move_alloc(sphere, model)
       case default
          call set_error(error, input_failure, 'model '''//name//''' is unknown; known are '//known_models)
       end select

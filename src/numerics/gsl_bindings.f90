@@ -1,9 +1,12 @@
 !> Bindings of the GNU Scientific Library.
 module adfric_numerics_gsl_bindings
-   use, intrinsic :: iso_c_binding, only: c_funptr
+   use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int
    implicit none (type, external)
    private
-   public :: gsl_set_error_handler_off
+   public :: gsl_set_error_handler_off, gsl_sf_ellint_rf, gsl_sf_ellint_rd, gsl_prec_double
+
+   !> Mode of a special function: all digits of double precision.
+   integer(c_int), parameter :: gsl_prec_double = 0
 
    interface
       !> Let errors be reported by status instead of ending the program; gives back the handler until now.
@@ -11,6 +14,22 @@ module adfric_numerics_gsl_bindings
          import :: c_funptr
          implicit none (type, external)
       end function gsl_set_error_handler_off
+
+      !> Carlson's elliptic integral R_F(x, y, z); not a number outside its domain.
+      pure real(c_double) function gsl_sf_ellint_rf(x, y, z, mode) bind(c, name='gsl_sf_ellint_RF')
+         import :: c_double, c_int
+         implicit none (type, external)
+         real(c_double), intent(in), value :: x, y, z
+         integer(c_int), intent(in), value :: mode
+      end function gsl_sf_ellint_rf
+
+      !> Carlson's elliptic integral R_D(x, y, z); not a number outside its domain.
+      pure real(c_double) function gsl_sf_ellint_rd(x, y, z, mode) bind(c, name='gsl_sf_ellint_RD')
+         import :: c_double, c_int
+         implicit none (type, external)
+         real(c_double), intent(in), value :: x, y, z
+         integer(c_int), intent(in), value :: mode
+      end function gsl_sf_ellint_rd
    end interface
 
 end module adfric_numerics_gsl_bindings

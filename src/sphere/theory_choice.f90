@@ -7,13 +7,14 @@ module adfric_sphere_theory_choice
    use adfric_sphere_contact, only: contact_t, theory_t, theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale, &
       & control_load, control_approach, branch_stable
    use adfric_sphere_dmt, only: dmt_t
+   use adfric_sphere_dugdale_curve, only: point_t, get_point, get_disc
    use adfric_sphere_hertz, only: hertz_t
    use adfric_sphere_jkr, only: jkr_t
    use adfric_sphere_maugis_dugdale, only: maugis_t
    use adfric_sphere_theory_bounds, only: get_theory_bounds
    implicit none (type, external)
    private
-   public :: new_theory, find_contact, choose_theory
+   public :: new_theory, find_contact, choose_theory, get_mismatch
 
    !> Relative errors are those of the larger of a value and this.
    real(dp), parameter :: least_value = 0.1_dp
@@ -113,9 +114,14 @@ contains
       if (control == control_load .or. control == control_approach) then
          ! twice what the slope says is an interval of the radius; its ends must lie on either side for certain
          call get_slopes(number, theory%ratio, contact%radius, load_slope, approach_slope)
-         if (control == control_load) spread = 2*load/(contact%radius*load_slope)
-         if (control == control_approach) spread = 2*approach/(contact%radius*approach_slope)
-         if (.not. (spread > 0 .and. spread < 0.5_dp)) return
+         if (control == control_load) then
+            if (.not. 2*load < 0.5_dp*contact%radius*load_slope) return
+            spread = 2*load/(contact%radius*load_slope)
+         else
+            if (.not. 2*approach < 0.5_dp*contact%radius*approach_slope) return
+            spread = 2*approach/(contact%radius*approach_slope)
+         end if
+         if (.not. spread > 0) return
          call theory%of_radius(contact%radius*(1 - spread), low)
          call theory%of_radius(contact%radius*(1 + spread), high)
          if (.not. (lies_beyond(low, -1) .and. lies_beyond(high, 1))) return
@@ -125,7 +131,6 @@ contains
          if (control == control_approach) approach = 0
       end if
       ! relative to the least that the values of Maugis-Dugdale can be
-      if (.not. spread < 0.5_dp) return
       error = max(spread/(1 - spread), load/max(abs(contact%load) - load, least_value), &
          & approach/max(abs(contact%approach) - approach, least_value))
 
@@ -147,6 +152,33 @@ contains
       end function lies_beyond
 
    end subroutine prove
+
+   !> How far a contact is from fulfilling the equations of its theory: the largest relative difference of radius, load
+   !> and approach from those of the place where it was found.
+   pure real(dp) function get_mismatch(theory, contact) result(mismatch)
+      class(theory_t), intent(in) :: theory
+      type(contact_t), intent(in) :: contact
+      type(contact_t) :: again
+      type(point_t) :: point
+
+      again = contact_t()
+      select type (theory)
+      type is (maugis_t)
+         if (contact%radius > 0) then
+            call get_point(theory%lambda, theory%ratio, contact%place, point)
+            again%radius = point%radius
+            again%load = point%load
+            again%approach = point%approach
+         else
+            call get_disc(theory%lambda, theory%ratio, contact%adhesion_radius, again%load, again%approach)
+         end if
+      class default
+         call theory%of_radius(contact%radius, again)
+      end select
+      mismatch = epsilon(mismatch) + max(abs(again%radius - contact%radius)/max(contact%radius, tiny(mismatch)), &
+         & abs(again%load - contact%load)/max(abs(contact%load), least_value), &
+         & abs(again%approach - contact%approach)/max(abs(contact%approach), least_value))
+   end function get_mismatch
 
    !> Changes of load and approach with the radius.
    pure subroutine get_slopes(number, ratio, radius, load_slope, approach_slope)

@@ -1,0 +1,252 @@
+!> The model `sphere`: a smooth sphere on a plane, its adhesion and its friction (Johnson 1997).
+module adfric_sphere_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, status_solved
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_sphere_case, only: sphere_case_t, resolve_case
+   use adfric_sphere_check, only: check_sphere_values
+   use adfric_sphere_contact, only: theory_maugis_dugdale, theory_dmt
+   use adfric_sphere_point, only: sphere_point_t, sphere_memory_t, solve_point
+   use adfric_sphere_profiles, only: contact_profile_t, new_profile
+   use adfric_sphere_static_friction, only: shear_traction
+   use adfric_sphere_variables
+   implicit none (type, external)
+   private
+   public :: sphere_model_t, new_sphere_model
+
+   type, extends(model_t) :: sphere_model_t
+   contains
+      procedure :: check_values
+      procedure :: describe_results
+      procedure :: describe_profiles
+      procedure :: describe_profile_axis
+      procedure :: wants_profiles
+      procedure :: get_profile_axis
+      procedure :: solve_block
+      procedure :: solve_profiles
+      procedure :: describe_case
+   end type sphere_model_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_sphere_model(self)
+      type(sphere_model_t), intent(out) :: self
+
+      self%name = 'sphere'
+      self%summary = 'a smooth sphere on a plane: adhesion, static friction, sliding, and what friction does to adhesion'
+      self%variables = get_sphere_variables()
+      self%results = get_sphere_results(.false.)
+      self%profiles = get_sphere_profiles(.false.)
+      self%profile_axes = 'r'
+   end subroutine new_sphere_model
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      class(sphere_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      logical, intent(in) :: is_swept(:)
+      type(problems_t), intent(inout) :: problems
+
+      call check_sphere_values(self%variables, values, problems)
+      if (values(v_profiles) > 0 .and. is_swept(v_r_max)) then
+         call problems%add('output', 'r_max', 'is swept, but all profiles share one axis; sweep another variable')
+      end if
+   end subroutine check_values
+
+   !> See `model_t`.
+   function describe_results(self, values) result(results)
+      class(sphere_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      results = self%results
+      if (is_reduced(values)) results = get_sphere_results(.true.)
+   end function describe_results
+
+   !> See `model_t`.
+   function describe_profiles(self, values) result(profiles)
+      class(sphere_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(profile_t), allocatable :: profiles(:)
+
+      profiles = self%profiles
+      if (is_reduced(values)) profiles = get_sphere_profiles(.true.)
+   end function describe_profiles
+
+   !> See `model_t`.
+   function describe_profile_axis(self, values, axis) result(profile)
+      class(sphere_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      integer, intent(in) :: axis
+      type(profile_t) :: profile
+
+      profile%name = 'r'
+      if (axis /= 1) profile%name = self%profile_axes
+      profile%long_name = 'distance from the axis'
+      profile%unit = 'm'
+      if (is_reduced(values)) profile%unit = '-'
+   end function describe_profile_axis
+
+   !> Are all quantities reduced?
+   pure logical function is_reduced(values)
+      real(dp), intent(in) :: values(:)
+
+      is_reduced = nint(values(v_units)) == units_reduced
+   end function is_reduced
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      class(sphere_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = size(self%profiles) > 0 .and. values(v_profiles) > 0
+   end function wants_profiles
+
+   !> See `model_t`.
+   function get_profile_axis(self, values, axis) result(coordinate)
+      class(sphere_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      integer, intent(in) :: axis
+      real(dp), allocatable :: coordinate(:)
+      integer :: n, k
+
+      n = nint(values(v_n_r))
+      allocate (coordinate(n), source=0.0_dp)
+      if (axis /= 1 .or. size(self%profiles) == 0 .or. .not. is_set(values(v_r_max))) return
+      coordinate = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
+   end function get_profile_axis
+
+   !> See `model_t`.
+   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      class(sphere_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :)
+      real(dp), intent(out) :: error_estimate(:)
+      integer, intent(out) :: status(:)
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      type(sphere_case_t) :: case
+      type(sphere_point_t) :: point
+      type(sphere_memory_t) :: memory
+      real(dp) :: n_closed_form
+      integer :: i
+
+      n_closed_form = 0
+      do i = 1, size(values, 2)
+         call resolve_case(values(:, i), case)
+         call solve_point(case, values(v_events, i) > 0, memory, point)
+         status(i) = point%status
+         error_estimate(i) = point%error_estimate
+         call store(case, point, values(:, i), results(:, i))
+         if (point%status /= status_solved) error_estimate(i) = not_a_number()
+         if (point%theory < theory_maugis_dugdale) n_closed_form = n_closed_form + 1
+      end do
+      allocate (attributes(merge(1, 0, size(self%variables) > 0)))
+      if (size(attributes) > 0) attributes(1) = attribute_t('share_of_limit_theories', n_closed_form)
+   end subroutine solve_block
+
+   !> Results of a point in the units of the case.
+   pure subroutine store(case, point, values, results)
+      type(sphere_case_t), intent(in) :: case
+      type(sphere_point_t), intent(in) :: point
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(out) :: results(:)
+      real(dp) :: area_unit
+
+      area_unit = case%length_unit**2
+      results = not_a_number()
+      ! these say why there is no state
+      results(r_pull_off_load) = point%pull_off_load*case%force_unit
+      results([r_peak_force, r_sliding_force, r_force_drop, r_snap_off_force]) = case%force_unit &
+         & *[point%peak_force, point%sliding_force, point%force_drop, point%snap_off_force]
+      results([r_peak_displacement, r_snap_off_displacement]) = case%approach_unit &
+         & *[point%peak_displacement, point%snap_off_displacement]
+      if (point%status /= status_solved) return
+      associate (contact => point%contact)
+         results(r_load) = contact%load*case%force_unit
+         results(r_approach) = contact%approach*case%approach_unit
+         results(r_contact_radius) = contact%radius*case%length_unit
+         ! what was given comes back to the last digit
+         if (is_set(values(v_load))) results(r_load) = values(v_load)
+         if (is_set(values(v_approach))) results(r_approach) = values(v_approach)
+         if (is_set(values(v_contact_radius))) results(r_contact_radius) = values(v_contact_radius)
+         if (point%theory /= theory_dmt) results(r_adhesion_radius) = contact%adhesion_radius*case%length_unit
+         results(r_stable) = merge(1, 0, contact%is_stable)
+      end associate
+      results(r_friction_radius) = point%friction_radius*case%length_unit
+      results(r_contact_area) = point%contact_area*area_unit
+      results(r_adhesion_ratio) = point%ratio
+      results(r_theory_used) = point%theory
+      results(r_theory_error) = point%theory_error
+      if (.not. case%has_friction) return
+      results(r_friction_force) = point%friction_force*case%force_unit
+      results(r_stick_radius) = point%gamma*point%friction_radius*case%length_unit
+      results(r_slip) = point%slip*case%approach_unit
+      results(r_largest_slip) = point%largest_slip*case%approach_unit
+      results(r_tangential_displacement) = point%displacement*case%approach_unit
+   end subroutine store
+
+   !> A quiet NaN, which stands for `no value`.
+   pure real(dp) function not_a_number()
+      not_a_number = ieee_value(1.0_dp, ieee_quiet_nan)
+   end function not_a_number
+
+   !> See `model_t`.
+   subroutine solve_profiles(self, values, results, profiles)
+      class(sphere_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(in) :: results(:)
+      real(dp), intent(out) :: profiles(:, :, :)
+      type(sphere_case_t) :: case
+      type(sphere_point_t) :: point
+      type(sphere_memory_t) :: memory
+      type(contact_profile_t) :: profile
+      real(dp), allocatable :: r(:)
+
+      profiles = not_a_number()
+      if (.not. results(r_load) < huge(1.0_dp)) return
+      call resolve_case(values, case)
+      call solve_point(case, .false., memory, point)
+      call new_profile(profile, memory%theory, point%contact)
+      r = self%get_profile_axis(values, 1)/case%length_unit
+      profiles(:, 1, 1) = profile%pressure(r)*case%stress_unit
+      if (case%has_friction) then
+         profiles(:, 1, 2) = case%strength*case%stress_unit*shear_traction(r, point%friction_radius, point%gamma)
+      end if
+      profiles(:, 1, 3) = profile%gap(r)*case%approach_unit
+   end subroutine solve_profiles
+
+   !> See `model_t`.
+   function describe_case(self, values) result(text)
+      class(sphere_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      type(sphere_case_t) :: case
+
+      text = ''
+      if (size(self%variables) == 0) return
+      call resolve_case(values, case)
+      text = line('Maugis''s parameter lambda', case%lambda, '-')
+      if (.not. is_reduced(values)) text = text//line('unit of radii', case%length_unit, 'm') &
+         & //line('unit of the approach', case%approach_unit, 'm')//line('unit of forces', case%force_unit, 'N') &
+         & //line('unit of stresses', case%stress_unit, 'Pa')
+      if (case%has_friction) text = text//line('shear strength in the scale of lambda', case%strength, '-')
+      if (case%slip_energy_ratio < huge(1.0_dp)) text = text//line('slip energy ratio g0', case%slip_energy_ratio, '-')
+
+   contains
+
+      function line(name, value, unit)
+         character(*), intent(in) :: name, unit
+         real(dp), intent(in) :: value
+         character(:), allocatable :: line
+         character(24) :: number
+
+         write (number, '(es14.6)') value
+         line = name//' = '//trim(adjustl(number))//' '//unit//new_line('a')
+      end function line
+
+   end function describe_case
+
+end module adfric_sphere_model

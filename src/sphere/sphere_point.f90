@@ -1,0 +1,182 @@
+!> One point of the sphere: the theory it needs, its contact, and its friction, in reduced variables.
+module adfric_sphere_point
+   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi, half_pi
+   use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_sphere_case, only: sphere_case_t, theory_auto
+   use adfric_sphere_contact, only: contact_t, theory_t, theory_maugis_dugdale, control_approach
+   use adfric_sphere_interaction, only: adhesion_ratio
+   use adfric_sphere_static_friction, only: angle_of_gamma, gamma_of_force, gamma_of_displacement, slip_factor, mean_slip, &
+      & largest_slip, force_ratio, displacement_core
+   use adfric_sphere_theory_choice, only: new_theory, find_contact, choose_theory, get_mismatch
+   implicit none (type, external)
+   private
+   public :: sphere_point_t, sphere_memory_t, solve_point
+
+   !> What is known of a point.
+   type :: sphere_point_t
+      !> One of `status_...`, and of `theory_...`.
+      integer :: status = status_solved, theory = theory_maugis_dugdale
+      type(contact_t) :: contact
+      !> X.
+      real(dp) :: ratio = 1
+      !> Proved error of the theory; that and what the equations leave over.
+      real(dp) :: theory_error = 0, error_estimate = 0
+      real(dp) :: friction_radius = 0, contact_area = 0, pull_off_load = 0
+      !> gamma = e/b, tangential force and displacement, slip at the edge: mean and largest.
+      real(dp) :: gamma = 1, friction_force = 0, displacement = 0, slip = 0, largest_slip = 0
+      !> Events of the static phase; NaN where they are not asked for, or do not happen.
+      real(dp) :: peak_force = 0, peak_displacement = 0, sliding_force = 0, force_drop = 0, snap_off_force = 0, &
+         & snap_off_displacement = 0
+   end type sphere_point_t
+
+   !> What one point leaves to the next.
+   type :: sphere_memory_t
+      class(theory_t), allocatable :: theory
+      !> The theory's number, its lambda, and where it found a contact last.
+      integer :: number = -1
+      real(dp) :: lambda = 0
+      type(contact_t) :: contact
+      !> The last pull-off load, and what it belongs to.
+      real(dp) :: pull_off_load = 0, pull_off_ratio = -1
+      integer :: pull_off_control = 0
+   end type sphere_memory_t
+
+contains
+
+   !> Solve a point.
+   subroutine solve_point(case, needs_events, memory, point)
+      type(sphere_case_t), intent(in) :: case
+      !> Are the events of the static phase asked for?
+      logical, intent(in) :: needs_events
+      !> It saves time and changes nothing.
+      type(sphere_memory_t), intent(inout) :: memory
+      type(sphere_point_t), intent(out) :: point
+
+      call forget_events(point)
+      associate (unused => needs_events)
+      end associate
+      if (case%has_friction .and. case%is_sliding) point%ratio = adhesion_ratio(case%slip_energy_ratio, case%interaction)
+      call take_theory(case, memory, point)
+      memory%theory%ratio = point%ratio
+      point%contact%place = memory%contact%place
+      call find_contact(memory%theory, case%control, case%value, case%branch, point%contact)
+      call finish_contact(case, memory, point)
+      if (point%status == status_solved .and. case%has_friction) call add_friction(case, point)
+   end subroutine solve_point
+
+   !> The theory that is asked for, or the simplest one that will do.
+   subroutine take_theory(case, memory, point)
+      type(sphere_case_t), intent(in) :: case
+      type(sphere_memory_t), intent(inout) :: memory
+      type(sphere_point_t), intent(inout) :: point
+
+      point%theory = case%theory
+      if (case%theory == theory_auto) then
+         call choose_theory(case%lambda, point%ratio, case%control, case%value, case%branch, case%tolerance, point%theory, &
+            & point%theory_error)
+      end if
+      if (point%theory == memory%number .and. .not. abs(case%lambda - memory%lambda) > 0) return
+      call new_theory(memory%theory, point%theory, case%lambda)
+      memory%number = point%theory
+      memory%lambda = case%lambda
+      memory%contact = contact_t()
+      memory%pull_off_ratio = -1
+   end subroutine take_theory
+
+   !> What follows from the contact alone.
+   subroutine finish_contact(case, memory, point)
+      type(sphere_case_t), intent(in) :: case
+      type(sphere_memory_t), intent(inout) :: memory
+      type(sphere_point_t), intent(inout) :: point
+      type(contact_t) :: fold
+
+      if (abs(memory%pull_off_ratio - point%ratio) > 0 .or. memory%pull_off_control /= case%control) then
+         call memory%theory%pull_off(case%control, fold)
+         memory%pull_off_load = fold%load
+         memory%pull_off_ratio = point%ratio
+         memory%pull_off_control = case%control
+      end if
+      point%pull_off_load = memory%pull_off_load
+      if (.not. point%contact%is_found) then
+         point%status = status_no_equilibrium
+         return
+      end if
+      point%error_estimate = get_mismatch(memory%theory, point%contact) + point%theory_error
+      if (.not. point%contact%is_converged .or. .not. point%error_estimate < 1) then
+         point%status = status_not_converged
+         return
+      end if
+      memory%contact = point%contact
+      associate (contact => point%contact)
+         ! without intimate contact there is no friction
+         if (contact%radius > 0) point%friction_radius = contact%radius &
+            & + case%edge_fraction*(contact%adhesion_radius - contact%radius)
+      end associate
+      point%contact_area = pi*point%friction_radius**2
+   end subroutine finish_contact
+
+   !> Friction that leaves the contact alone: during sliding, or without interaction.
+   pure subroutine add_friction(case, point)
+      type(sphere_case_t), intent(in) :: case
+      type(sphere_point_t), intent(inout) :: point
+      real(dp) :: largest_force, largest_displacement
+
+      largest_force = half_pi*case%strength*point%friction_radius**2
+      largest_displacement = 2*slip_factor(case%poisson)*case%strength*point%friction_radius/3
+      if (case%is_sliding) then
+         point%gamma = 0
+         point%friction_force = largest_force
+         ! during sliding both grow without end
+         point%displacement = not_a_number()
+         point%slip = not_a_number()
+         point%largest_slip = not_a_number()
+         return
+      end if
+      point%gamma = 1
+      if (case%is_force_given .and. case%tangential > 0) then
+         if (case%tangential > largest_force) point%status = status_no_equilibrium
+         if (case%tangential <= largest_force) point%gamma = gamma_of_force(case%tangential/largest_force)
+      else if (case%is_displacement_given .and. case%tangential > 0) then
+         if (case%tangential > largest_displacement) point%status = status_no_equilibrium
+         if (case%tangential <= largest_displacement) point%gamma = gamma_of_displacement(case%tangential/largest_displacement)
+      end if
+      call add_static_friction(case, point)
+   end subroutine add_friction
+
+   !> What gamma says of the static phase.
+   pure subroutine add_static_friction(case, point)
+      type(sphere_case_t), intent(in) :: case
+      type(sphere_point_t), intent(inout) :: point
+      real(dp) :: angle
+
+      angle = angle_of_gamma(point%gamma)
+      point%friction_force = half_pi*case%strength*point%friction_radius**2*force_ratio(point%gamma)
+      if (case%is_force_given) point%friction_force = case%tangential
+      point%displacement = 2*slip_factor(case%poisson)*case%strength*point%friction_radius*displacement_core(point%gamma)/3
+      if (case%is_displacement_given) point%displacement = case%tangential
+      point%slip = mean_slip(case%strength, case%poisson, point%friction_radius, angle)
+      point%largest_slip = largest_slip(case%strength, case%poisson, point%friction_radius, angle)
+   end subroutine add_static_friction
+
+   !> No event is known.
+   pure subroutine forget_events(point)
+      type(sphere_point_t), intent(inout) :: point
+      real(dp) :: none
+
+      none = not_a_number()
+      point%peak_force = none
+      point%peak_displacement = none
+      point%sliding_force = none
+      point%force_drop = none
+      point%snap_off_force = none
+      point%snap_off_displacement = none
+   end subroutine forget_events
+
+   !> A quiet NaN, which stands for `no value`.
+   pure real(dp) function not_a_number()
+      not_a_number = ieee_value(1.0_dp, ieee_quiet_nan)
+   end function not_a_number
+
+end module adfric_sphere_point
