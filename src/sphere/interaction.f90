@@ -50,7 +50,8 @@ contains
       root = ratio + slip_energy
       rest = 1 + slip_energy - interaction
       if (rest > 0) then
-         slope = -interaction*(2 - interaction)/(root*(root + rest))
+         ! halves, for an endless g
+         slope = -interaction*(1 - interaction/2)/root/(root/2 + rest/2)
       else
          slope = (rest - root)/root
       end if

@@ -125,8 +125,6 @@ contains
          end if
          if (is_moved .and. .not. is_static) call add(v_state, 'is sliding beside a tangential force or displacement')
          if ((is_moved .or. values(v_events) > 0) .and. .not. is_set(values(v_poisson_ratio))) call need(v_poisson_ratio)
-         if (values(v_events) > 0) call add(v_events, 'of the static phase are not yet known')
-         if (values(v_interaction) > 0 .and. is_moved) call add(v_interaction, 'is not yet known before sliding')
          if (values(v_interaction) > 0) then
             if (.not. is_static .or. values(v_events) > 0) call need_one([v_slip_energy_ratio, v_critical_slip], .true.)
             if (nint(values(v_units)) == units_si .and. .not. values(v_work_of_adhesion) > 0) then

@@ -5,8 +5,10 @@ module adfric_sphere_point
    use adfric_base_constants, only: pi, half_pi
    use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_sphere_case, only: sphere_case_t, theory_auto
-   use adfric_sphere_contact, only: contact_t, theory_t, theory_maugis_dugdale, control_approach
+   use adfric_sphere_contact, only: contact_t, theory_t, theory_maugis_dugdale
    use adfric_sphere_interaction, only: adhesion_ratio
+   use adfric_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
+      & find_friction_events, given_force, given_displacement
    use adfric_sphere_static_friction, only: angle_of_gamma, gamma_of_force, gamma_of_displacement, slip_factor, mean_slip, &
       & largest_slip, force_ratio, displacement_core
    use adfric_sphere_theory_choice, only: new_theory, find_contact, choose_theory, get_mismatch
@@ -53,27 +55,87 @@ contains
       !> It saves time and changes nothing.
       type(sphere_memory_t), intent(inout) :: memory
       type(sphere_point_t), intent(out) :: point
+      type(friction_state_t) :: state
 
       call forget_events(point)
-      associate (unused => needs_events)
-      end associate
       if (case%has_friction .and. case%is_sliding) point%ratio = adhesion_ratio(case%slip_energy_ratio, case%interaction)
-      call take_theory(case, memory, point)
+      call take_theory(case, needs_events, memory, point)
+      if (is_peeling(case)) then
+         call find_static_state(memory%theory, new_friction(case), case%control, case%value, case%branch, &
+            & merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
+         call take_state(state, point)
+      else
+         memory%theory%ratio = point%ratio
+         point%contact%place = memory%contact%place
+         call find_contact(memory%theory, case%control, case%value, case%branch, point%contact)
+      end if
       memory%theory%ratio = point%ratio
-      point%contact%place = memory%contact%place
-      call find_contact(memory%theory, case%control, case%value, case%branch, point%contact)
       call finish_contact(case, memory, point)
-      if (point%status == status_solved .and. case%has_friction) call add_friction(case, point)
+      if (point%status == status_solved .and. case%has_friction .and. .not. is_peeling(case)) call add_friction(case, point)
+      if (needs_events) call add_events(case, memory%theory, point)
    end subroutine solve_point
 
-   !> The theory that is asked for, or the simplest one that will do.
-   subroutine take_theory(case, memory, point)
+   !> Does static friction change the contact?
+   pure logical function is_peeling(case)
       type(sphere_case_t), intent(in) :: case
+
+      is_peeling = case%has_friction .and. case%interaction > 0 .and. (case%is_force_given .or. case%is_displacement_given) &
+         & .and. case%tangential > 0
+   end function is_peeling
+
+   !> The law of friction of a case.
+   pure type(friction_t) function new_friction(case) result(friction)
+      type(sphere_case_t), intent(in) :: case
+
+      friction = friction_t(case%strength, case%poisson, case%edge_fraction, case%interaction, case%slip_energy_ratio)
+   end function new_friction
+
+   !> A state of the static phase.
+   pure subroutine take_state(state, point)
+      type(friction_state_t), intent(in) :: state
+      type(sphere_point_t), intent(inout) :: point
+
+      point%contact = state%contact
+      point%contact%is_found = state%is_found
+      point%contact%is_converged = state%is_converged
+      point%ratio = state%ratio
+      point%gamma = state%gamma
+      point%friction_force = state%force
+      point%displacement = state%displacement
+      point%slip = state%slip
+      point%largest_slip = state%largest_slip
+   end subroutine take_state
+
+   !> What happens between rest and sliding.
+   pure subroutine add_events(case, theory, point)
+      type(sphere_case_t), intent(in) :: case
+      class(theory_t), intent(in) :: theory
+      type(sphere_point_t), intent(inout) :: point
+      type(friction_events_t) :: events
+
+      call find_friction_events(theory, new_friction(case), case%control, case%value, case%branch, events)
+      if (.not. events%is_found) return
+      if (.not. events%is_converged) point%status = status_not_converged
+      point%peak_force = events%peak_force
+      point%peak_displacement = events%peak_displacement
+      point%sliding_force = events%sliding_force
+      point%force_drop = events%force_drop
+      point%snap_off_force = events%snap_off_force
+      point%snap_off_displacement = events%snap_off_displacement
+   end subroutine add_events
+
+   !> The theory that is asked for, or the simplest one that will do.
+   subroutine take_theory(case, needs_events, memory, point)
+      type(sphere_case_t), intent(in) :: case
+      logical, intent(in) :: needs_events
       type(sphere_memory_t), intent(inout) :: memory
       type(sphere_point_t), intent(inout) :: point
 
       point%theory = case%theory
-      if (case%theory == theory_auto) then
+      if (case%theory == theory_auto .and. (is_peeling(case) .or. needs_events)) then
+         ! X changes on the way, and with it what could be proved
+         point%theory = theory_maugis_dugdale
+      else if (case%theory == theory_auto) then
          call choose_theory(case%lambda, point%ratio, case%control, case%value, case%branch, case%tolerance, point%theory, &
             & point%theory_error)
       end if

@@ -1,0 +1,258 @@
+!> What is looked for on the way from rest to sliding: its end, and states with a given angle, force or displacement.
+!>
+!> Along the way force and displacement rise and, with interaction, may fall again; where both happen the largest value
+!> is found first, and the state before it is the one that belongs to a smaller value.
+module adfric_sphere_peeling_search
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: half_pi
+   use adfric_numerics_scalar_root, only: equation_t, find_root
+   use adfric_sphere_contact, only: contact_t, theory_t, control_load, control_approach
+   use adfric_sphere_interaction, only: slip_energy_of_ratio
+   use adfric_sphere_static_friction, only: angle_of_force, angle_of_slip, slip_of_angle, largest_slip_core
+   use adfric_sphere_peeling_path, only: path_t, waypoint_t, get_waypoint, complete_waypoint, quantity_of, rate_of, &
+      & core_along, force_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
+   implicit none (type, external)
+   private
+   public :: find_end, find_state, find_peak, get_capped
+
+   !> The last intimate contact less what is held, as a function of X.
+   type, extends(equation_t) :: last_contact_t
+      class(theory_t), allocatable :: theory
+      integer :: control = control_load
+      real(dp) :: held = 0
+   contains
+      procedure :: evaluate
+   end type last_contact_t
+
+   !> Step of ln X for the slope of the last contact, and of ln g for that of a quantity.
+   real(dp), parameter :: ratio_step = 1.0e-6_dp, fine_step = 1.0e-5_dp
+   !> How much further than an unchanged area would do a state is expected.
+   real(dp), parameter :: allowance = 2.0_dp
+   integer, parameter :: max_doublings = 60
+
+contains
+
+   !> The state with a value of a quantity, the first on the way; not found if there is none before sliding.
+   pure subroutine find_state(self, quantity, value, waypoint, is_converged)
+      type(path_t), intent(inout) :: self
+      !> One of `..._along`.
+      integer, intent(in) :: quantity
+      !> >= 0.
+      real(dp), intent(in) :: value
+      type(waypoint_t), intent(out) :: waypoint
+      logical, intent(out) :: is_converged
+      type(waypoint_t) :: last
+
+      is_converged = .true.
+      if (.not. self%start%is_found) then
+         ! a mere touch carries no friction
+         waypoint = self%start
+         waypoint%is_found = self%start%contact%is_found .and. .not. value > 0
+         return
+      end if
+      if (.not. value > 0 .or. .not. self%friction%interaction > 0) then
+         call turn(self, self%start, quantity, value, waypoint)
+         waypoint%slip_energy = min(self%compliance*waypoint%friction_radius*waypoint%core, self%friction%slip_energy_ratio)
+         return
+      end if
+      ! without the end of the way, if it will do
+      call turn(self, self%start, quantity, value, last)
+      if (last%is_found) then
+         call get_waypoint(self, min(allowance*self%compliance*last%friction_radius*last%core, self%limit, &
+            & self%friction%slip_energy_ratio), self%start%contact, last)
+         if (last%is_found) then
+            if (value <= quantity_of(self, quantity, last)) then
+               call find_crossing(self, quantity, value, last, waypoint, is_converged)
+               return
+            end if
+         end if
+      end if
+      if (self%ending == end_none) call find_end(self, is_converged)
+      if (is_converged) call find_before_end(self, quantity, value, waypoint, is_converged)
+   end subroutine find_state
+
+   !> The same, on the whole way, whose end is known.
+   pure subroutine find_before_end(self, quantity, value, waypoint, is_converged)
+      type(path_t), intent(inout) :: self
+      integer, intent(in) :: quantity
+      real(dp), intent(in) :: value
+      type(waypoint_t), intent(out) :: waypoint
+      logical, intent(out) :: is_converged
+      type(waypoint_t) :: peak
+
+      is_converged = .true.
+      if (value <= quantity_of(self, quantity, self%finish)) then
+         peak = self%finish
+      else
+         call find_peak(self, quantity, peak, is_converged)
+      end if
+      if (.not. is_converged) return
+      if (peak%is_found) then
+         if (value <= quantity_of(self, quantity, peak)) then
+            call find_crossing(self, quantity, value, peak, waypoint, is_converged)
+            return
+         end if
+      end if
+      if (self%ending == end_capped) call turn(self, self%finish, quantity, value, waypoint)
+   end subroutine find_before_end
+
+   !> The state of an unchanged contact with a value of a quantity; not found if that is beyond gamma = 0.
+   pure subroutine turn(self, from, quantity, value, waypoint)
+      type(path_t), intent(in) :: self
+      type(waypoint_t), intent(in) :: from
+      integer, intent(in) :: quantity
+      real(dp), intent(in) :: value
+      type(waypoint_t), intent(out) :: waypoint
+      real(dp) :: largest
+
+      call get_capped(from, half_pi, waypoint)
+      largest = quantity_of(self, quantity, waypoint)
+      waypoint%is_found = value <= largest
+      if (.not. waypoint%is_found .or. .not. largest > 0) return
+      select case (quantity)
+      case (core_along)
+         if (value < largest) waypoint%angle = angle_of_slip(value**2)
+      case (force_along)
+         waypoint%angle = angle_of_force(value/largest)
+      case default
+         waypoint%angle = asin(value/largest)
+      end select
+      waypoint%core = slip_of_angle(waypoint%angle)
+   end subroutine turn
+
+   !> The state of an unchanged contact with another angle.
+   pure subroutine get_capped(from, angle, waypoint)
+      type(waypoint_t), intent(in) :: from
+      real(dp), intent(in) :: angle
+      type(waypoint_t), intent(out) :: waypoint
+
+      waypoint = from
+      waypoint%angle = angle
+      waypoint%core = largest_slip_core
+      if (angle < half_pi) waypoint%core = slip_of_angle(angle)
+   end subroutine get_capped
+
+   !> Find where the way ends, and how.
+   pure subroutine find_end(self, is_converged)
+      type(path_t), intent(inout) :: self
+      logical, intent(out) :: is_converged
+      type(waypoint_t) :: last
+      real(dp) :: cap, expected
+      integer :: k
+
+      is_converged = .true.
+      self%ending = merge(end_capped, end_no_adhesion, self%friction%slip_energy_ratio < self%limit)
+      cap = min(self%friction%slip_energy_ratio, self%limit)
+      ! g of gamma = 0 with the area of rest, which is enough unless the area grows
+      expected = largest_slip_core*self%compliance*self%start%friction_radius
+      do k = 1, max_doublings
+         call get_waypoint(self, min(cap, expected), self%start%contact, last)
+         if (.not. last%is_found) exit
+         if (last%core >= largest_slip_core .or. last%slip_energy >= cap) exit
+         expected = 2*expected
+      end do
+      if (.not. last%is_found) call find_snap_off(self, last, is_converged)
+      self%finish = last
+      if (last%core >= largest_slip_core .and. is_converged) then
+         self%ending = end_sliding
+         call find_crossing(self, core_along, sqrt(largest_slip_core), last, self%finish, is_converged)
+         call get_capped(self%finish, half_pi, last)
+         self%finish = last
+      end if
+   end subroutine find_end
+
+   !> The last contact on the way to a state without contact.
+   pure subroutine find_snap_off(self, last, is_converged)
+      type(path_t), intent(inout) :: self
+      !> In: a state without contact. Out: the last one with it.
+      type(waypoint_t), intent(inout) :: last
+      logical, intent(out) :: is_converged
+      type(last_contact_t) :: equation
+      real(dp) :: ratio
+
+      self%ending = end_snap_off
+      allocate (equation%theory, source=self%theory)
+      equation%control = self%control
+      equation%held = self%held
+      ratio = last%ratio + (1 - last%ratio)/2
+      call find_root(equation, last%ratio, 1.0_dp, .false., ratio, is_converged)
+      equation%theory%ratio = ratio
+      call get_last_contact(equation%theory, self%control, last%contact)
+      last%ratio = ratio
+      last%slip_energy = slip_energy_of_ratio(ratio, self%friction%interaction)
+      last%is_found = .true.
+      call complete_waypoint(self, last)
+   end subroutine find_snap_off
+
+   !> The last intimate contact of a theory: pull-off, or, where the surfaces part without a jump, the radius 0.
+   pure subroutine get_last_contact(theory, control, contact)
+      class(theory_t), intent(in) :: theory
+      integer, intent(in) :: control
+      type(contact_t), intent(out) :: contact
+
+      call theory%pull_off(control, contact)
+      if (.not. contact%radius > 0) call theory%of_radius(0.0_dp, contact)
+   end subroutine get_last_contact
+
+   !> The last contact less what is held.
+   pure subroutine evaluate(self, x, value, slope)
+      class(last_contact_t), intent(in) :: self
+      real(dp), intent(in) :: x
+      real(dp), intent(out) :: value
+      real(dp), intent(out) :: slope
+      class(theory_t), allocatable :: theory
+      type(contact_t) :: here, near
+
+      allocate (theory, source=self%theory)
+      theory%ratio = x
+      call get_last_contact(theory, self%control, here)
+      theory%ratio = x*(1 - ratio_step)
+      call get_last_contact(theory, self%control, near)
+      if (self%control == control_approach) then
+         value = here%approach - self%held
+         slope = (here%approach - near%approach)/(x*ratio_step)
+      else
+         value = here%load - self%held
+         slope = (here%load - near%load)/(x*ratio_step)
+      end if
+   end subroutine evaluate
+
+   !> The largest value of a quantity before the end of the way; not found if it still rises there.
+   pure subroutine find_peak(self, quantity, waypoint, is_converged)
+      type(path_t), intent(inout) :: self
+      integer, intent(in) :: quantity
+      type(waypoint_t), intent(out) :: waypoint
+      logical, intent(out) :: is_converged
+      real(dp) :: z, high
+
+      is_converged = .true.
+      if (.not. self%friction%interaction > 0) return
+      if (rate_of(self, quantity, self%finish, fine_step, .false.) >= 0) return
+      self%quantity = quantity
+      self%is_rate = .true.
+      high = sqrt(self%finish%slip_energy)
+      z = high/2
+      call find_root(self, 0.0_dp, high, .false., z, is_converged)
+      call get_waypoint(self, z**2, self%start%contact, waypoint)
+   end subroutine find_peak
+
+   !> The state with a value of a quantity, 0 < value <= that of a state which lies after it.
+   pure subroutine find_crossing(self, quantity, value, last, waypoint, is_converged)
+      type(path_t), intent(inout) :: self
+      integer, intent(in) :: quantity
+      real(dp), intent(in) :: value
+      type(waypoint_t), intent(in) :: last
+      type(waypoint_t), intent(inout) :: waypoint
+      logical, intent(out) :: is_converged
+      real(dp) :: z, high
+
+      self%quantity = quantity
+      self%given = value
+      self%is_rate = .false.
+      high = sqrt(last%slip_energy)
+      z = high*value/quantity_of(self, quantity, last)
+      call find_root(self, 0.0_dp, high*(1 + 4*epsilon(high)), .true., z, is_converged)
+      call get_waypoint(self, z**2, self%start%contact, waypoint)
+   end subroutine find_crossing
+
+end module adfric_sphere_peeling_search
