@@ -136,8 +136,8 @@ contains
          ! X changes on the way, and with it what could be proved
          point%theory = theory_maugis_dugdale
       else if (case%theory == theory_auto) then
-         call choose_theory(case%lambda, point%ratio, case%control, case%value, case%branch, case%tolerance, point%theory, &
-            & point%theory_error)
+         call choose_theory(case%lambda, point%ratio, case%control, case%value, case%branch, case%edge_fraction > 0, &
+            & case%tolerance, point%theory, point%theory_error)
       end if
       if (point%theory == memory%number .and. .not. abs(case%lambda - memory%lambda) > 0) return
       call new_theory(memory%theory, point%theory, case%lambda)

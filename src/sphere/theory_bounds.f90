@@ -5,7 +5,7 @@
 !>
 !> JKR, small th: f <= 4 th^3/3, th^2 (1 - th^2/4)/2 <= k <= th^2/2 and 2 th - 2 th^3/3 <= sin th cos th + th <= 2 th
 !> bound th from both sides by t, t^2 = 3/(2 a lambda^2), so that for t^2 <= 1/10 p is sqrt(6 a^3) (1 + r) and what
-!> adhesion adds to the approach is (2/3) sqrt(6 a) (1 + r), with |r| <= 2 t^2 + 0.74 sqrt(a)/lambda^2.
+!> adhesion adds to the approach is (2/3) sqrt(6 a) (1 + r), with |r| <= 2 t^2 + 0.74 sqrt(a)/lambda^2; c/a - 1 <= 0.6 t^2.
 !>
 !> DMT, th near pi/2: p = 2 (1 - B c)(1 + q), q = (sin th cos th + th)/f - 1, and A <= pi lambda/4 bounds c from below,
 !> which bounds cos th = a/c from above and f from below, which bounds c from above.
@@ -24,17 +24,20 @@ module adfric_sphere_theory_bounds
 contains
 
    !> Bounds of the differences of load and approach at a radius.
-   elemental subroutine get_theory_bounds(theory, lambda, ratio, radius, load, approach)
+   elemental subroutine get_theory_bounds(theory, lambda, ratio, radius, load, approach, edge)
       !> `theory_jkr` or `theory_dmt`.
       integer, intent(in) :: theory
       !> > 0.
       real(dp), intent(in) :: lambda, ratio, radius
       !> Huge where nothing is proved.
       real(dp), intent(out) :: load, approach
+      !> Bound of c/a - 1, which is 0 in JKR; DMT knows nothing of c.
+      real(dp), intent(out), optional :: edge
       real(dp) :: scale
 
       load = huge(1.0_dp)
       approach = huge(1.0_dp)
+      if (present(edge)) edge = huge(1.0_dp)
       scale = ratio**(1.0_dp/3)
       if (.not. scale > 0) return
       select case (theory)
@@ -43,7 +46,10 @@ contains
       case (theory_dmt)
          call bound_dmt(scale**2*lambda, radius/scale, load, approach)
       end select
-      if (load < huge(load)) load = ratio*load
+      if (load < huge(load)) then
+         load = ratio*load
+         if (present(edge) .and. theory == theory_jkr) edge = 0.6_dp*1.5_dp/(ratio*radius*lambda**2)
+      end if
       if (approach < huge(approach)) approach = scale**2*approach
    end subroutine get_theory_bounds
 

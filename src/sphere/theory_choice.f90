@@ -63,12 +63,14 @@ contains
    end subroutine find_contact
 
    !> The simplest theory that is proved to be within a tolerance.
-   pure subroutine choose_theory(lambda, ratio, control, value, branch, tolerance, number, error)
+   pure subroutine choose_theory(lambda, ratio, control, value, branch, needs_edge, tolerance, number, error)
       real(dp), intent(in) :: lambda, ratio
       integer, intent(in) :: control
       real(dp), intent(in) :: value
       integer, intent(in) :: branch
-      !> Relative, of radius, load and approach.
+      !> Is the radius c of adhesion needed, too? Then DMT will not do.
+      logical, intent(in) :: needs_edge
+      !> Relative, of radii, load and approach.
       real(dp), intent(in) :: tolerance
       !> One of `theory_...`.
       integer, intent(out) :: number
@@ -79,14 +81,14 @@ contains
 
       number = theory_maugis_dugdale
       error = 0
-      if (branch /= branch_stable .or. .not. ratio > 0) return
+      if (branch /= branch_stable .or. .not. ratio > 0 .or. (lambda < 1 .and. needs_edge)) return
       if (lambda < 1) then
          dmt%ratio = ratio
-         call prove(dmt, theory_dmt, lambda, control, value, error)
+         call prove(dmt, theory_dmt, lambda, control, value, .false., error)
          number = theory_dmt
       else
          jkr%ratio = ratio
-         call prove(jkr, theory_jkr, lambda, control, value, error)
+         call prove(jkr, theory_jkr, lambda, control, value, needs_edge, error)
          number = theory_jkr
       end if
       if (error <= tolerance) return
@@ -95,21 +97,23 @@ contains
    end subroutine choose_theory
 
    !> Bound of the relative error of radius, load and approach; huge where there is none.
-   pure subroutine prove(theory, number, lambda, control, value, error)
+   pure subroutine prove(theory, number, lambda, control, value, needs_edge, error)
       class(theory_t), intent(in) :: theory
       integer, intent(in) :: number
       real(dp), intent(in) :: lambda
       integer, intent(in) :: control
       real(dp), intent(in) :: value
+      logical, intent(in) :: needs_edge
       real(dp), intent(out) :: error
       type(contact_t) :: contact, low, high
-      real(dp) :: load, approach, spread, load_slope, approach_slope
+      real(dp) :: load, approach, edge, spread, load_slope, approach_slope
 
       error = huge(1.0_dp)
       call find_contact(theory, control, value, branch_stable, contact)
       if (.not. (contact%is_found .and. contact%is_stable .and. contact%radius > 0)) return
-      call get_theory_bounds(number, lambda, theory%ratio, contact%radius, load, approach)
+      call get_theory_bounds(number, lambda, theory%ratio, contact%radius, load, approach, edge)
       if (.not. max(load, approach) < 1) return
+      if (.not. needs_edge) edge = 0
       spread = 0
       if (control == control_load .or. control == control_approach) then
          ! twice what the slope says is an interval of the radius; its ends must lie on either side for certain
@@ -131,7 +135,7 @@ contains
          if (control == control_approach) approach = 0
       end if
       ! relative to the least that the values of Maugis-Dugdale can be
-      error = max(spread/(1 - spread), load/max(abs(contact%load) - load, least_value), &
+      error = max(spread/(1 - spread) + 2*edge, load/max(abs(contact%load) - load, least_value), &
          & approach/max(abs(contact%approach) - approach, least_value))
 
    contains
