@@ -44,10 +44,11 @@ def draw(results, figure_file):
     """Draw and save the figure of these results."""
     # imported here, since it takes a second that a bad file need not cost
     from .figures import choose_figure
-    from .style import use_style
+    from .style import plt, use_style
 
     use_style()
     figure = choose_figure(results)(results)
     if results.title:
         figure.suptitle(results.title, fontsize="medium")
     figure.savefig(figure_file)
+    plt.close(figure)

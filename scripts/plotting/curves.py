@@ -22,6 +22,21 @@ class Curve:
     style: dict
 
 
+def draw_panels(results, abscissa, ordinates):
+    """A panel for each result."""
+    curves = find_curves(results, abscissa)
+    columns = min(len(ordinates), 2 if len(ordinates) in (2, 4) else 3)
+    rows = -(-len(ordinates) // columns)
+    size = (4.6, 3.4) if len(ordinates) == 1 else (3.3 * columns, 2.7 * rows + 0.2)
+    figure, panels = plt.subplots(rows, columns, squeeze=False, figsize=size)
+    for panel in panels.flat[len(ordinates):]:
+        panel.remove()
+    for panel, ordinate in zip(panels.flat, ordinates):
+        draw_curves(panel, results, abscissa, ordinate, curves)
+    add_key(figure, panels.flat[0], results, abscissa, curves)
+    return figure
+
+
 def draw_curves(axes, results, abscissa, ordinate, curves):
     """Draw one result against one swept variable."""
     along = results.axis_names.index(abscissa)

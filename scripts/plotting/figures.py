@@ -1,10 +1,13 @@
-"""Which figure a run has. The paper is GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2011."""
+"""Which figure a run has.
+
+The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2011, and, in `sphere`, Johnson 1997.
+"""
 
 import numpy as np
 
-from .curves import add_key, draw_curves, find_curves
+from . import sphere
+from .curves import draw_panels
 from .results import NothingToDraw
-from .style import plt
 from .surface import draw_pressure_maps, draw_stresses
 
 # results in the order in which they are worth drawing; others follow
@@ -16,9 +19,11 @@ MOST_PANELS = 6
 
 def choose_figure(results):
     """The procedure that draws a run: by its profiles, by its model and what was swept, or the general one."""
-    if "pressure" in results.profiles:
-        return draw_pressure_maps if len(results.profile_axes) == 2 else draw_stresses
     several = [axis.name for axis in results.axes if axis.values.size > 1]
+    if "pressure" in results.profiles:
+        if (results.model, several) == ("sphere", ["tangential_force"]):
+            return sphere.draw_shear_traction
+        return draw_pressure_maps if len(results.profile_axes) == 2 else draw_stresses
     if not several:
         raise NothingToDraw(f"{results.path}: one point without profiles of the pressure: nothing to draw")
     return FIGURES.get((results.model, frozenset(several)), draw_sweep)
@@ -60,24 +65,16 @@ def _varies(values):
     return finite.size > 1 and np.ptp(finite) > 1e-12 * np.max(np.abs(finite))
 
 
-def draw_panels(results, abscissa, ordinates):
-    """A panel for each result."""
-    curves = find_curves(results, abscissa)
-    columns = min(len(ordinates), 2 if len(ordinates) in (2, 4) else 3)
-    rows = -(-len(ordinates) // columns)
-    size = (4.6, 3.4) if len(ordinates) == 1 else (3.3 * columns, 2.7 * rows + 0.2)
-    figure, panels = plt.subplots(rows, columns, squeeze=False, figsize=size)
-    for panel in panels.flat[len(ordinates):]:
-        panel.remove()
-    for panel, ordinate in zip(panels.flat, ordinates):
-        draw_curves(panel, results, abscissa, ordinate, curves)
-    add_key(figure, panels.flat[0], results, abscissa, curves)
-    return figure
-
-
 # figures of their own, by model and the variables with several values; all others have that of draw_sweep
 FIGURES = {
     ("wavy_sliding", frozenset({"load", "stress"})): draw_width_and_friction,
     ("wavy_sliding", frozenset({"load", "stress", "velocity"})): draw_friction,
     ("wavy_sliding", frozenset({"stress", "velocity"})): draw_coefficient,
+    ("sphere", frozenset({"contact_radius", "lambda"})): sphere.draw_radii_against_load,
+    ("sphere", frozenset({"load"})): sphere.draw_load,
+    ("sphere", frozenset({"interaction", "lambda", "load"})): sphere.draw_area,
+    ("sphere", frozenset({"interaction", "lambda", "load", "slip_energy_ratio"})): sphere.draw_area_left,
+    ("sphere", frozenset({"interaction", "tangential_displacement"})): sphere.draw_peeling,
+    ("sphere", frozenset({"tangential_force"})): sphere.draw_stick_radius,
+    ("sphere", frozenset({"lambda"})): sphere.draw_pull_off,
 }

@@ -5,23 +5,47 @@ import math
 import numpy as np
 
 SYMBOLS = {
+    "adhesion_radius": "c",
+    "adhesion_ratio": "X",
+    "adhesion_stress": r"\sigma_0",
+    "approach": r"\delta",
+    "area_left": "A/A^*",
+    "contact_modulus": "E^*",
+    "contact_radius": "a",
     "contact_width": "a + b",
+    "critical_slip": "s_0",
+    "edge_fraction": "x",
     "friction_coefficient": r"\mu",
     "friction_force": "T",
+    "friction_radius": "b",
     "height": "h",
+    "interaction": r"\alpha",
+    "lambda": r"\lambda",
     "load": "P",
     "penetration": "D",
     "period": "l",
+    "poisson_ratio": r"\nu",
     "pressure": "p",
+    "pull_off_load": "P_c",
+    "relative_area": "A/A_0",
+    "relative_stick_radius": "e/b",
     "relaxation_time": "T_s",
     "retardation_ratio": r"\beta",
+    "shear_strength": r"\tau_0",
     "shear_stress": r"\tau",
+    "slip": "s",
+    "slip_energy_ratio": "g_0",
+    "stick_radius": "e",
     "stiffness": "1/K",
     "stress": "p_0",
     "surface_energy": r"\gamma",
+    "tangential_displacement": "D",
+    "tangential_force": "T",
     "velocity": "V",
+    "work_of_adhesion": "w",
 }
-NAMES = {"stress": "adhesion stress", "velocity": "sliding velocity", "x": "", "y": ""}
+NAMES = {"area_left": "contact area", "lambda": "", "pull_off_load": "pull-off load", "r": "", "relative_area": "contact area",
+         "relative_stick_radius": "stick radius", "stress": "adhesion stress", "velocity": "sliding velocity", "x": "", "y": ""}
 PREFIXES = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 # the power to which a prefix is raised with the first letter of the unit; others keep their unit as it is
 PREFIXED = {"m": 1, "m/s": 1, "m^2": 2, "m^2/m": 1, "s": 1, "N": 1, "N/m": 1, "Pa": 1, "Pa/m": 1, "J": 1,

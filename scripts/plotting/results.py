@@ -1,5 +1,6 @@
 """A results file, read into arrays that know their axes and units."""
 
+import copy
 import os
 from dataclasses import dataclass
 
@@ -33,6 +34,7 @@ class Results:
 
     axes      swept variables, the slowest first
     fields    results by name, of the shape of the sweep
+    states    the same for enumerated results, as words; None where there is no value
     profile_axes, profiles    the same for values on the surface; their shape is that of the sweep, then of the axes
     """
 
@@ -61,12 +63,17 @@ class Results:
             raise BadFile(f"{self.path}: not a results file of adfric: its axes are missing")
         self.axes = [_field(file, name) for name in names]
         self.fields = {}
+        self.states = {}
         self.profiles = {}
         self.profile_axes = []
         for name, dataset in file.items():
-            if dataset.attrs.get("CLASS") == b"DIMENSION_SCALE" or dataset.dtype.kind != "f":
+            if dataset.attrs.get("CLASS") == b"DIMENSION_SCALE" or dataset.dtype.kind not in "fi":
                 continue
             scales = _scales(dataset)
+            if dataset.dtype.kind == "i":
+                if scales == names and name != "status" and "flag_meanings" in dataset.attrs:
+                    self.states[name] = _words(dataset)
+                continue
             if scales == names:
                 self.fields[name] = _field(file, name)
             elif scales[: len(names)] == names:
@@ -77,6 +84,18 @@ class Results:
     def axis_names(self):
         return [axis.name for axis in self.axes]
 
+    def at(self, name, place):
+        """What belongs to one value of a swept variable: the same results without this axis; no profiles."""
+        along = self.axis_names.index(name)
+        part = copy.copy(self)
+        part.axes = [axis for axis in self.axes if axis.name != name]
+        part.status = np.take(self.status, place, axis=along)
+        part.fields = {key: Field(key, field.unit, np.take(field.values, place, axis=along))
+                       for key, field in self.fields.items()}
+        part.states = {key: np.take(words, place, axis=along) for key, words in self.states.items()}
+        part.profiles, part.profile_axes = {}, []
+        return part
+
     def describe(self, index):
         """The swept values of a point, as pairs of axis and value."""
         return [(axis, axis.values[i]) for axis, i in zip(self.axes, index)]
@@ -84,6 +103,14 @@ class Results:
 
 def _field(file, name):
     return Field(name, _text(file[name].attrs.get("units", "-")), file[name][()])
+
+
+def _words(dataset):
+    """The words of an enumerated result; None without a value."""
+    words = np.full(dataset.shape, None, dtype=object)
+    for number, word in zip(dataset.attrs["flag_values"], _text(dataset.attrs["flag_meanings"]).split()):
+        words[dataset[()] == number] = word if number >= 0 else None
+    return words
 
 
 def _scales(dataset):

@@ -21,6 +21,10 @@ from plotting.results import Results  # noqa: E402
 UNITS = {"stress": "Pa", "velocity": "m/s", "load": "N/m", "x": "m", "y": "m", "pressure": "Pa", "gap": "m",
          "friction_force": "N/m", "contact_width": "m", "friction_coefficient": "-", "radius": "m"}
 
+SPHERE = ("load", "approach", "contact_radius", "adhesion_radius", "friction_radius", "stick_radius", "contact_area",
+          "pull_off_load")
+STATES = {"stable": "no_value unstable stable", "theory_used": "no_value hertz jkr dmt maugis_dugdale"}
+
 
 def make_file(path, axes, profile_axes=(), model="wavy_sliding"):
     """A file as adfric writes it, with made-up values; its last point did not converge."""
@@ -35,11 +39,15 @@ def make_file(path, axes, profile_axes=(), model="wavy_sliding"):
             status[..., -1] = 2
         values = np.where(status == 0, np.linspace(0.0, 1.0, max(status.size, 1)).reshape(shape), np.nan)
         fields = {name: values for name in ("friction_force", "contact_width", "friction_coefficient")}
+        if model == "sphere":
+            fields.update({name: values for name in SPHERE if name not in dict(axes)})
+            fields.update({name: np.where(status == 0, 1, -1).astype("i1") for name in STATES})
         fields["status"] = status
         if profile_axes:
             surface = [*shape, *(len(values) for _, values in profile_axes)]
             fields["pressure"] = np.linspace(-1.0, 2.0, int(np.prod(surface))).reshape(surface)
             fields["gap"] = np.maximum(fields["pressure"], 0.0)
+            fields["shear_stress"] = fields["pressure"]
         for name, data in fields.items():
             file[name] = data
             scales = [*axes, *profile_axes][: np.ndim(data)]
@@ -47,6 +55,9 @@ def make_file(path, axes, profile_axes=(), model="wavy_sliding"):
                 dimension.attach_scale(file[scale])
         for name in file:
             file[name].attrs["units"] = UNITS.get(name, "-")
+            if name in STATES:
+                file[name].attrs["flag_meanings"] = STATES[name]
+                file[name].attrs["flag_values"] = np.arange(-1, len(STATES[name].split()) - 1, dtype="i1")
 
 
 class PlotTest(unittest.TestCase):
@@ -96,6 +107,29 @@ class PlotTest(unittest.TestCase):
     def test_other_models_have_the_general_figure(self):
         make_file(self.file, [("stress", [0.0, 5e3]), ("load", [0.0, 1.0, 2.0])], model="sphere")
         self.assertIs(figures.choose_figure(Results(self.file)), figures.draw_sweep)
+
+    def test_figures_of_the_sphere(self):
+        load, lam, alpha = ("load", [-1.0, 0.0, 1.0]), ("lambda", [0.8, 1e6]), ("interaction", [0.0, 0.5])
+        energy, force = ("slip_energy_ratio", [0.5, 1.0]), ("tangential_force", [0.1, 0.2])
+        for expected, axes, radius in (
+            (figures.sphere.draw_radii_against_load, [lam, ("contact_radius", [0.5, 1.0, 1.5])], []),
+            (figures.sphere.draw_load, [load], []),
+            (figures.sphere.draw_area, [alpha, lam, load], []),
+            (figures.sphere.draw_area_left, [load, alpha, lam, energy], []),
+            (figures.sphere.draw_peeling, [alpha, ("tangential_displacement", [0.0, 1.0])], []),
+            (figures.sphere.draw_stick_radius, [force], []),
+            (figures.sphere.draw_shear_traction, [force], [("r", [0.0, 0.5, 1.0])]),
+            (figures.sphere.draw_pull_off, [("lambda", [1e-2, 1.0, 1e2])], []),
+            (figures.draw_stresses, [load], [("r", [0.0, 0.5, 1.0])]),
+        ):
+            with self.subTest(expected=expected.__name__):
+                make_file(self.file, axes, radius, model="sphere")
+                self.assertIs(figures.choose_figure(Results(self.file)), expected)
+                self.assertEqual(self.plot(), (0, ""))
+
+    def test_words_of_states(self):
+        make_file(self.file, [("load", [0.0, 1.0, 2.0])], model="sphere")
+        self.assertEqual(list(Results(self.file).states["stable"]), ["stable", "stable", None])
 
     def test_pdf(self):
         make_file(self.file, [("load", [0.0, 1.0, 2.0])])

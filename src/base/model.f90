@@ -95,6 +95,7 @@ module adfric_base_model
       procedure(describe_case_i), deferred :: describe_case
       procedure :: describe_profiles
       procedure :: describe_profile_axis
+      procedure :: unit_of
       procedure :: index_of
    end type model_t
 
@@ -216,6 +217,19 @@ contains
       associate (unused => values)
       end associate
    end function describe_profile_axis
+
+   !> Unit of a variable for this case: that of the table. A model whose units depend on the case overrides it.
+   function unit_of(self, values, place) result(unit)
+      class(model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      !> Place in `variables`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%variables(place)%unit
+      associate (unused => values)
+      end associate
+   end function unit_of
 
    !> Place of a variable in `variables`; 0 if there is none of that name.
    pure integer function index_of(self, group, name)

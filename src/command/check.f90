@@ -48,7 +48,7 @@ contains
       class(model_t), intent(in) :: model
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
-      character(:), allocatable :: group
+      character(:), allocatable :: group, unit
       integer :: i
 
       lines = ''
@@ -59,7 +59,8 @@ contains
             if (variable%group /= group) lines = lines//'&'//variable%group//newline
             group = variable%group
             lines = lines//pad('  '//variable%name, name_width)//show_input_value(variable, value)
-            if (len_trim(variable%unit) > 0 .and. variable%unit /= '-') lines = lines//' '//variable%unit
+            unit = model%unit_of(run%plan%base, i)
+            if (len_trim(unit) > 0 .and. unit /= '-') lines = lines//' '//unit
             if (.not. run%is_given(i)) lines = lines//' (default)'
             lines = lines//newline
          end associate
@@ -70,7 +71,7 @@ contains
    function describe_sweep(model, run) result(lines)
       class(model_t), intent(in) :: model
       type(run_input_t), intent(in) :: run
-      character(:), allocatable :: lines
+      character(:), allocatable :: lines, unit
       integer :: k
 
       lines = ''
@@ -79,7 +80,8 @@ contains
             lines = lines//pad('sweep of '//variable%group//'%'//variable%name, name_width)// &
                show_count(size(values))//' values, '//show_number(values(1))
             if (size(values) > 1) lines = lines//' to '//show_number(values(size(values)))
-            if (variable%unit /= '-') lines = lines//' '//variable%unit
+            unit = model%unit_of(run%plan%base, run%plan%axes(k)%variable)
+            if (unit /= '-') lines = lines//' '//unit
             lines = lines//newline
          end associate
       end do

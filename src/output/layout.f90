@@ -61,7 +61,7 @@ contains
       type(result_t), allocatable :: results(:)
 
       results = model%describe_results(plan%base)
-      call find_axes(model, plan, results, self%axes)
+      call find_axes(model, plan, self%axes)
       call find_fields(results, self%axes, self%fields)
       if (model%wants_profiles(plan%base)) then
          call find_profile_axes(model, plan%base, self%profile_axes)
@@ -72,10 +72,9 @@ contains
    end subroutine new_layout
 
    !> Name the swept variables: by their own names or, where two of them share it, with the group before it.
-   subroutine find_axes(model, plan, results, axes)
+   subroutine find_axes(model, plan, axes)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
-      type(result_t), intent(in) :: results(:)
       type(scale_t), allocatable, intent(out) :: axes(:)
       integer :: k, i, n_same
 
@@ -88,13 +87,9 @@ contains
             end do
             axis%name = variable%name
             if (n_same > 1) axis%name = variable%group//'_'//variable%name
-            axis%unit = variable%unit
+            axis%unit = model%unit_of(plan%base, plan%axes(k)%variable)
             axis%long_name = variable%meaning
             axis%values = plan%axes(k)%values
-            ! The unit of a result can depend on the case, and is then that of the variable, too.
-            do i = 1, size(results)
-               if (results(i)%name == axis%name) axis%unit = results(i)%unit
-            end do
          end associate
       end do
    end subroutine find_axes

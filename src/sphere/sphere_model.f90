@@ -27,6 +27,7 @@ module adfric_sphere_model
       procedure :: solve_block
       procedure :: solve_profiles
       procedure :: describe_case
+      procedure :: unit_of
    end type sphere_model_t
 
 contains
@@ -89,6 +90,17 @@ contains
       profile%unit = 'm'
       if (is_reduced(values)) profile%unit = '-'
    end function describe_profile_axis
+
+   !> See `model_t`.
+   function unit_of(self, values, place) result(unit)
+      class(sphere_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%variables(place)%unit
+      if (is_reduced(values) .and. len(unit) > 0) unit = '-'
+   end function unit_of
 
    !> Are all quantities reduced?
    pure logical function is_reduced(values)

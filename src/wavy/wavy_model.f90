@@ -14,7 +14,7 @@ module adfric_wavy_model
    use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only
    use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
       & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, &
-      & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_regime, v_kind, v_n_x, &
+      & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_regime, v_kind, v_load, v_n_x, &
       & v_n_y, v_period, v_profiles
    implicit none (type, external)
    private
@@ -32,6 +32,7 @@ module adfric_wavy_model
       procedure :: solve_block
       procedure :: solve_profiles
       procedure :: describe_case
+      procedure :: unit_of
    end type wavy_model_t
 
 contains
@@ -67,6 +68,18 @@ contains
       results = self%results
       if (nint(values(v_kind)) == kind_3d) results = get_wavy_results(.true.)
    end function describe_results
+
+   !> See `model_t`: the load of a 2-D wave is one per width.
+   function unit_of(self, values, place) result(unit)
+      class(wavy_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%variables(place)%unit
+      if (place == v_load .and. nint(values(v_kind)) == kind_3d) unit = 'N'
+      if (place == v_load .and. nint(values(v_kind)) /= kind_3d) unit = 'N/m'
+   end function unit_of
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)

@@ -1,0 +1,94 @@
+"""Compute the tables of docs/sphere.md from the inputs: scripts/tables [PROGRAM]."""
+
+import numpy as np
+
+from table_tools import head, row, solve
+
+JKR, DUGDALE = "1.0e6", "0.8"
+
+
+def show_figures():
+    head("Published figures", "figure", "quantity", "value")
+    results = solve("johnson1997_fig3", operating__contact_radius=None, operating__load="0.0")
+    for i, parameter in enumerate(results["lambda"]):
+        a, c, pull_off = (results[name][i] for name in ("contact_radius", "adhesion_radius", "pull_off_load"))
+        row("3", f"lambda = {parameter:g}: a, c at P = 0; pull-off load", f"{a:.6f}, {c:.6f}; {pull_off:.6f}")
+    for name in ("johnson1997_fig5", "johnson1997_fig5_jkr"):
+        results = solve(name, operating__load="0.0")
+        row("5", f"{name}: pull-off load; friction at P = 0 [nN]",
+            f"{1e9 * results['pull_off_load']:.2f}; {1e9 * results['friction_force']:.2f}")
+    results = solve("johnson1997_fig5_jkr", sphere__work_of_adhesion="0.19", operating__load="0.0")
+    row("5", "the same with w = 0.19 J/m^2, as printed on page 170",
+        f"{1e9 * results['pull_off_load']:.2f}; {1e9 * results['friction_force']:.2f}")
+    results = solve("johnson1997_fig6", output__profiles=".false.")
+    for force, e, b in zip(*(results[name] for name in ("tangential_force", "stick_radius", "friction_radius"))):
+        row("6, 11", f"e/b at T/Ts = {force:g}", f"{e / b:.6f}")
+    for name, parameter in (("JKR", JKR), ("lambda = 0.8", DUGDALE)):
+        alpha = np.linspace(0.0, 0.5, 5001)
+        results = solve("johnson1997_fig7", sphere__lambda=parameter, operating__load="0.0", friction__interaction=alpha)
+        ratio = results["pull_off_load"] / results["pull_off_load"][0]
+        row("7", f"{name}: alpha at which the pull-off load is 0.89 of that without interaction",
+            f"{np.interp(-0.89, -ratio, alpha):.5f}")
+    for name, parameter in (("JKR", JKR), ("lambda = 0.8", DUGDALE)):
+        results = solve("johnson1997_fig8", sphere__lambda=parameter, friction__slip_energy_ratio="1.0",
+                        friction__interaction=[0.0, 0.2], operating__load="0.0")
+        area = results["contact_area"]
+        row("8b", f"{name}: A/A* at P = 0, alpha = 0.2, g0 = 1", f"{area[1] / area[0]:.6f}")
+    for name, parameter in (("JKR", JKR), ("lambda = 0.8", DUGDALE)):
+        for energy in (1.0, 4.0, 1e4):
+            alpha = np.linspace(0.4, 1.0, 6001)
+            results = solve("johnson1997_fig8", sphere__lambda=parameter, friction__slip_energy_ratio=repr(energy),
+                            friction__interaction=alpha, operating__load="-0.75")
+            row("8c", f"{name}: largest alpha with contact at P = -0.75, g0 = {energy:g}, to 1e-4",
+                f"{alpha[results['status'] == 0].max():.4f}")
+
+
+def show_events():
+    for name, load in (("johnson1997_fig9a", "0.0"), ("johnson1997_fig9b", "0.0"), ("johnson1997_fig9a", "-0.75"),
+                       ("johnson1997_fig9b", "-0.75")):
+        results = solve(name, operating__tangential_displacement="0.0", operating__load=load)
+        head(f"Events of {name}, P = {load}", "alpha", "largest force", "its displacement", "force of sliding",
+             "drop of force", "snap-off: force", "displacement")
+        for i, alpha in enumerate(results["interaction"]):
+            row(f"{alpha:g}", *(_number(results[event][i]) for event in (
+                "peak_force", "peak_displacement", "sliding_force", "force_drop", "snap_off_force", "snap_off_displacement")))
+
+
+def show_poisson():
+    ratios = [0.0, 0.3, 0.5]
+    results = solve("johnson1997_fig9b", operating__tangential_displacement="0.0", friction__interaction=[0.4, 1.0],
+                    friction__poisson_ratio=ratios)
+    head("Fig. 9b and Poisson's ratio", "alpha", "quantity", *(f"nu = {ratio:g}" for ratio in ratios))
+    for i, alpha in enumerate(results["interaction"]):
+        for event in ("peak_force", "force_drop"):
+            row(f"{alpha:g}", event, *(_number(value) for value in results[event][i]))
+
+
+def show_pull_off():
+    parameters = [1e-3, 0.1, 0.5, 0.9, 0.94, 1.0, 2.0, 5.0, 100.0]
+    head("Pull-off load against lambda", "control", *(f"lambda = {parameter:g}" for parameter in parameters))
+    for control in ("load", "approach"):
+        results = solve(f"pulloff_map_{control}", sphere__lambda=parameters)
+        row(control, *(f"{value:.5f}" for value in results["pull_off_load"]))
+
+
+def show_auto():
+    """Where `auto` leaves Maugis and Dugdale, without load."""
+    parameters = np.logspace(-20, 8, 2801)
+    head("theory = 'auto' at P = 0", "relative_tolerance", "DMT up to lambda", "JKR from lambda")
+    for tolerance in ("1.0e-2", "1.0e-4", "1.0e-8"):
+        results = solve("pulloff_map_load", sphere__lambda=parameters, model__theory="'auto'",
+                        numerics__relative_tolerance=tolerance)
+        used = results["theory_used"]
+        row(tolerance, f"{parameters[used == 2].max(initial=0):.2g}", f"{parameters[used == 1].min(initial=np.inf):.2g}")
+
+
+def _number(value):
+    return "none" if np.isnan(value) else f"{value:.5f}"
+
+
+show_figures()
+show_events()
+show_poisson()
+show_pull_off()
+show_auto()
