@@ -77,7 +77,7 @@ def show_auto():
     parameters = np.logspace(-20, 8, 2801)
     head("theory = 'auto' at P = 0", "relative_tolerance", "DMT up to lambda", "JKR from lambda")
     for tolerance in ("1.0e-2", "1.0e-4", "1.0e-8"):
-        results = solve("pulloff_map_load", sphere__lambda=parameters, model__theory="'auto'",
+        results = solve("pulloff_map_load", sphere__lambda=parameters, model__theory="'auto'", friction__edge_fraction="0.0",
                         numerics__relative_tolerance=tolerance)
         used = results["theory_used"]
         row(tolerance, f"{parameters[used == 2].max(initial=0):.2g}", f"{parameters[used == 1].min(initial=np.inf):.2g}")
