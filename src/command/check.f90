@@ -48,7 +48,7 @@ contains
       class(model_t), intent(in) :: model
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
-      character(:), allocatable :: group, unit
+      character(:), allocatable :: group
       integer :: i
 
       lines = ''
@@ -59,8 +59,7 @@ contains
             if (variable%group /= group) lines = lines//'&'//variable%group//newline
             group = variable%group
             lines = lines//pad('  '//variable%name, name_width)//show_input_value(variable, value)
-            unit = model%unit_of(run%plan%base, i)
-            if (len_trim(unit) > 0 .and. unit /= '-') lines = lines//' '//unit
+            lines = lines//show_unit(model%unit_of(run%plan%base, i))
             if (.not. run%is_given(i)) lines = lines//' (default)'
             lines = lines//newline
          end associate
@@ -71,7 +70,7 @@ contains
    function describe_sweep(model, run) result(lines)
       class(model_t), intent(in) :: model
       type(run_input_t), intent(in) :: run
-      character(:), allocatable :: lines, unit
+      character(:), allocatable :: lines
       integer :: k
 
       lines = ''
@@ -80,11 +79,19 @@ contains
             lines = lines//pad('sweep of '//variable%group//'%'//variable%name, name_width)// &
                show_count(size(values))//' values, '//show_number(values(1))
             if (size(values) > 1) lines = lines//' to '//show_number(values(size(values)))
-            unit = model%unit_of(run%plan%base, run%plan%axes(k)%variable)
-            if (unit /= '-') lines = lines//' '//unit
+            lines = lines//show_unit(model%unit_of(run%plan%base, run%plan%axes(k)%variable))
             lines = lines//newline
          end associate
       end do
    end function describe_sweep
+
+   !> A unit as it stands behind a number; nothing for a pure number.
+   pure function show_unit(unit) result(text)
+      character(*), intent(in) :: unit
+      character(:), allocatable :: text
+
+      text = ''
+      if (len_trim(unit) > 0 .and. unit /= '-') text = ' '//unit
+   end function show_unit
 
 end module adfric_command_check
