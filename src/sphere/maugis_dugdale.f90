@@ -127,8 +127,9 @@ contains
       else if (largest <= mean .and. value < touching) then
          contact%place = fold%place + 0.5_dp
          call go_to(self, approach_along, value, fold%place, farthest, .true., contact, rises=.true.)
-      else if (mean - half >= 0) then
-         call go_apart(self, mean - half, contact)
+      else if (value <= -2/(pi*self%lambda)) then
+         ! the smaller root, from the product of both
+         call go_apart(self, -2*(value + 2/(pi*self%lambda))/(mean + half), contact)
       end if
       contact%approach = value
       contact%is_stable = branch == branch_stable

@@ -55,8 +55,7 @@ contains
       type(sphere_case_t), intent(inout) :: self
       real(dp) :: work
 
-      work = 0
-      if (is_set(values(v_work_of_adhesion))) work = values(v_work_of_adhesion)
+      work = get_work(values)
       if (.not. work > 0) self%theory = theory_hertz
       if (self%theory == theory_hertz) work = values(v_contact_modulus)*values(v_radius)
       associate (r => values(v_radius), e => values(v_contact_modulus))
@@ -69,6 +68,14 @@ contains
       if (is_set(values(v_adhesion_stress))) self%lambda = values(v_adhesion_stress)/self%stress_unit
       if (is_set(values(v_adhesion_range))) self%lambda = work/values(v_adhesion_range)/self%stress_unit
    end subroutine resolve_units
+
+   !> The work of adhesion; 0 where none is given.
+   pure real(dp) function get_work(values) result(work)
+      real(dp), intent(in) :: values(:)
+
+      work = 0
+      if (is_set(values(v_work_of_adhesion))) work = values(v_work_of_adhesion)
+   end function get_work
 
    !> What is held.
    pure subroutine resolve_operation(values, self)
@@ -101,8 +108,8 @@ contains
       if (is_set(values(v_poisson_ratio))) self%poisson = values(v_poisson_ratio)
       self%interaction = values(v_interaction)
       if (is_set(values(v_slip_energy_ratio))) self%slip_energy_ratio = values(v_slip_energy_ratio)
-      if (is_set(values(v_critical_slip))) self%slip_energy_ratio = &
-         & values(v_shear_strength)*values(v_critical_slip)/values(v_work_of_adhesion)
+      if (is_set(values(v_critical_slip)) .and. get_work(values) > 0) self%slip_energy_ratio = &
+         & values(v_shear_strength)*values(v_critical_slip)/get_work(values)
       self%is_force_given = is_set(values(v_tangential_force))
       self%is_displacement_given = is_set(values(v_tangential_displacement))
       if (self%is_force_given) self%tangential = values(v_tangential_force)/self%force_unit

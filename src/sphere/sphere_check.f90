@@ -1,7 +1,7 @@
 !> What is missing, contradictory or impossible in an input of the model `sphere`.
 module adfric_sphere_check
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: variable_t
+   use adfric_base_model, only: variable_t, kind_real
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_sphere_case, only: sphere_case_t, resolve_case, theory_auto
@@ -127,7 +127,9 @@ contains
          if ((is_moved .or. values(v_events) > 0) .and. .not. is_set(values(v_poisson_ratio))) call need(v_poisson_ratio)
          if (values(v_interaction) > 0) then
             if (.not. is_static .or. values(v_events) > 0) call need_one([v_slip_energy_ratio, v_critical_slip], .true.)
-            if (nint(values(v_units)) == units_si .and. .not. values(v_work_of_adhesion) > 0) then
+            ! where work_of_adhesion itself is missing that has been said
+            if (nint(values(v_units)) == units_si .and. (.not. values(v_work_of_adhesion) > 0 .or. &
+               & .not. is_set(values(v_work_of_adhesion)) .and. nint(values(v_theory)) - 2 == theory_hertz)) then
                call add(v_interaction, 'needs adhesion to act on')
             end if
          end if
@@ -135,16 +137,31 @@ contains
 
       !> Values that are possible one by one, and not together.
       subroutine check_reduced()
+         integer, parameter :: held(*) = [v_load, v_approach, v_contact_radius], of_units(*) = [v_radius, &
+            & v_contact_modulus, v_work_of_adhesion]
          type(sphere_case_t) :: resolved
+         integer :: k
 
+         ! beyond these the units, and ratios to them, are no numbers any more
+         do k = 1, size(values)
+            if (variables(k)%kind /= kind_real .or. .not. is_set(values(k))) cycle
+            if (any(of_units == k) .and. abs(values(k)) > 0) then
+               if (.not. is_plain(values(k))) call add(k, 'is beyond all spheres')
+            else if (.not. abs(values(k)) < largest**3) then
+               call add(k, 'is beyond all spheres')
+            end if
+         end do
+         if (problems%count() > before) return
          call resolve_case(values, resolved)
          if (.not. is_plain(resolved%lambda)) call add(v_lambda, 'is beyond all spheres, given the stress or the range')
-         if (.not. abs(resolved%value) < largest) call add(v_load, 'or what is given instead is too large for this sphere')
          if (resolved%control == control_radius .and. .not. is_plain(resolved%value)) then
             call add(v_contact_radius, 'is beyond all spheres')
+         else if (.not. abs(resolved%value) < largest) then
+            call add(held(resolved%control), 'is too large for this sphere')
          end if
          if (resolved%has_friction .and. .not. is_plain(resolved%strength)) call add(v_shear_strength, 'is beyond all spheres')
-         if (.not. abs(resolved%tangential) < largest) call add(v_tangential_force, 'or displacement is too large for this sphere')
+         if (.not. abs(resolved%tangential) < largest) call add(merge(v_tangential_force, v_tangential_displacement, &
+            & resolved%is_force_given), 'is too large for this sphere')
          if (resolved%interaction > 0 .and. resolved%slip_energy_ratio < huge(1.0_dp)) then
             if (.not. is_valid_interaction(resolved%slip_energy_ratio, resolved%interaction)) call add(v_interaction, &
                & 'would take more than there is of adhesion; allowed: a number <= 1 + 1/(2 g0) [-]')

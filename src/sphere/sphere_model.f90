@@ -55,6 +55,9 @@ contains
       if (values(v_profiles) > 0 .and. is_swept(v_r_max)) then
          call problems%add('output', 'r_max', 'is swept, but all profiles share one axis; sweep another variable')
       end if
+      if (values(v_profiles) > 0 .and. is_swept(v_n_r)) then
+         call problems%add('output', 'n_r', 'is swept, but all profiles share one axis; sweep another variable')
+      end if
    end subroutine check_values
 
    !> See `model_t`.
@@ -198,6 +201,8 @@ contains
       results(r_slip) = point%slip*case%approach_unit
       results(r_largest_slip) = point%largest_slip*case%approach_unit
       results(r_tangential_displacement) = point%displacement*case%approach_unit
+      if (is_set(values(v_tangential_force))) results(r_friction_force) = values(v_tangential_force)
+      if (is_set(values(v_tangential_displacement))) results(r_tangential_displacement) = values(v_tangential_displacement)
    end subroutine store
 
    !> A quiet NaN, which stands for `no value`.

@@ -5,8 +5,9 @@ module adfric_sphere_point
    use adfric_base_constants, only: pi, half_pi
    use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_sphere_case, only: sphere_case_t, theory_auto
-   use adfric_sphere_contact, only: contact_t, theory_t, theory_maugis_dugdale
+   use adfric_sphere_contact, only: contact_t, theory_t, theory_hertz, theory_maugis_dugdale
    use adfric_sphere_interaction, only: adhesion_ratio
+   use adfric_sphere_maugis_dugdale, only: maugis_t
    use adfric_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
       & find_friction_events, given_force, given_displacement
    use adfric_sphere_static_friction, only: angle_of_gamma, gamma_of_force, gamma_of_displacement, slip_factor, mean_slip, &
@@ -153,9 +154,16 @@ contains
       type(sphere_memory_t), intent(inout) :: memory
       type(sphere_point_t), intent(inout) :: point
       type(contact_t) :: fold
+      type(maugis_t) :: full
 
       if (abs(memory%pull_off_ratio - point%ratio) > 0 .or. memory%pull_off_control /= case%control) then
-         call memory%theory%pull_off(case%control, fold)
+         if (case%theory == theory_auto .and. point%theory /= theory_hertz) then
+            ! what is proved of the contact is not proved of its end
+            full = maugis_t(point%ratio, case%lambda)
+            call full%pull_off(case%control, fold)
+         else
+            call memory%theory%pull_off(case%control, fold)
+         end if
          memory%pull_off_load = fold%load
          memory%pull_off_ratio = point%ratio
          memory%pull_off_control = case%control

@@ -5,7 +5,8 @@ module adfric_wavy_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_wavy_case, only: wavy_case_t, resolve_case
-   use adfric_wavy_variables, only: v_height, v_kind, v_load, v_penetration, v_period, v_poisson_ratio, v_profiles, v_range, &
+   use adfric_wavy_variables, only: v_height, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_poisson_ratio, &
+      & v_profiles, v_range, &
       & v_relaxation_time, v_retardation_ratio, v_stiffness, v_stress, v_surface_energy, v_thickness, &
       & v_velocity, v_young_modulus
    implicit none (type, external)
@@ -36,6 +37,9 @@ contains
       end if
       if (values(v_profiles) > 0 .and. is_swept(v_period)) then
          call add(v_profiles, 'need one period, which is swept; sweep another variable or switch profiles off')
+      end if
+      if (values(v_profiles) > 0 .and. (is_swept(v_n_x) .or. is_swept(v_n_y))) then
+         call add(v_profiles, 'need one axis, and its samples are swept; sweep another variable or switch profiles off')
       end if
       if (problems%count() == before) call check_reduced()
 
