@@ -61,7 +61,7 @@ contains
       contact%radius = value
    end subroutine of_radius
 
-   !> See `theory_t`. A load above -3X/2 is carried whatever lambda is.
+   !> See `theory_t`. Where a state that is stable is met right away, it is the one: there is no other.
    pure subroutine of_load(self, value, branch, contact)
       class(maugis_t), intent(in) :: self
       real(dp), intent(in) :: value
@@ -69,7 +69,7 @@ contains
       type(contact_t), intent(inout) :: contact
       type(contact_t) :: fold
 
-      if (branch == branch_stable .and. value > -1.5_dp*self%ratio) then
+      if (branch == branch_stable .and. value > -2*self%ratio) then
          if (.not. abs(contact%place) > 0) then
             contact%place = guess_place(self%lambda, self%ratio, cube_root(value + (2 + sqrt(value + 2*self%ratio))*self%ratio))
          end if

@@ -10,7 +10,7 @@ module adfric_sphere_peeling
    use adfric_base_constants, only: half_pi
    use adfric_sphere_contact, only: contact_t, theory_t
    use adfric_sphere_interaction, only: is_valid_interaction
-   use adfric_sphere_static_friction, only: slip_core, angle_of_gamma, mean_slip, largest_slip
+   use adfric_sphere_static_friction, only: slip_core, largest_slip_core, angle_of_gamma, mean_slip, largest_slip
    use adfric_sphere_peeling_path, only: friction_t, path_t, waypoint_t, new_path, get_waypoint, quantity_of, core_along, &
       & force_along, displacement_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
    use adfric_sphere_peeling_search, only: find_end, find_state, find_peak, get_capped
@@ -86,7 +86,7 @@ contains
       if (given == given_gamma .and. value > 1) return
       call new_path(path, theory, friction, control, held, branch)
       if (given == given_gamma) then
-         call find_state(path, given, sqrt(slip_core(value)), waypoint, state%is_converged)
+         call find_state(path, given, sqrt(min(slip_core(value), largest_slip_core)), waypoint, state%is_converged)
          waypoint%angle = angle_of_gamma(value)
       else
          call find_state(path, given, value, waypoint, state%is_converged)

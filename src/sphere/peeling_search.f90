@@ -6,7 +6,7 @@ module adfric_sphere_peeling_search
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_numerics_scalar_root, only: equation_t, find_root
-   use adfric_sphere_contact, only: contact_t, theory_t, control_load, control_approach
+   use adfric_sphere_contact, only: contact_t, theory_t, control_load, control_approach, branch_stable
    use adfric_sphere_interaction, only: slip_energy_of_ratio
    use adfric_sphere_static_friction, only: angle_of_force, angle_of_slip, slip_of_angle, largest_slip_core
    use adfric_sphere_peeling_path, only: path_t, waypoint_t, get_waypoint, complete_waypoint, quantity_of, rate_of, &
@@ -28,7 +28,7 @@ module adfric_sphere_peeling_search
    real(dp), parameter :: ratio_step = 1.0e-6_dp, fine_step = 1.0e-5_dp
    !> How much further than an unchanged area would do a state is expected.
    real(dp), parameter :: allowance = 2.0_dp
-   integer, parameter :: max_doublings = 60
+   integer, parameter :: max_doublings = 60, n_marks = 100
 
 contains
 
@@ -57,7 +57,7 @@ contains
       end if
       ! without the end of the way, if it will do
       call turn(self, self%start, quantity, value, last)
-      if (last%is_found) then
+      if (last%is_found .and. is_shrinking(self)) then
          call get_waypoint(self, min(allowance*self%compliance*last%friction_radius*last%core, self%limit, &
             & self%friction%slip_energy_ratio), self%start%contact, last)
          if (last%is_found) then
@@ -151,7 +151,11 @@ contains
          if (last%core >= largest_slip_core .or. last%slip_energy >= cap) exit
          expected = 2*expected
       end do
-      if (.not. last%is_found) call find_snap_off(self, last, is_converged)
+      if (.not. is_shrinking(self)) then
+         call march(self, last)
+      else if (.not. last%is_found) then
+         call find_snap_off(self, last, is_converged)
+      end if
       self%finish = last
       if (last%core >= largest_slip_core .and. is_converged) then
          self%ending = end_sliding
@@ -160,6 +164,47 @@ contains
          self%finish = last
       end if
    end subroutine find_end
+
+   !> Does the area shrink all the way, so that gamma falls all the way? Not on the other branch, and not with a radius
+   !> held, where the reach of adhesion widens.
+   pure logical function is_shrinking(self)
+      type(path_t), intent(in) :: self
+
+      is_shrinking = self%branch == branch_stable .and. (self%control == control_load .or. self%control == control_approach)
+   end function is_shrinking
+
+   !> Where the area may grow: go step by step to where contact is lost or gamma falls below 0 for the first time.
+   pure subroutine march(self, last)
+      type(path_t), intent(inout) :: self
+      !> In: a state at or beyond the end. Out: the last state with contact, or the first one with gamma < 0.
+      type(waypoint_t), intent(inout) :: last
+      type(waypoint_t) :: next, known
+      real(dp) :: whole, low, high
+      integer :: k
+
+      whole = sqrt(last%slip_energy)
+      known = self%start
+      do k = 1, n_marks
+         high = whole*k/n_marks
+         call get_waypoint(self, high**2, self%start%contact, next)
+         if (.not. next%is_found) exit
+         known = next
+         if (known%core >= largest_slip_core) exit
+      end do
+      ! nothing on the way: the state at its end stands, which the last step may miss by round-off
+      if (next%is_found .and. known%core < largest_slip_core .and. last%is_found) return
+      if (.not. next%is_found) then
+         self%ending = end_snap_off
+         low = sqrt(known%slip_energy)
+         do k = 1, digits(low)
+            call get_waypoint(self, (low + (high - low)/2)**2, self%start%contact, next)
+            if (next%is_found) known = next
+            if (next%is_found) low = low + (high - low)/2
+            if (.not. next%is_found) high = low + (high - low)/2
+         end do
+      end if
+      last = known
+   end subroutine march
 
    !> The last contact on the way to a state without contact.
    pure subroutine find_snap_off(self, last, is_converged)
