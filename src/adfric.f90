@@ -2,6 +2,7 @@
 module adfric
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_model, only: model_t
+   use adfric_halfspace_catalogue, only: halfspace_models, new_halfspace_model
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_wavy_model, only: wavy_model_t, new_wavy_model
    implicit none (type, external)
@@ -9,7 +10,7 @@ module adfric
    public :: known_models, new_model
 
    !> Names of the models, separated by a blank.
-   character(*), parameter :: known_models = 'wavy_sliding sphere'
+   character(*), parameter :: known_models = 'wavy_sliding sphere '//halfspace_models
 
 contains
 
@@ -31,7 +32,9 @@ contains
          call new_sphere_model(sphere)
          call move_alloc(sphere, model)
       case default
-         call set_error(error, input_failure, 'model '''//name//''' is unknown; known are '//known_models)
+         call new_halfspace_model(model, name)
+         if (.not. allocated(model)) call set_error(error, input_failure, &
+            & 'model '''//name//''' is unknown; known are '//known_models)
       end select
    end subroutine new_model
 

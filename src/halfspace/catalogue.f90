@@ -1,0 +1,57 @@
+!> The models of the half-space.
+module adfric_halfspace_catalogue
+   use adfric_base_model, only: model_t
+   use adfric_halfspace_hertz_model, only: hertz_model_t, new_hertz_model
+   use adfric_halfspace_line_load_model, only: line_load_model_t, new_line_load_model, strip_load_model_t, new_strip_load_model
+   use adfric_halfspace_point_load_model, only: point_load_model_t, new_point_load_model
+   use adfric_halfspace_punch_model, only: punch_model_t, new_punch_model
+   use adfric_halfspace_wave_model, only: wave_model_t, new_wave_model
+   implicit none (type, external)
+   private
+   public :: halfspace_models, new_halfspace_model
+
+   !> Their names, separated by a blank.
+   character(*), parameter :: halfspace_models = 'hertz rigid_punch wave_1d line_load strip_load point_load'
+
+contains
+
+   !> The model of a name; none if it is not one of these.
+   subroutine new_halfspace_model(model, name)
+      class(model_t), allocatable, intent(out) :: model
+      character(*), intent(in) :: name
+      type(hertz_model_t), allocatable :: hertz
+      type(punch_model_t), allocatable :: punch
+      type(wave_model_t), allocatable :: wave
+      type(line_load_model_t), allocatable :: line
+      type(strip_load_model_t), allocatable :: strip
+      type(point_load_model_t), allocatable :: point
+
+      select case (name)
+      case ('hertz')
+         allocate (hertz)
+         call new_hertz_model(hertz)
+         call move_alloc(hertz, model)
+      case ('rigid_punch')
+         allocate (punch)
+         call new_punch_model(punch)
+         call move_alloc(punch, model)
+      case ('wave_1d')
+         allocate (wave)
+         call new_wave_model(wave)
+         call move_alloc(wave, model)
+      case ('line_load')
+         allocate (line)
+         call new_line_load_model(line)
+         call move_alloc(line, model)
+      case ('strip_load')
+         allocate (strip)
+         call new_strip_load_model(strip)
+         call move_alloc(strip, model)
+      case ('point_load')
+         allocate (point)
+         call new_point_load_model(point)
+         call move_alloc(point, model)
+      end select
+   end subroutine new_halfspace_model
+
+end module adfric_halfspace_catalogue

@@ -1,0 +1,126 @@
+!> What the models of given loads share: the same numbers at one place as results, and along two axes as maps.
+module adfric_halfspace_field_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: result_t, profile_t, status_solved
+   use adfric_base_words, only: get_word, count_words
+   use adfric_halfspace_halfspace_model, only: halfspace_model_t
+   implicit none (type, external)
+   private
+   public :: field_model_t, set_stresses, set_displacements, maps_of
+
+   type, abstract, extends(halfspace_model_t) :: field_model_t
+   contains
+      procedure(get_field_i), deferred :: get_field
+      procedure(get_place_i), deferred :: get_place
+      procedure :: solve_point
+      procedure :: get_profiles
+   end type field_model_t
+
+   abstract interface
+
+      !> The results at a place.
+      subroutine get_field_i(self, values, place, field)
+         import :: field_model_t, dp
+         implicit none (type, external)
+         class(field_model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+         !> x, y, z [m]; in the plane x, y, 0.
+         real(dp), intent(in) :: place(3)
+         !> Shape `(n_results)`.
+         real(dp), intent(out) :: field(:)
+      end subroutine get_field_i
+
+      !> The place of the results, or of a map: with its coordinates along the axes instead of those of the results.
+      pure function get_place_i(self, values, slow, fast) result(place)
+         import :: field_model_t, dp
+         implicit none (type, external)
+         class(field_model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+         real(dp), intent(in), optional :: slow, fast
+         real(dp) :: place(3)
+      end function get_place_i
+
+   end interface
+
+contains
+
+   !> Rows of stresses.
+   subroutine set_stresses(components, r)
+      !> Such as 'xx yy xy'.
+      character(*), intent(in) :: components
+      type(result_t), intent(inout) :: r(:)
+      character(:), allocatable :: name
+      integer :: k
+
+      do k = 1, count_words(components)
+         name = get_word(components, k)
+         r(k)%name = 'stress_'//name
+         r(k)%unit = 'Pa'
+         r(k)%long_name = 'stress s_'//name//', tension positive'
+         r(k)%flag_meanings = ''
+         r(k)%is_main = .true.
+      end do
+   end subroutine set_stresses
+
+   !> Rows of displacements.
+   subroutine set_displacements(components, r)
+      !> Such as 'x y'.
+      character(*), intent(in) :: components
+      type(result_t), intent(inout) :: r(:)
+      character(:), allocatable :: name
+      integer :: k
+
+      do k = 1, count_words(components)
+         name = get_word(components, k)
+         r(k)%name = 'displacement_'//name
+         r(k)%unit = 'm'
+         r(k)%long_name = 'displacement along '//name
+         r(k)%flag_meanings = ''
+      end do
+   end subroutine set_displacements
+
+   !> The profiles: a map of every result.
+   function maps_of(results) result(p)
+      type(result_t), intent(in) :: results(:)
+      type(profile_t), allocatable :: p(:)
+      integer :: k
+
+      allocate (p(size(results)))
+      do k = 1, size(results)
+         p(k)%name = results(k)%name//'_map'
+         p(k)%unit = results(k)%unit
+         p(k)%long_name = results(k)%long_name
+      end do
+   end function maps_of
+
+   !> See `halfspace_model_t`. Where the field has no value, under a concentrated load, the results are NaN.
+   subroutine solve_point(self, values, results, error_estimate, status)
+      class(field_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(inout) :: results(:)
+      real(dp), intent(out) :: error_estimate
+      integer, intent(out) :: status
+
+      call self%get_field(values, self%get_place(values), results)
+      error_estimate = epsilon(error_estimate)
+      status = status_solved
+   end subroutine solve_point
+
+   !> See `halfspace_model_t`.
+   subroutine get_profiles(self, values, results, slow, fast, profiles)
+      class(field_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:), results(:)
+      real(dp), intent(in) :: slow(:), fast(:)
+      real(dp), intent(inout) :: profiles(:, :, :)
+      integer :: i, j
+
+      do j = 1, size(slow)
+         do i = 1, size(fast)
+            call self%get_field(values, self%get_place(values, slow(j), fast(i)), profiles(i, j, :))
+         end do
+      end do
+      associate (unused => results)
+      end associate
+   end subroutine get_profiles
+
+end module adfric_halfspace_field_model

@@ -1,0 +1,217 @@
+!> What all models of the half-space share: points that are solved one by one, and profiles along axes that the user sets.
+module adfric_halfspace_halfspace_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: model_t, variable_t, result_t, attribute_t, profile_t, status_solved
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_base_words, only: count_words, get_word
+   use adfric_halfspace_halfspace_table, only: set_output_axis, output_switch, need
+   implicit none (type, external)
+   private
+   public :: halfspace_model_t, contact_profiles
+
+   !> Samples along the last axis of the profiles; along the first of two there is one.
+   integer, parameter :: n_samples = 201
+
+   type, abstract, extends(model_t) :: halfspace_model_t
+      !> Place of the switch of the profiles; begin, end and number of each axis follow.
+      integer :: output = 0
+   contains
+      procedure :: set_tables
+      procedure :: check_values
+      procedure :: describe_results
+      procedure :: wants_profiles
+      procedure :: get_profile_axis
+      procedure :: solve_block
+      procedure :: solve_profiles
+      procedure :: describe_case
+      procedure(check_case_i), deferred :: check_case
+      procedure(solve_point_i), deferred :: solve_point
+      procedure(get_profiles_i), deferred :: get_profiles
+   end type halfspace_model_t
+
+   abstract interface
+
+      !> Add to `problems` what is missing or impossible; the profiles' axes are no concern of it.
+      subroutine check_case_i(self, values, problems)
+         import :: halfspace_model_t, dp, problems_t
+         implicit none (type, external)
+         class(halfspace_model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+         type(problems_t), intent(inout) :: problems
+      end subroutine check_case_i
+
+      !> Solve one point.
+      subroutine solve_point_i(self, values, results, error_estimate, status)
+         import :: halfspace_model_t, dp
+         implicit none (type, external)
+         class(halfspace_model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+         !> All NaN on entry.
+         real(dp), intent(inout) :: results(:)
+         real(dp), intent(out) :: error_estimate
+         integer, intent(out) :: status
+      end subroutine solve_point_i
+
+      !> Profiles of one solved point.
+      subroutine get_profiles_i(self, values, results, slow, fast, profiles)
+         import :: halfspace_model_t, dp
+         implicit none (type, external)
+         class(halfspace_model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:), results(:)
+         !> Coordinates along the two axes; `slow` is [0] where there is one.
+         real(dp), intent(in) :: slow(:), fast(:)
+         !> Shape `(n_fast, n_slow, n_profiles)`, all NaN on entry.
+         real(dp), intent(inout) :: profiles(:, :, :)
+      end subroutine get_profiles_i
+
+   end interface
+
+contains
+
+   !> The tables; those of the profiles' axes are added to the variables.
+   subroutine set_tables(self, name, summary, variables, results, profiles, axes, is_depth)
+      class(halfspace_model_t), intent(inout) :: self
+      character(*), intent(in) :: name, summary
+      type(variable_t), intent(in) :: variables(:)
+      type(result_t), intent(in) :: results(:)
+      type(profile_t), intent(in) :: profiles(:)
+      !> Names of the axes, the slowest first.
+      character(*), intent(in) :: axes
+      !> Does the first axis point into the solid?
+      logical, intent(in) :: is_depth
+      integer :: k, n
+
+      self%name = name
+      self%summary = summary
+      n = size(variables)
+      self%output = n + 1
+      allocate (self%variables(n + 1 + 3*count_words(axes)))
+      self%variables(:n) = variables
+      self%variables(n + 1) = output_switch()
+      do k = 1, count_words(axes)
+         call set_output_axis(get_word(axes, k), merge(1, n_samples, k < count_words(axes)), is_depth .and. k == 1, &
+            & self%variables(n + 3*k - 1:n + 3*k + 1))
+      end do
+      self%results = results
+      self%profiles = profiles
+      self%profile_axes = axes
+   end subroutine set_tables
+
+   !> Rows of pressure and gap.
+   function contact_profiles() result(p)
+      type(profile_t) :: p(2)
+
+      p(1) = profile_t('pressure', 'Pa', 'pressure, compression positive')
+      p(2) = profile_t('gap', 'm', 'gap')
+   end function contact_profiles
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      class(halfspace_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      logical, intent(in) :: is_swept(:)
+      type(problems_t), intent(inout) :: problems
+      integer :: k, at
+
+      call self%check_case(values, problems)
+      if (.not. self%wants_profiles(values)) return
+      do at = self%output + 1, size(self%variables)
+         if (is_swept(at)) call problems%add('output', self%variables(at)%name, &
+            & 'is swept, but all profiles share their axes; sweep another variable')
+      end do
+      do k = 1, count_words(self%profile_axes)
+         at = self%output + 3*k - 2
+         if (nint(values(at + 2)) == 1) cycle
+         call need(self%variables, values, [at + 1], problems)
+         if (is_set(values(at + 1)) .and. .not. values(at + 1) > values(at)) call problems%add('output', &
+            & self%variables(at + 1)%name, 'is not larger than '//self%variables(at)%name)
+      end do
+   end subroutine check_values
+
+   !> See `model_t`.
+   function describe_results(self, values) result(results)
+      class(halfspace_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      results = self%results
+      associate (unused => values)
+      end associate
+   end function describe_results
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      class(halfspace_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = values(self%output) > 0
+   end function wants_profiles
+
+   !> See `model_t`.
+   function get_profile_axis(self, values, axis) result(coordinate)
+      class(halfspace_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      integer, intent(in) :: axis
+      real(dp), allocatable :: coordinate(:)
+      integer :: n, k, at
+
+      if (axis > count_words(self%profile_axes)) then
+         coordinate = [0.0_dp]
+         return
+      end if
+      at = self%output + 3*axis - 2
+      n = nint(values(at + 2))
+      allocate (coordinate(n), source=values(at))
+      if (n == 1 .or. .not. is_set(values(at + 1))) return
+      coordinate = [((values(at)*(n - 1 - k) + values(at + 1)*k)/(n - 1), k=0, n - 1)]
+   end function get_profile_axis
+
+   !> See `model_t`.
+   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      class(halfspace_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :)
+      real(dp), intent(out) :: error_estimate(:)
+      integer, intent(out) :: status(:)
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      integer :: i
+
+      results = not_a_number()
+      do i = 1, size(values, 2)
+         call self%solve_point(values(:, i), results(:, i), error_estimate(i), status(i))
+         if (status(i) /= status_solved) error_estimate(i) = not_a_number()
+      end do
+      allocate (attributes(0))
+   end subroutine solve_block
+
+   !> See `model_t`.
+   subroutine solve_profiles(self, values, results, profiles)
+      class(halfspace_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(in) :: results(:)
+      real(dp), intent(out) :: profiles(:, :, :)
+      integer :: last
+
+      last = count_words(self%profile_axes)
+      profiles = not_a_number()
+      if (last == 1) then
+         call self%get_profiles(values, results, [0.0_dp], self%get_profile_axis(values, 1), profiles)
+      else
+         call self%get_profiles(values, results, self%get_profile_axis(values, 1), self%get_profile_axis(values, 2), profiles)
+      end if
+   end subroutine solve_profiles
+
+   !> See `model_t`: nothing to add.
+   function describe_case(self, values) result(text)
+      class(halfspace_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      associate (unused => self, unused_too => values)
+      end associate
+   end function describe_case
+
+end module adfric_halfspace_halfspace_model

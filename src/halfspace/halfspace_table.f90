@@ -1,0 +1,116 @@
+!> Rows of the tables of variables of the half-space models, and what is said of values that are missing.
+module adfric_halfspace_halfspace_table
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: unset, is_set
+   implicit none (type, external)
+   private
+   public :: positive, number, choice, set_output_axis, output_switch, need, need_one, poisson_ratio_row
+
+   !> Sizes beyond these are those of a slip in the units.
+   real(dp), parameter :: largest_unit = 1.0e30_dp, smallest_unit = 1.0e-30_dp
+
+contains
+
+   !> A real variable > 0 without default.
+   function positive(group, name, unit, meaning) result(variable)
+      character(*), intent(in) :: group, name, unit, meaning
+      type(variable_t) :: variable
+
+      variable = variable_t(group, name, kind_real, unit, meaning, '', unset, smallest_unit, largest_unit)
+   end function positive
+
+   !> Any real number.
+   function number(group, name, unit, meaning, default) result(variable)
+      character(*), intent(in) :: group, name, unit, meaning
+      real(dp), intent(in), optional :: default
+      type(variable_t) :: variable
+
+      variable = variable_t(group, name, kind_real, unit, meaning, '', unset, -largest_unit, largest_unit)
+      if (present(default)) variable%default = default
+   end function number
+
+   !> Poisson's ratio of &solid.
+   function poisson_ratio_row() result(variable)
+      type(variable_t) :: variable
+
+      variable = variable_t('solid', 'poisson_ratio', kind_real, '-', 'Poisson''s ratio', '', unset, -1.0_dp, 0.5_dp, .true.)
+   end function poisson_ratio_row
+
+   !> A word of a list, without default.
+   function choice(group, name, meaning, choices) result(variable)
+      character(*), intent(in) :: group, name, meaning, choices
+      type(variable_t) :: variable
+
+      variable = variable_t(group, name, kind_choice, '', meaning, choices)
+   end function choice
+
+   !> Are profiles wanted?
+   function output_switch() result(variable)
+      type(variable_t) :: variable
+
+      variable = variable_t('output', 'profiles', kind_logical, '', 'write profiles of every point', '', 0.0_dp)
+   end function output_switch
+
+   !> Beginning, end and number of samples along an axis of the profiles.
+   subroutine set_output_axis(name, n_default, is_depth, variables)
+      character(*), intent(in) :: name
+      integer, intent(in) :: n_default
+      !> Does it point into the solid, so that it has no negative values?
+      logical, intent(in) :: is_depth
+      !> Shape `(3)`.
+      type(variable_t), intent(inout) :: variables(:)
+      integer :: k
+
+      variables(1) = number('output', 'min', 'm', 'where profiles begin', 0.0_dp)
+      variables(2) = number('output', 'max', 'm', 'where profiles end')
+      variables(3) = variable_t('output', 'n', kind_integer, '-', 'samples of profiles', '', real(n_default, dp), 1.0_dp, 1.0e7_dp)
+      variables(1)%name = name//'_min'
+      variables(2)%name = name//'_max'
+      variables(3)%name = 'n_'//name
+      do k = 1, 3
+         variables(k)%meaning = variables(k)%meaning//' along '//name
+      end do
+      if (is_depth) variables(:2)%lower = 0
+   end subroutine set_output_axis
+
+   !> Each of a list has to be given.
+   subroutine need(variables, values, list, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      !> Places.
+      integer, intent(in) :: list(:)
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
+      do k = 1, size(list)
+         if (is_set(values(list(k)))) cycle
+         associate (v => variables(list(k)))
+            if (v%kind == kind_choice) then
+               call problems%add(v%group, v%name, 'is missing, one of '//v%choices)
+            else
+               call problems%add(v%group, v%name, 'is missing ['//v%unit//']')
+            end if
+         end associate
+      end do
+   end subroutine need
+
+   !> One of two has to be given, and not both.
+   subroutine need_one(variables, values, first, second, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      !> Places.
+      integer, intent(in) :: first, second
+      type(problems_t), intent(inout) :: problems
+
+      associate (v => variables(first), w => variables(second))
+         if (is_set(values(first)) .and. is_set(values(second))) then
+            call problems%add(v%group, v%name, 'stands beside '//w%name//'; give one of them')
+         else if (.not. is_set(values(first)) .and. .not. is_set(values(second))) then
+            call problems%add(v%group, v%name, 'is missing; one of '//v%name//' or '//w%name//' is needed')
+         end if
+      end associate
+   end subroutine need_one
+
+end module adfric_halfspace_halfspace_table

@@ -1,0 +1,305 @@
+!> The model `hertz`: smooth elastic bodies in contact along a line, on a circle or on an ellipse, without friction.
+module adfric_halfspace_hertz_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_model, only: result_t, variable_t, status_solved, status_no_equilibrium, &
+      & status_not_converged
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_halfspace_contact_conditions, only: largest_violation
+   use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
+   use adfric_halfspace_halfspace_table, only: positive, choice, number, need, need_one, poisson_ratio_row
+   use adfric_halfspace_hertz_ellipse, only: ellipse_t, find_curvatures, ellipse_of_load, ellipse_of_approach, &
+      & ellipse_pressure, ellipse_gap, ellipse_axial_stress, ellipse_misfit
+   use adfric_halfspace_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap
+   use adfric_halfspace_largest_shear, only: axial_stress_t, find_largest_shear
+   use adfric_halfspace_strip_tractions, only: hertz_strip_stress
+   implicit none (type, external)
+   private
+   public :: hertz_model_t, new_hertz_model
+
+   !> Places of the variables, of the words of the kind, and of the results.
+   integer, parameter, public :: v_kind = 1, v_radius = 2, v_radius_1x = 3, v_radius_1y = 4, v_radius_2x = 5, v_radius_2y = 6, &
+      & v_angle = 7, v_contact_modulus = 8, v_poisson_ratio = 9, v_load = 10, v_approach = 11
+   integer, parameter, public :: kind_line = 1, kind_circular = 2, kind_elliptical = 3
+   integer, parameter, public :: r_load = 1, r_approach = 2, r_half_width = 3, r_minor = 4, r_peak_pressure = 5, &
+      & r_mean_pressure = 6, r_contact_area = 7, r_direction = 8, r_shear = 9, r_shear_depth = 10, r_violation = 11
+   integer, parameter :: n_variables = 11, n_results = 11
+   !> Places on each axis where the conditions of contact are checked, and how far they reach, in half-widths.
+   integer, parameter :: n_places = 60
+   real(dp), parameter :: reach = 3.0_dp
+
+   type, extends(halfspace_model_t) :: hertz_model_t
+   contains
+      procedure :: check_case
+      procedure :: describe_results
+      procedure :: solve_point
+      procedure :: get_profiles
+   end type hertz_model_t
+
+   !> Stress on the axis of an ellipse.
+   type, extends(axial_stress_t) :: ellipse_stress_t
+      type(ellipse_t) :: contact
+      real(dp) :: poisson_ratio = 0
+   contains
+      procedure :: stress_at => ellipse_stress_at
+   end type ellipse_stress_t
+
+   !> Stress in the plane of a line contact, depth in its half-width; the stress along the line lies between.
+   type, extends(axial_stress_t) :: line_stress_t
+   contains
+      procedure :: stress_at => line_stress_at
+   end type line_stress_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_hertz_model(self)
+      type(hertz_model_t), intent(out) :: self
+      type(variable_t) :: v(n_variables)
+
+      v(v_kind) = choice('contact', 'kind', 'parallel cylinders, spheres, or any smooth bodies', 'line circular elliptical')
+      v(v_radius) = positive('contact', 'radius', 'm', 'R of line and circle, 1/R = 1/R1 + 1/R2')
+      v(v_radius_1x) = number('contact', 'radius_1x', 'm', 'principal radius of the first body, convex > 0; not given: flat')
+      v(v_radius_1y) = number('contact', 'radius_1y', 'm', 'its other principal radius')
+      v(v_radius_2x) = number('contact', 'radius_2x', 'm', 'principal radius of the second body')
+      v(v_radius_2y) = number('contact', 'radius_2y', 'm', 'its other principal radius')
+      v(v_angle) = number('contact', 'angle', 'rad', 'from the first principal direction of body 1 to that of body 2', 0.0_dp)
+      v(v_contact_modulus) = positive('solid', 'contact_modulus', 'Pa', 'E*, 1/E* = sum of (1 - nu^2)/E')
+      v(v_poisson_ratio) = poisson_ratio_row()
+      v(v_poisson_ratio)%meaning = 'Poisson''s ratio, for the shear stress under circle and ellipse'
+      v(v_load) = number('operating', 'load', 'N; N/m for line', 'load')
+      v(v_load)%lower = 0
+      v(v_approach) = number('operating', 'approach', 'm', 'of distant points, instead of the load; not for a line')
+      v(v_approach)%lower = 0
+      call self%set_tables('hertz', 'smooth elastic bodies in contact along a line, on a circle or an ellipse', v, &
+         & get_results(.false.), contact_profiles(), 'y x', .false.)
+   end subroutine new_hertz_model
+
+   !> The table of results.
+   function get_results(is_line) result(r)
+      logical, intent(in) :: is_line
+      type(result_t) :: r(n_results)
+
+      r(r_load) = result_t('load', 'N', 'load', '', .true.)
+      r(r_approach) = result_t('approach', 'm', 'approach of distant points; a line contact has none', '', .true.)
+      r(r_half_width) = result_t('contact_half_width', 'm', 'half-width a of contact, along the major axis x', '', .true.)
+      r(r_minor) = result_t('minor_half_width', 'm', 'half-width b along the minor axis y', '')
+      r(r_peak_pressure) = result_t('peak_pressure', 'Pa', 'largest pressure', '', .true.)
+      r(r_mean_pressure) = result_t('mean_pressure', 'Pa', 'load over area of contact', '')
+      r(r_contact_area) = result_t('contact_area', 'm^2', 'area of contact', '')
+      r(r_direction) = result_t('major_axis_angle', 'rad', 'from the first principal direction of body 1 to the major axis', '')
+      r(r_shear) = result_t('largest_shear_stress', 'Pa', 'largest shear stress on the axis', '')
+      r(r_shear_depth) = result_t('largest_shear_depth', 'm', 'its depth', '')
+      r(r_violation) = result_t('contact_violation', '-', 'largest violation of g >= 0, p >= 0, g p = 0', '')
+      if (is_line) r(r_load)%unit = 'N/m'
+      if (is_line) r(r_contact_area)%unit = 'm'
+   end function get_results
+
+   !> See `model_t`.
+   function describe_results(self, values) result(results)
+      class(hertz_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      results = self%results
+      if (is_set(values(v_kind))) results = get_results(nint(values(v_kind)) == kind_line)
+   end function describe_results
+
+   !> See `halfspace_model_t`.
+   subroutine check_case(self, values, problems)
+      class(hertz_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      real(dp) :: a, b, direction
+      integer :: i
+
+      call need(self%variables, values, [v_kind, v_contact_modulus], problems)
+      if (.not. is_set(values(v_kind))) return
+      if (nint(values(v_kind)) == kind_line) then
+         call need(self%variables, values, [v_load], problems)
+         if (is_set(values(v_approach))) call problems%add('operating', 'approach', &
+            & 'is undefined for the line contact of half-planes; give load')
+      else
+         call need_one(self%variables, values, v_load, v_approach, problems)
+      end if
+      do i = v_radius, v_radius_2y
+         if (i == v_radius .eqv. nint(values(v_kind)) /= kind_elliptical) cycle
+         if (is_set(values(i))) call problems%add('contact', self%variables(i)%name, 'has no meaning for this kind')
+      end do
+      if (nint(values(v_kind)) /= kind_elliptical) then
+         call need(self%variables, values, [v_radius], problems)
+         return
+      end if
+      do i = v_radius_1x, v_radius_2y
+         if (abs(values(i)) > 0) cycle
+         call problems%add('contact', self%variables(i)%name, 'is 0, allowed: any other number; flat if not given')
+         return
+      end do
+      call get_curvatures(values, a, b, direction)
+      if (.not. a > 0) call problems%add('contact', 'radius_1x', &
+         & 'and the other radii do not make a gap that opens in all directions: there is no ellipse of contact')
+   end subroutine check_case
+
+   !> Curvatures A <= B of the gap A x^2 + B y^2; A <= 0 where there is no ellipse of contact.
+   pure subroutine get_curvatures(values, a, b, direction)
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(out) :: a, b, direction
+      real(dp) :: curvatures(4)
+      integer :: i
+
+      if (nint(values(v_kind)) /= kind_elliptical) then
+         a = 0.5_dp/values(v_radius)
+         b = a
+         direction = 0
+         return
+      end if
+      a = 0
+      b = 0
+      direction = 0
+      curvatures = 0
+      if (.not. minval(abs(values(v_radius_1x:v_radius_2y))) > 0) return
+      do i = 1, 4
+         if (is_set(values(v_radius_1x + i - 1))) curvatures(i) = 1/values(v_radius_1x + i - 1)
+      end do
+      call find_curvatures(curvatures(:2), curvatures(3:), values(v_angle), a, b, direction)
+   end subroutine get_curvatures
+
+   !> See `halfspace_model_t`.
+   subroutine solve_point(self, values, results, error_estimate, status)
+      class(hertz_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(inout) :: results(:)
+      real(dp), intent(out) :: error_estimate
+      integer, intent(out) :: status
+
+      if (nint(values(v_kind)) == kind_line) then
+         call solve_line(values, results)
+         error_estimate = epsilon(error_estimate)
+         status = status_solved
+      else
+         call solve_ellipse(values, results, error_estimate, status)
+      end if
+      associate (unused => self)
+      end associate
+   end subroutine solve_point
+
+   !> The contact along a line.
+   subroutine solve_line(values, results)
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(inout) :: results(:)
+      type(line_contact_t) :: line
+      real(dp) :: x(n_places), depth, shear, unit
+
+      line = line_of_load(values(v_radius), values(v_contact_modulus), values(v_load))
+      results([r_load, r_half_width, r_peak_pressure]) = [values(v_load), line%half_width, line%peak_pressure]
+      results([r_mean_pressure, r_contact_area]) = [pi/4*line%peak_pressure, 2*line%half_width]
+      call find_largest_shear(line_stress_t(), 1.0_dp, depth, shear)
+      results([r_shear, r_shear_depth]) = [shear*line%peak_pressure, depth*line%half_width]
+      x = places()*line%half_width
+      unit = line%half_width**2/line%radius
+      results(r_violation) = 0
+      if (unit > 0) results(r_violation) = largest_violation(line_pressure(line, x), line_gap(line, x), line%peak_pressure, unit)
+   end subroutine solve_line
+
+   !> The contact on an ellipse or a circle.
+   subroutine solve_ellipse(values, results, error_estimate, status)
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(inout) :: results(:)
+      real(dp), intent(out) :: error_estimate
+      integer, intent(out) :: status
+      type(ellipse_t) :: s
+      real(dp) :: a, b, direction, x(2*n_places), y(2*n_places), violation
+
+      call get_ellipse(values, s, a, b, direction)
+      status = merge(status_solved, status_not_converged, s%is_converged)
+      if (.not. a > 0) status = status_no_equilibrium
+      error_estimate = epsilon(error_estimate)
+      if (status /= status_solved) return
+      results([r_load, r_approach, r_half_width, r_minor]) = [s%load, s%approach, s%major, s%minor]
+      results([r_peak_pressure, r_mean_pressure]) = s%peak_pressure*[1.0_dp, 2.0_dp/3]
+      results([r_contact_area, r_direction, r_violation]) = [pi*s%major*s%minor, direction, 0.0_dp]
+      if (.not. s%minor > 0) return
+      if (is_set(values(v_poisson_ratio))) call find_largest_shear(ellipse_stress_t(s, values(v_poisson_ratio)), s%minor, &
+         & results(r_shear_depth), results(r_shear))
+      x = [places()*s%major, spread(0.0_dp, 1, n_places)]
+      y = [spread(0.0_dp, 1, n_places), places()*s%minor]
+      violation = ellipse_misfit(s, a, b, values(v_contact_modulus))
+      error_estimate = max(error_estimate, violation)
+      results(r_violation) = max(violation, largest_violation(ellipse_pressure(s, x, y), &
+         & ellipse_gap(s, values(v_contact_modulus), x, y), s%peak_pressure, s%approach))
+   end subroutine solve_ellipse
+
+   !> Ellipse of a case and the curvatures of its gap.
+   pure subroutine get_ellipse(values, s, a, b, direction)
+      real(dp), intent(in) :: values(:)
+      type(ellipse_t), intent(out) :: s
+      real(dp), intent(out) :: a, b, direction
+
+      call get_curvatures(values, a, b, direction)
+      if (.not. a > 0) return
+      if (is_set(values(v_load))) then
+         call ellipse_of_load(a, b, values(v_contact_modulus), values(v_load), s)
+      else
+         call ellipse_of_approach(a, b, values(v_contact_modulus), values(v_approach), s)
+      end if
+   end subroutine get_ellipse
+
+   !> Distances from the middle, in half-widths.
+   pure function places()
+      real(dp) :: places(n_places)
+      integer :: i
+
+      places = [(i*reach/n_places, i=1, n_places)]
+   end function places
+
+   !> See `halfspace_model_t`. x and y are the axes of the ellipse; a line contact extends along y.
+   subroutine get_profiles(self, values, results, slow, fast, profiles)
+      class(hertz_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:), results(:)
+      real(dp), intent(in) :: slow(:), fast(:)
+      real(dp), intent(inout) :: profiles(:, :, :)
+      type(line_contact_t) :: line
+      type(ellipse_t) :: s
+      real(dp) :: a, b, direction
+      integer :: j
+
+      if (nint(values(v_kind)) == kind_line) then
+         line = line_of_load(values(v_radius), values(v_contact_modulus), values(v_load))
+         profiles(:, :, 1) = spread(line_pressure(line, fast), 2, size(slow))
+         profiles(:, :, 2) = spread(line_gap(line, fast), 2, size(slow))
+         return
+      end if
+      call get_ellipse(values, s, a, b, direction)
+      if (.not. s%is_converged) return
+      do j = 1, size(slow)
+         profiles(:, j, 1) = ellipse_pressure(s, fast, slow(j))
+         profiles(:, j, 2) = ellipse_gap(s, values(v_contact_modulus), fast, slow(j))
+         if (.not. s%minor > 0) profiles(:, j, 2) = a*fast**2 + b*slow(j)**2
+      end do
+      associate (unused => self, unused_too => results)
+      end associate
+   end subroutine get_profiles
+
+   !> See `axial_stress_t`.
+   pure function ellipse_stress_at(self, depth) result(stress)
+      class(ellipse_stress_t), intent(in) :: self
+      real(dp), intent(in) :: depth
+      real(dp) :: stress(3)
+
+      stress = ellipse_axial_stress(self%contact, self%poisson_ratio, depth)
+   end function ellipse_stress_at
+
+   !> See `axial_stress_t`.
+   pure function line_stress_at(self, depth) result(stress)
+      class(line_stress_t), intent(in) :: self
+      real(dp), intent(in) :: depth
+      real(dp) :: stress(3)
+
+      stress = hertz_strip_stress(1.0_dp, 0.0_dp, 0.0_dp, depth)
+      stress(3) = stress(1)
+      associate (unused => self)
+      end associate
+   end function line_stress_at
+
+end module adfric_halfspace_hertz_model

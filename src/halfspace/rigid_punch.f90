@@ -1,0 +1,217 @@
+!> A rigid punch pressed on an elastic half-plane without friction, plane strain (Y; Johnson, Contact Mechanics, 1985, 2.8, 5.2).
+!>
+!> The profile z(x) >= 0 is even and rises from its tip. Inside the contact |x| < a the slopes of punch and surface agree,
+!>
+!>     int p(s)/(x - s) ds = (pi E*/2) z'(x)
+!>
+!> The solution that is bounded at the edges, p = sqrt(1 - t^2) G(t) with t = x/a, carries the load P(a). It is found by
+!> collocation of Gauss and Chebyshev (Erdogan and Gupta 1972), which converges faster than any power of the number of points
+!> for smooth profiles. Where the face ends before that, |x| <= w, the contact is the whole face, and the rest of the load is
+!> carried as by a flat punch: p = p_w + (P - P(w))/(pi sqrt(w^2 - x^2)).
+module adfric_halfspace_rigid_punch
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_numerics_lapack, only: dgesv
+   use adfric_numerics_scalar_root, only: equation_t, find_root
+   implicit none (type, external)
+   private
+   public :: punch_profile_t, punch_contact_t, solve_punch, bounded_load
+
+   !> An even profile.
+   type, abstract :: punch_profile_t
+   contains
+      procedure(evaluate_profile_i), deferred :: height
+      procedure(evaluate_profile_i), deferred :: slope
+   end type punch_profile_t
+
+   abstract interface
+      !> Height z [m] or slope z' [-] at x >= 0.
+      elemental real(dp) function evaluate_profile_i(self, x)
+         import :: punch_profile_t, dp
+         implicit none (type, external)
+         class(punch_profile_t), intent(in) :: self
+         real(dp), intent(in) :: x
+      end function evaluate_profile_i
+   end interface
+
+   !> A solved contact.
+   type :: punch_contact_t
+      !> Half-width a of contact [m], load P [N/m], load of the flat part [N/m].
+      real(dp) :: half_width = 0, load = 0, excess = 0
+      !> E* [Pa].
+      real(dp) :: modulus = 1
+      !> The bounded part is a sum of b_k sin((k + 1) th), x = a cos th [Pa]; shape `(n)`, from k = 0.
+      real(dp), allocatable :: b(:)
+      !> Relative difference of the load from its closed form.
+      real(dp) :: load_error = 0
+      logical :: is_converged = .false.
+   contains
+      procedure :: pressure
+      procedure :: rise
+   end type punch_contact_t
+
+   !> P(a) = load for x = a.
+   type, extends(equation_t) :: load_equation_t
+      class(punch_profile_t), allocatable :: profile
+      real(dp) :: modulus = 1, load = 0
+      integer :: n = 2
+   contains
+      procedure :: evaluate
+   end type load_equation_t
+
+contains
+
+   !> Solve for the contact under a load > 0.
+   pure subroutine solve_punch(profile, face, modulus, load, n, self)
+      class(punch_profile_t), intent(in) :: profile
+      !> Half-width w of the face [m].
+      real(dp), intent(in) :: face
+      !> E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> P [N/m].
+      real(dp), intent(in) :: load
+      !> Points of collocation, even.
+      integer, intent(in) :: n
+      type(punch_contact_t), intent(out) :: self
+      type(load_equation_t) :: equation
+      real(dp) :: bounded
+
+      self%load = load
+      self%modulus = modulus
+      self%half_width = face
+      self%is_converged = .true.
+      bounded = bounded_load(profile, modulus, face, n)
+      if (bounded > load) then
+         allocate (equation%profile, source=profile)
+         equation%modulus = modulus
+         equation%load = load
+         equation%n = n
+         self%half_width = face*min(0.9_dp, sqrt(load/bounded))
+         call find_root(equation, 0.0_dp, face, .true., self%half_width, self%is_converged)
+         bounded = load
+      end if
+      self%excess = load - bounded
+      if (self%is_converged) call collocate(profile, n, bounded, self)
+   end subroutine solve_punch
+
+   !> Load of the bounded solution on |x| < a: P = (E*/2) int x z'(x)/sqrt(a^2 - x^2) dx.
+   pure real(dp) function bounded_load(profile, modulus, a, n)
+      class(punch_profile_t), intent(in) :: profile
+      real(dp), intent(in) :: modulus, a
+      integer, intent(in) :: n
+      real(dp) :: x(n)
+      integer :: i
+
+      ! x > 0 only, with twice as many points as for the pressure
+      x = a*cos((2*[(i, i=1, n)] - 1)*pi/(4*n))
+      bounded_load = modulus/2*sum(x*profile%slope(x))*pi/n
+   end function bounded_load
+
+   !> See `equation_t`.
+   pure subroutine evaluate(self, x, value, slope)
+      class(load_equation_t), intent(in) :: self
+      real(dp), intent(in) :: x
+      real(dp), intent(out) :: value
+      real(dp), intent(out) :: slope
+      real(dp), parameter :: h = 1.0e-5_dp
+
+      value = bounded_load(self%profile, self%modulus, x, self%n) - self%load
+      slope = (bounded_load(self%profile, self%modulus, x*(1 + h), self%n) &
+         & - bounded_load(self%profile, self%modulus, x*(1 - h), self%n))/(2*h*x)
+   end subroutine evaluate
+
+   !> Gauss and Chebyshev: with nodes t_i = cos(i pi/(n+1)) and places x_j = cos((2j-1) pi/(2n+2)),
+   !>
+   !>     sum over i of pi (1 - t_i^2)/(n + 1) G(t_i)/(x_j - t_i) = (pi E*/2) z'(a x_j),  j = 1 ... n + 1
+   !>
+   !> The middle one of these equations reads 0 = 0 by symmetry and is left out.
+   pure subroutine collocate(profile, n, bounded, self)
+      class(punch_profile_t), intent(in) :: profile
+      integer, intent(in) :: n
+      !> Load of the bounded part.
+      real(dp), intent(in) :: bounded
+      type(punch_contact_t), intent(inout) :: self
+      real(dp) :: matrix(n, n), g(n, 1), th(n), place
+      integer :: pivots(n), i, j, row, info
+
+      th = [(i, i=1, n)]*pi/(n + 1)
+      do row = 1, n
+         j = row
+         if (row > n/2) j = row + 1
+         place = (2*j - 1)*pi/(2*n + 2)
+         ! x_j - t_i as a product
+         matrix(row, :) = sin(th)**2/(2*(n + 1)*sin((th + place)/2)*sin((th - place)/2))
+         g(row, 1) = self%modulus/2*sign(1.0_dp, cos(place))*profile%slope(self%half_width*abs(cos(place)))
+      end do
+      call dgesv(n, 1, matrix, n, pivots, g, n, info)
+      self%is_converged = info == 0
+      allocate (self%b(n), source=0.0_dp)
+      if (.not. self%is_converged) return
+      do i = 1, n
+         self%b(i) = 2*sum(g(:, 1)*sin(th)*sin(i*th))/(n + 1)
+      end do
+      self%load_error = abs(self%b(1)*self%half_width*pi/2 - bounded)/self%load
+   end subroutine collocate
+
+   !> Pressure at x; 0 outside, NaN at the edge of a face that is in contact all over.
+   elemental real(dp) function pressure(self, x)
+      class(punch_contact_t), intent(in) :: self
+      real(dp), intent(in) :: x
+      real(dp) :: t, root, th
+      integer :: k
+
+      pressure = 0
+      t = abs(x)/self%half_width
+      if (t > 1) return
+      root = sqrt((1 - t)*(1 + t))
+      if (self%excess > 0) then
+         pressure = not_a_number()
+         if (.not. root > 0) return
+         pressure = self%excess/(pi*self%half_width*root)
+      end if
+      th = atan2(root, t)
+      do k = 1, size(self%b)
+         pressure = pressure + self%b(k)*sin(k*th)
+      end do
+   end function pressure
+
+   !> How far the surface lies above its level at the edge of contact, x = a, at any x [m]: the integral of
+   !> (2/E*) sum b_k times T_(k+1)(t) inside, (t - sqrt(t^2 - 1))^(k+1) outside, and of the flat part.
+   elemental real(dp) function rise(self, x)
+      class(punch_contact_t), intent(in) :: self
+      real(dp), intent(in) :: x
+      real(dp) :: t, v
+      integer :: k
+
+      t = abs(x)/self%half_width
+      rise = 0
+      if (t <= 1) then
+         v = atan2(sqrt((1 - t)*(1 + t)), t)
+         do k = 1, size(self%b)
+            rise = rise + self%b(k)/2*((cos((k + 1)*v) - 1)/(k + 1) - less_one(cos((k - 1)*v), k - 1))
+         end do
+         rise = 2*self%half_width/self%modulus*rise
+      else
+         v = asinh(sqrt((t - 1)*(t + 1)))
+         do k = 1, size(self%b)
+            if (k == 1) then
+               rise = rise + self%b(k)/2*(v - (1 - exp(-2*v))/2)
+            else
+               rise = rise + self%b(k)/2*((1 - exp(-(k - 1)*v))/(k - 1) - (1 - exp(-(k + 1)*v))/(k + 1))
+            end if
+         end do
+         rise = 2/self%modulus*(self%half_width*rise + self%excess/pi*v)
+      end if
+   end function rise
+
+   !> (c - 1)/k; 0 for k = 0.
+   elemental real(dp) function less_one(c, k)
+      real(dp), intent(in) :: c
+      integer, intent(in) :: k
+
+      less_one = 0
+      if (k > 0) less_one = (c - 1)/k
+   end function less_one
+
+end module adfric_halfspace_rigid_punch

@@ -1,0 +1,140 @@
+!> The model `wave_1d`: a sinusoidal wave on an elastic half-plane (Westergaard).
+module adfric_halfspace_wave_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_model, only: result_t, variable_t, status_solved, status_no_equilibrium, status_not_converged
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_halfspace_contact_conditions, only: largest_violation
+   use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
+   use adfric_halfspace_halfspace_table, only: positive, number, need, need_one
+   use adfric_halfspace_westergaard, only: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, &
+      & find_wave_pressure
+   implicit none (type, external)
+   private
+   public :: wave_model_t, new_wave_model
+
+   !> Places of the variables and of the results.
+   integer, parameter, public :: v_period = 1, v_amplitude = 2, v_contact_modulus = 3, v_mean_pressure = 4, v_penetration = 5
+   integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_width = 3, r_contact_fraction = 4, &
+      & r_peak_pressure = 5, r_mean_gap = 6, r_largest_gap = 7, r_full_contact_pressure = 8, r_regime = 9, r_violation = 10
+   integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2
+   !> Places where the conditions of contact are checked.
+   integer, parameter :: n_places = 200
+
+   type, extends(halfspace_model_t) :: wave_model_t
+   contains
+      procedure :: check_case
+      procedure :: solve_point
+      procedure :: get_profiles
+   end type wave_model_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_wave_model(self)
+      type(wave_model_t), intent(out) :: self
+      type(variable_t) :: v(5)
+      type(result_t) :: r(10)
+
+      v(v_period) = positive('surface', 'period', 'm', 'wavelength l')
+      v(v_amplitude) = positive('surface', 'amplitude', 'm', 'D of the wave z = D (1 - cos 2 pi x/l)')
+      v(v_contact_modulus) = positive('solid', 'contact_modulus', 'Pa', 'E*, 1/E* = sum of (1 - nu^2)/E')
+      v(v_mean_pressure) = number('operating', 'mean_pressure', 'Pa', 'load over nominal area')
+      v(v_mean_pressure)%lower = 0
+      v(v_penetration) = number('operating', 'penetration', 'm', 'approach of the mean planes since first touch, instead')
+      r(r_mean_pressure) = result_t('mean_pressure', 'Pa', 'load over nominal area', '', .true.)
+      r(r_penetration) = result_t('penetration', 'm', 'approach of the mean planes since first touch', '', .true.)
+      r(r_contact_width) = result_t('contact_width', 'm', 'width 2a of contact on one wave', '', .true.)
+      r(r_contact_fraction) = result_t('contact_fraction', '-', 'share of the wave in contact', '')
+      r(r_peak_pressure) = result_t('peak_pressure', 'Pa', 'pressure on the crests', '', .true.)
+      r(r_mean_gap) = result_t('mean_gap', 'm', 'mean gap', '')
+      r(r_largest_gap) = result_t('largest_gap', 'm', 'gap in the troughs', '')
+      r(r_full_contact_pressure) = result_t('full_contact_pressure', 'Pa', 'p* = pi E* D/l, where full contact begins', '')
+      r(r_regime) = result_t('regime', '-', 'regime', 'no_contact partial full')
+      r(r_violation) = result_t('contact_violation', '-', 'largest violation of g >= 0, p >= 0, g p = 0', '')
+      call self%set_tables('wave_1d', 'a sinusoidal wave on an elastic half-plane: pressure and gap up to full contact', v, r, &
+         & contact_profiles(), 'x', .false.)
+   end subroutine new_wave_model
+
+   !> See `halfspace_model_t`.
+   subroutine check_case(self, values, problems)
+      class(wave_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+
+      call need(self%variables, values, [v_period, v_amplitude, v_contact_modulus], problems)
+      call need_one(self%variables, values, v_mean_pressure, v_penetration, problems)
+   end subroutine check_case
+
+   !> Pressure p* of full contact.
+   pure real(dp) function full_pressure(values)
+      real(dp), intent(in) :: values(:)
+
+      full_pressure = pi*values(v_contact_modulus)*(values(v_amplitude)/values(v_period))
+   end function full_pressure
+
+   !> See `halfspace_model_t`. Beyond full contact the penetration of a half-plane is undefined.
+   subroutine solve_point(self, values, results, error_estimate, status)
+      class(wave_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(inout) :: results(:)
+      real(dp), intent(out) :: error_estimate
+      integer, intent(out) :: status
+      real(dp) :: q, p, d, x(n_places), lift
+      integer :: i
+      logical :: is_converged
+
+      status = status_solved
+      error_estimate = epsilon(error_estimate)
+      p = full_pressure(values)
+      d = values(v_amplitude)
+      results(r_full_contact_pressure) = p
+      lift = 0
+      if (is_set(values(v_mean_pressure))) then
+         q = values(v_mean_pressure)/p
+         results([r_mean_pressure, r_penetration]) = [values(v_mean_pressure), d*wave_penetration(q)]
+      else
+         if (values(v_penetration) > d) status = status_no_equilibrium
+         if (status /= status_solved) return
+         call find_wave_pressure(values(v_penetration)/d, q, is_converged)
+         if (.not. is_converged) status = status_not_converged
+         if (status /= status_solved) return
+         results([r_mean_pressure, r_penetration]) = [q*p, values(v_penetration)]
+         lift = max(0.0_dp, -values(v_penetration))
+      end if
+      results(r_contact_fraction) = 2*wave_half_width(q)
+      results(r_contact_width) = results(r_contact_fraction)*values(v_period)
+      results(r_peak_pressure) = p*wave_pressure(q, 0.0_dp)
+      results([r_mean_gap, r_largest_gap]) = d*[wave_mean_gap(q), wave_gap(q, 0.5_dp)] + lift
+      results(r_regime) = regime_partial
+      if (.not. q > 0) results(r_regime) = regime_none
+      if (q >= 1) results(r_regime) = regime_full
+      x = [(0.5_dp*i/n_places, i=1, n_places)]
+      results(r_violation) = largest_violation(wave_pressure(q, x), wave_gap(q, x), 1.0_dp, 1.0_dp)
+      associate (unused => self)
+      end associate
+   end subroutine solve_point
+
+   !> See `halfspace_model_t`.
+   subroutine get_profiles(self, values, results, slow, fast, profiles)
+      class(wave_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:), results(:)
+      real(dp), intent(in) :: slow(:), fast(:)
+      real(dp), intent(inout) :: profiles(:, :, :)
+      real(dp) :: q, p, lift
+
+      lift = 0
+      if (is_set(values(v_penetration))) then
+         if (values(v_penetration) > values(v_amplitude)) return
+         lift = max(0.0_dp, -values(v_penetration))
+      end if
+      p = full_pressure(values)
+      q = results(r_mean_pressure)/p
+      profiles(:, 1, 1) = p*wave_pressure(q, fast/values(v_period))
+      profiles(:, 1, 2) = values(v_amplitude)*wave_gap(q, fast/values(v_period)) + lift
+      associate (unused => self, unused_too => slow)
+      end associate
+   end subroutine get_profiles
+
+end module adfric_halfspace_wave_model

@@ -1,0 +1,30 @@
+!> Differences of hyperbolic functions that keep their digits where the argument is small.
+module adfric_numerics_hyperbolic
+   use adfric_base_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: sinh_minus_argument
+
+contains
+
+   !> sinh x - x for x >= 0.
+   elemental real(dp) function sinh_minus_argument(x)
+      real(dp), intent(in) :: x
+      integer :: k
+      real(dp) :: y, term
+
+      if (x >= 1) then
+         sinh_minus_argument = sinh(x) - x
+         return
+      end if
+      ! sum of x^(2k+1)/(2k+1)!
+      y = x*x
+      term = x*y/6
+      sinh_minus_argument = 0
+      do k = 1, 9
+         sinh_minus_argument = sinh_minus_argument + term
+         term = term*y/((2*k + 2)*(2*k + 3))
+      end do
+   end function sinh_minus_argument
+
+end module adfric_numerics_hyperbolic
