@@ -1,9 +1,8 @@
 !> Contacts of a sphere with their answers in quadruple precision, for other programs to be compared with.
 module sphere_points
    use adfric_base_kinds, only: dp
-   use adfric_sphere_contact, only: contact_t, control_load, control_approach, control_radius, branch_stable
+   use adfric_sphere_contact, only: contact_t, control_load, control_approach, control_radius, branch_stable, find_contact
    use adfric_sphere_maugis_dugdale, only: maugis_t
-   use adfric_sphere_theory_choice, only: find_contact
    use measure, only: spread_t, spread_of, open_table
    use quad_dugdale, only: state_t, of_radius, of_load, pull_off_of_load, pull_off_of_approach
    use sphere_timing, only: time_theory, time_pull_off, logarithmic

@@ -1,9 +1,8 @@
 !> Times of contacts of a sphere by Maugis's theory, and the numbers that are held.
 module sphere_timing
    use adfric_base_kinds, only: dp
-   use adfric_sphere_contact, only: contact_t, branch_stable
+   use adfric_sphere_contact, only: contact_t, branch_stable, find_contact
    use adfric_sphere_maugis_dugdale, only: maugis_t
-   use adfric_sphere_theory_choice, only: find_contact
    use adfric_sweep_clock, only: wall_clock
    use trial_strips, only: dice_t, new_dice
    implicit none (type, external)

@@ -10,6 +10,7 @@ module adfric_base_model
    implicit none (type, external)
    private
    public :: model_t, variable_t, result_t, profile_t, attribute_t
+   public :: positive_variable
    public :: kind_real, kind_integer, kind_logical, kind_choice
    public :: status_solved, status_no_equilibrium, status_not_converged, n_status
    public :: status_meanings
@@ -182,6 +183,14 @@ module adfric_base_model
    end interface
 
 contains
+
+   !> A real variable > 0 without default.
+   function positive_variable(group, name, unit, meaning) result(variable)
+      character(*), intent(in) :: group, name, unit, meaning
+      type(variable_t) :: variable
+
+      variable = variable_t(group, name, kind_real, unit, meaning, '', unset, 0.0_dp, lower_open=.true.)
+   end function positive_variable
 
    !> Number of states of an enumerated result; 0 for a number.
    pure integer function n_states(self)

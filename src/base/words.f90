@@ -1,8 +1,9 @@
-!> Lists of words separated by blanks.
+!> Lists of words separated by blanks, and lines of text.
 module adfric_base_words
+   use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: count_words, get_word, pad
+   public :: count_words, get_word, pad, quantity_line
 
 contains
 
@@ -45,5 +46,16 @@ contains
 
       padded = text//repeat(' ', max(1, width - len(text)))
    end function pad
+
+   !> A quantity with its value and unit, as a line.
+   function quantity_line(name, value, unit) result(line)
+      character(*), intent(in) :: name, unit
+      real(dp), intent(in) :: value
+      character(:), allocatable :: line
+      character(24) :: number
+
+      write (number, '(es14.6)') value
+      line = name//' = '//trim(adjustl(number))//' '//unit//new_line('a')
+   end function quantity_line
 
 end module adfric_base_words

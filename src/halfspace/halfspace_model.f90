@@ -4,9 +4,10 @@ module adfric_halfspace_halfspace_model
    use adfric_base_model, only: model_t, variable_t, result_t, attribute_t, profile_t, status_solved
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
+   use adfric_base_requirements, only: need
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: count_words, get_word
-   use adfric_halfspace_halfspace_table, only: set_output_axis, output_switch, need
+   use adfric_halfspace_halfspace_table, only: set_output_axis, output_switch
    implicit none (type, external)
    private
    public :: halfspace_model_t, contact_profiles

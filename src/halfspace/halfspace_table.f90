@@ -1,12 +1,11 @@
-!> Rows of the tables of variables of the half-space models, and what is said of values that are missing.
+!> Rows of the tables of variables of the half-space models.
 module adfric_halfspace_halfspace_table
    use adfric_base_kinds, only: dp
    use adfric_base_model, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice
-   use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: unset, is_set
+   use adfric_base_unset, only: unset
    implicit none (type, external)
    private
-   public :: positive, number, choice, set_output_axis, output_switch, need, need_one, poisson_ratio_row
+   public :: positive, number, choice, set_output_axis, output_switch, poisson_ratio_row
 
    !> Sizes beyond these are those of a slip in the units.
    real(dp), parameter :: largest_unit = 1.0e30_dp, smallest_unit = 1.0e-30_dp
@@ -74,43 +73,5 @@ contains
       end do
       if (is_depth) variables(:2)%lower = 0
    end subroutine set_output_axis
-
-   !> Each of a list has to be given.
-   subroutine need(variables, values, list, problems)
-      type(variable_t), intent(in) :: variables(:)
-      real(dp), intent(in) :: values(:)
-      !> Places.
-      integer, intent(in) :: list(:)
-      type(problems_t), intent(inout) :: problems
-      integer :: k
-
-      do k = 1, size(list)
-         if (is_set(values(list(k)))) cycle
-         associate (v => variables(list(k)))
-            if (v%kind == kind_choice) then
-               call problems%add(v%group, v%name, 'is missing, one of '//v%choices)
-            else
-               call problems%add(v%group, v%name, 'is missing ['//v%unit//']')
-            end if
-         end associate
-      end do
-   end subroutine need
-
-   !> One of two has to be given, and not both.
-   subroutine need_one(variables, values, first, second, problems)
-      type(variable_t), intent(in) :: variables(:)
-      real(dp), intent(in) :: values(:)
-      !> Places.
-      integer, intent(in) :: first, second
-      type(problems_t), intent(inout) :: problems
-
-      associate (v => variables(first), w => variables(second))
-         if (is_set(values(first)) .and. is_set(values(second))) then
-            call problems%add(v%group, v%name, 'stands beside '//w%name//'; give one of them')
-         else if (.not. is_set(values(first)) .and. .not. is_set(values(second))) then
-            call problems%add(v%group, v%name, 'is missing; one of '//v%name//' or '//w%name//' is needed')
-         end if
-      end associate
-   end subroutine need_one
 
 end module adfric_halfspace_halfspace_table

@@ -5,10 +5,11 @@ module adfric_halfspace_hertz_model
    use adfric_base_model, only: result_t, variable_t, status_solved, status_no_equilibrium, &
       & status_not_converged
    use adfric_base_problems, only: problems_t
+   use adfric_base_requirements, only: need, need_one
    use adfric_base_unset, only: is_set
    use adfric_halfspace_contact_conditions, only: largest_violation
    use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
-   use adfric_halfspace_halfspace_table, only: positive, choice, number, need, need_one, poisson_ratio_row
+   use adfric_halfspace_halfspace_table, only: positive, choice, number, poisson_ratio_row
    use adfric_halfspace_hertz_ellipse, only: ellipse_t, find_curvatures, ellipse_of_load, ellipse_of_approach, &
       & ellipse_pressure, ellipse_gap, ellipse_axial_stress, ellipse_misfit
    use adfric_halfspace_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap
@@ -121,7 +122,7 @@ contains
          if (is_set(values(v_approach))) call problems%add('operating', 'approach', &
             & 'is undefined for the line contact of half-planes; give load')
       else
-         call need_one(self%variables, values, v_load, v_approach, problems)
+         call need_one(self%variables, values, [v_load, v_approach], .true., problems)
       end if
       do i = v_radius, v_radius_2y
          if (i == v_radius .eqv. nint(values(v_kind)) /= kind_elliptical) cycle

@@ -5,9 +5,10 @@ module adfric_halfspace_line_load_model
    use adfric_base_model, only: result_t, variable_t
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
+   use adfric_base_requirements, only: need
    use adfric_halfspace_field_model, only: field_model_t, set_stresses, set_displacements, maps_of
    use adfric_halfspace_flamant, only: line_stress, line_displacement
-   use adfric_halfspace_halfspace_table, only: positive, number, choice, need, poisson_ratio_row
+   use adfric_halfspace_halfspace_table, only: positive, number, choice, poisson_ratio_row
    use adfric_halfspace_strip_tractions, only: uniform_strip_stress, hertz_strip_stress, uniform_strip_integral, &
       & hertz_strip_integral
    implicit none (type, external)

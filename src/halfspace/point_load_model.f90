@@ -3,9 +3,10 @@ module adfric_halfspace_point_load_model
    use adfric_base_kinds, only: dp
    use adfric_base_model, only: result_t, variable_t
    use adfric_base_problems, only: problems_t
+   use adfric_base_requirements, only: need
    use adfric_halfspace_boussinesq_cerruti, only: point_stress, point_displacement
    use adfric_halfspace_field_model, only: field_model_t, set_stresses, set_displacements, maps_of
-   use adfric_halfspace_halfspace_table, only: positive, number, need, poisson_ratio_row
+   use adfric_halfspace_halfspace_table, only: positive, number, poisson_ratio_row
    implicit none (type, external)
    private
    public :: point_load_model_t, new_point_load_model

@@ -6,10 +6,11 @@ module adfric_halfspace_punch_model
       & status_not_converged
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
+   use adfric_base_requirements, only: need, need_one
    use adfric_base_unset, only: is_set
    use adfric_halfspace_contact_conditions, only: largest_violation
    use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
-   use adfric_halfspace_halfspace_table, only: positive, choice, number, need, need_one
+   use adfric_halfspace_halfspace_table, only: positive, choice, number
    use adfric_halfspace_punch_profiles, only: polynomial_t, wedge_load, wedge_pressure, wedge_gap
    use adfric_halfspace_rigid_punch, only: punch_contact_t, solve_punch, bounded_load
    implicit none (type, external)
@@ -121,7 +122,7 @@ contains
          if (.not. maxval(values(v_coefficient_2:v_coefficient_8)) > 0) call problems%add('punch', 'coefficient_2', &
             & 'is 0 like all coefficients; give one of them, or kind = ''flat''')
       end select
-      call need_one(self%variables, values, v_load, v_contact_half_width, problems)
+      call need_one(self%variables, values, [v_load, v_contact_half_width], .true., problems)
       if (is_set(values(v_contact_half_width)) .and. is_set(values(v_face))) then
          if (values(v_contact_half_width) > values(v_face)) call problems%add('operating', 'contact_half_width', &
             & 'is larger than the half_width of the face')

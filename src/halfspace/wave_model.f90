@@ -4,10 +4,11 @@ module adfric_halfspace_wave_model
    use adfric_base_constants, only: pi
    use adfric_base_model, only: result_t, variable_t, status_solved, status_no_equilibrium, status_not_converged
    use adfric_base_problems, only: problems_t
+   use adfric_base_requirements, only: need, need_one
    use adfric_base_unset, only: is_set
    use adfric_halfspace_contact_conditions, only: largest_violation
    use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
-   use adfric_halfspace_halfspace_table, only: positive, number, need, need_one
+   use adfric_halfspace_halfspace_table, only: positive, number
    use adfric_halfspace_westergaard, only: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, &
       & find_wave_pressure
    implicit none (type, external)
@@ -64,7 +65,7 @@ contains
       type(problems_t), intent(inout) :: problems
 
       call need(self%variables, values, [v_period, v_amplitude, v_contact_modulus], problems)
-      call need_one(self%variables, values, v_mean_pressure, v_penetration, problems)
+      call need_one(self%variables, values, [v_mean_pressure, v_penetration], .true., problems)
    end subroutine check_case
 
    !> Pressure p* of full contact.

@@ -14,6 +14,7 @@ module adfric_sphere_dmt
       procedure :: of_load
       procedure :: of_approach
       procedure :: pull_off
+      procedure :: pull
    end type dmt_t
 
 contains
@@ -30,7 +31,7 @@ contains
       contact%radius = value
       ! the zone of adhesion has no edge; friction ends where contact does
       contact%adhesion_radius = value
-      contact%load = value**3 - 2*self%ratio
+      contact%load = value**3 - self%pull()
       contact%approach = value**2
    end subroutine of_radius
 
@@ -42,8 +43,8 @@ contains
       type(contact_t), intent(inout) :: contact
 
       contact = contact_t()
-      if (value < -2*self%ratio .or. branch /= branch_stable) return
-      call self%of_radius(cube_root(value + 2*self%ratio), contact)
+      if (value < -self%pull() .or. branch /= branch_stable) return
+      call self%of_radius(cube_root(value + self%pull()), contact)
       contact%load = value
    end subroutine of_load
 
@@ -70,5 +71,12 @@ contains
       associate (unused => control)
       end associate
    end subroutine pull_off
+
+   !> Force of adhesion.
+   pure real(dp) function pull(self)
+      class(dmt_t), intent(in) :: self
+
+      pull = 2*self%ratio
+   end function pull
 
 end module adfric_sphere_dmt

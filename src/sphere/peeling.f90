@@ -5,9 +5,9 @@
 !> force the contact follows the states of smallest slip; it is not found beyond the largest force or displacement it
 !> reaches before sliding.
 module adfric_sphere_peeling
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_sphere_contact, only: contact_t, theory_t
    use adfric_sphere_interaction, only: is_valid_interaction
    use adfric_sphere_static_friction, only: slip_core, largest_slip_core, angle_of_gamma, mean_slip, largest_slip
@@ -17,7 +17,7 @@ module adfric_sphere_peeling
    implicit none (type, external)
    private
    public :: friction_t, friction_state_t, friction_events_t
-   public :: is_valid_friction, find_static_state, find_sliding_state, find_friction_events
+   public :: is_valid_friction, find_static_state, find_sliding_state, find_friction_events, forget_events
    public :: given_gamma, given_force, given_displacement
    public :: end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
 
@@ -172,7 +172,7 @@ contains
       type(friction_state_t) :: sliding
       logical :: is_peak_converged
 
-      call forget(events)
+      call forget_events(events)
       if (.not. is_valid_friction(friction)) return
       call new_path(path, theory, friction, control, held, branch)
       events%is_found = path%start%is_found
@@ -207,8 +207,8 @@ contains
       events%force_drop = events%peak_force - sliding%force
    end subroutine add_sliding
 
-   !> Nothing happens.
-   pure subroutine forget(events)
+   !> Nothing is known to happen.
+   pure subroutine forget_events(events)
       type(friction_events_t), intent(inout) :: events
       real(dp) :: none
 
@@ -220,11 +220,6 @@ contains
       events%force_drop = none
       events%snap_off_force = none
       events%snap_off_displacement = none
-   end subroutine forget
-
-   !> A quiet NaN, which stands for `no value`.
-   pure real(dp) function not_a_number()
-      not_a_number = ieee_value(1.0_dp, ieee_quiet_nan)
-   end function not_a_number
+   end subroutine forget_events
 
 end module adfric_sphere_peeling

@@ -12,7 +12,7 @@ module adfric_sphere_peeling_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_numerics_scalar_root, only: equation_t
-   use adfric_sphere_contact, only: contact_t, theory_t, control_load, control_approach, branch_stable
+   use adfric_sphere_contact, only: contact_t, theory_t, control_load, branch_stable, find_contact, friction_radius
    use adfric_sphere_interaction, only: adhesion_ratio, largest_slip_energy
    use adfric_sphere_static_friction, only: force_of_angle, angle_of_slip, slip_factor, largest_slip_core
    implicit none (type, external)
@@ -119,14 +119,7 @@ contains
       waypoint%contact = neighbour
       allocate (theory, source=self%theory)
       theory%ratio = waypoint%ratio
-      select case (self%control)
-      case (control_load)
-         call theory%of_load(self%held, self%branch, waypoint%contact)
-      case (control_approach)
-         call theory%of_approach(self%held, self%branch, waypoint%contact)
-      case default
-         call theory%of_radius(self%held, waypoint%contact)
-      end select
+      call find_contact(theory, self%control, self%held, self%branch, waypoint%contact)
       ! without intimate contact there is no friction
       waypoint%is_found = waypoint%contact%is_found .and. waypoint%contact%radius > 0
       if (waypoint%is_found) call complete_waypoint(self, waypoint)
@@ -138,10 +131,7 @@ contains
       type(waypoint_t), intent(inout) :: waypoint
       real(dp) :: enough
 
-      associate (contact => waypoint%contact)
-         ! (J 3.8)
-         waypoint%friction_radius = contact%radius + self%friction%edge_fraction*(contact%adhesion_radius - contact%radius)
-      end associate
+      waypoint%friction_radius = friction_radius(waypoint%contact, self%friction%edge_fraction)
       waypoint%core = 2*largest_slip_core
       enough = waypoint%core*self%compliance*waypoint%friction_radius
       if (waypoint%slip_energy < enough) waypoint%core = waypoint%slip_energy/(self%compliance*waypoint%friction_radius)

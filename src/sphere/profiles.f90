@@ -20,9 +20,9 @@
 !>   number near 1 rewritten, -X lambda for a <= r <= c, 0 beyond; h_H + (8/3 pi) X lambda g, see `opening`. Without contact
 !>   (a = 0) the gap at the axis, which is 2/(pi lambda) less the rise from there to r = c, is added.
 module adfric_sphere_profiles
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_numerics_elliptic, only: carlson_d, carlson_f
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_numerics_trigonometry, only: sinc_minus_cos
@@ -96,12 +96,12 @@ contains
       real(dp) :: root
 
       if (.not. (self%is_found .and. r >= 0)) then
-         pressure = ieee_value(pressure, ieee_quiet_nan)
+         pressure = not_a_number()
       else if (r < self%radius) then
          root = sqrt((self%radius - r)*(self%radius + r))
          pressure = (3*root - self%singularity/root - 2*self%tension*atan2(self%width, root))/pi
       else if (self%singularity > 0 .and. .not. r > self%radius) then
-         pressure = ieee_value(pressure, ieee_quiet_nan)
+         pressure = not_a_number()
       else if (r <= self%adhesion_radius) then
          pressure = -self%tension
       else
@@ -116,7 +116,7 @@ contains
       real(dp) :: e, beta, f
 
       if (.not. (self%is_found .and. r >= 0)) then
-         gap = ieee_value(gap, ieee_quiet_nan)
+         gap = not_a_number()
          return
       end if
       gap = self%least_gap

@@ -3,6 +3,7 @@ module adfric_sphere_check
    use adfric_base_kinds, only: dp
    use adfric_base_model, only: variable_t, kind_real
    use adfric_base_problems, only: problems_t
+   use adfric_base_requirements, only: need, need_one
    use adfric_base_unset, only: is_set
    use adfric_sphere_case, only: sphere_case_t, resolve_case, theory_auto
    use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale, control_radius, branch_stable
@@ -28,7 +29,7 @@ contains
       call check_sphere()
       call check_operation()
       call check_friction()
-      if (values(v_profiles) > 0) call need(v_r_max)
+      if (values(v_profiles) > 0) call need(variables, values, [v_r_max], problems)
       if (problems%count() == before) call check_reduced()
 
    contains
@@ -39,36 +40,6 @@ contains
 
          call problems%add(variables(v)%group, variables(v)%name, text)
       end subroutine add
-
-      subroutine need(v)
-         integer, intent(in) :: v
-
-         if (.not. is_set(values(v))) call add(v, 'is missing ['//variables(v)%unit//']')
-      end subroutine need
-
-      !> One of several, or at most one.
-      subroutine need_one(list, is_needed)
-         integer, intent(in) :: list(:)
-         logical, intent(in) :: is_needed
-         character(:), allocatable :: others
-         integer :: k, first, second
-
-         others = variables(list(1))%name
-         do k = 2, size(list)
-            if (k == size(list)) then
-               others = others//' or '//variables(list(k))%name
-            else
-               others = others//', '//variables(list(k))%name
-            end if
-         end do
-         first = findloc(is_set(values(list)), .true., 1)
-         second = findloc(is_set(values(list)), .true., 1, back=.true.)
-         if (first == 0) then
-            if (is_needed) call add(list(1), 'is missing; one of '//others//' is needed')
-         else if (second > first) then
-            call add(list(first), 'stands beside '//variables(list(second))%name//'; give one of them')
-         end if
-      end subroutine need_one
 
       subroutine check_sphere()
          integer, parameter :: si_only(*) = [v_radius, v_contact_modulus, v_work_of_adhesion, v_adhesion_stress, &
@@ -81,15 +52,14 @@ contains
             do k = 1, size(si_only)
                if (is_set(values(si_only(k)))) call add(si_only(k), 'has no place in reduced units')
             end do
-            if (theory == theory_auto .or. theory == theory_maugis_dugdale) call need(v_lambda)
+            if (theory == theory_auto .or. theory == theory_maugis_dugdale) call need(variables, values, [v_lambda], problems)
          else
-            call need(v_radius)
-            call need(v_contact_modulus)
-            if (theory /= theory_hertz) call need(v_work_of_adhesion)
+            call need(variables, values, [v_radius, v_contact_modulus], problems)
+            if (theory /= theory_hertz) call need(variables, values, [v_work_of_adhesion], problems)
             has_adhesion = .false.
             if (is_set(values(v_work_of_adhesion))) has_adhesion = values(v_work_of_adhesion) > 0
-            call need_one([v_adhesion_stress, v_adhesion_range, v_lambda], &
-               & has_adhesion .and. (theory == theory_auto .or. theory == theory_maugis_dugdale))
+            call need_one(variables, values, [v_adhesion_stress, v_adhesion_range, v_lambda], &
+               & has_adhesion .and. (theory == theory_auto .or. theory == theory_maugis_dugdale), problems)
             if (theory > theory_hertz .and. is_set(values(v_work_of_adhesion)) .and. .not. has_adhesion) then
                call add(v_work_of_adhesion, 'is 0, given 0 J/m^2, allowed with this theory: a number > 0 [J/m^2]')
             end if
@@ -97,7 +67,7 @@ contains
       end subroutine check_sphere
 
       subroutine check_operation()
-         call need_one([v_load, v_approach, v_contact_radius], .true.)
+         call need_one(variables, values, [v_load, v_approach, v_contact_radius], .true., problems)
          if (is_set(values(v_contact_radius)) .and. nint(values(v_branch)) /= branch_stable) then
             call add(v_branch, 'has no meaning with contact_radius: a radius belongs to one state')
          end if
@@ -111,8 +81,8 @@ contains
 
          is_static = nint(values(v_state)) == state_static
          is_moved = is_set(values(v_tangential_force)) .or. is_set(values(v_tangential_displacement))
-         call need_one([v_tangential_force, v_tangential_displacement], .false.)
-         call need_one([v_critical_slip, v_slip_energy_ratio], .false.)
+         call need_one(variables, values, [v_tangential_force, v_tangential_displacement], .false., problems)
+         call need_one(variables, values, [v_critical_slip, v_slip_energy_ratio], .false., problems)
          if (.not. is_set(values(v_shear_strength))) then
             do k = 1, size(with_strength)
                if (is_set(values(with_strength(k)))) call add(v_shear_strength, &
@@ -124,9 +94,11 @@ contains
             return
          end if
          if (is_moved .and. .not. is_static) call add(v_state, 'is sliding beside a tangential force or displacement')
-         if ((is_moved .or. values(v_events) > 0) .and. .not. is_set(values(v_poisson_ratio))) call need(v_poisson_ratio)
+         if (is_moved .or. values(v_events) > 0) call need(variables, values, [v_poisson_ratio], problems)
          if (values(v_interaction) > 0) then
-            if (.not. is_static .or. values(v_events) > 0) call need_one([v_slip_energy_ratio, v_critical_slip], .true.)
+            if (.not. is_static .or. values(v_events) > 0) then
+               call need_one(variables, values, [v_slip_energy_ratio, v_critical_slip], .true., problems)
+            end if
             ! where work_of_adhesion itself is missing that has been said
             if (nint(values(v_units)) == units_si .and. (.not. values(v_work_of_adhesion) > 0 .or. &
                & .not. is_set(values(v_work_of_adhesion)) .and. nint(values(v_theory)) - 2 == theory_hertz)) then

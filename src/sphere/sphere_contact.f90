@@ -7,7 +7,7 @@ module adfric_sphere_contact
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: contact_t, theory_t
+   public :: contact_t, theory_t, find_contact, friction_radius
    public :: theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale
    public :: control_load, control_approach, control_radius, branch_stable, branch_unstable
 
@@ -79,5 +79,38 @@ module adfric_sphere_contact
       end subroutine pull_off_i
 
    end interface
+
+contains
+
+   !> The contact for what is held.
+   pure subroutine find_contact(theory, control, value, branch, contact)
+      class(theory_t), intent(in) :: theory
+      !> One of `control_...`.
+      integer, intent(in) :: control
+      real(dp), intent(in) :: value
+      !> One of `branch_...`; a radius belongs to one contact only.
+      integer, intent(in) :: branch
+      !> In: a neighbour or a new one.
+      type(contact_t), intent(inout) :: contact
+
+      select case (control)
+      case (control_load)
+         call theory%of_load(value, branch, contact)
+      case (control_approach)
+         call theory%of_approach(value, branch, contact)
+      case default
+         call theory%of_radius(value, contact)
+      end select
+   end subroutine find_contact
+
+   !> Radius b of the circle that bears friction, between those of intimate contact and of adhesion (J 3.8); at radius 0
+   !> the limit of a contact that shrinks, for without intimate contact there is no friction.
+   elemental real(dp) function friction_radius(contact, edge_fraction)
+      type(contact_t), intent(in) :: contact
+      !> x, 0 to 1.
+      real(dp), intent(in) :: edge_fraction
+
+      friction_radius = contact%radius + edge_fraction*(contact%adhesion_radius - contact%radius)
+   end function friction_radius
 
 end module adfric_sphere_contact

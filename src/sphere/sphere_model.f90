@@ -1,10 +1,11 @@
 !> The model `sphere`: a smooth sphere on a plane, its adhesion and its friction (Johnson 1997).
 module adfric_sphere_model
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
    use adfric_base_kinds, only: dp
    use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, status_solved
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_base_words, only: quantity_line
    use adfric_sphere_case, only: sphere_case_t, resolve_case
    use adfric_sphere_check, only: check_sphere_values
    use adfric_sphere_contact, only: theory_maugis_dugdale, theory_dmt
@@ -50,14 +51,15 @@ contains
       real(dp), intent(in) :: values(:)
       logical, intent(in) :: is_swept(:)
       type(problems_t), intent(inout) :: problems
+      integer, parameter :: axis(*) = [v_r_max, v_n_r]
+      integer :: k
 
       call check_sphere_values(self%variables, values, problems)
-      if (values(v_profiles) > 0 .and. is_swept(v_r_max)) then
-         call problems%add('output', 'r_max', 'is swept, but all profiles share one axis; sweep another variable')
-      end if
-      if (values(v_profiles) > 0 .and. is_swept(v_n_r)) then
-         call problems%add('output', 'n_r', 'is swept, but all profiles share one axis; sweep another variable')
-      end if
+      if (.not. self%wants_profiles(values)) return
+      do k = 1, size(axis)
+         if (is_swept(axis(k))) call problems%add('output', self%variables(axis(k))%name, &
+            & 'is swept, but all profiles share one axis; sweep another variable')
+      end do
    end subroutine check_values
 
    !> See `model_t`.
@@ -174,10 +176,12 @@ contains
       results = not_a_number()
       ! these say why there is no state
       results(r_pull_off_load) = point%pull_off_load*case%force_unit
-      results([r_peak_force, r_sliding_force, r_force_drop, r_snap_off_force]) = case%force_unit &
-         & *[point%peak_force, point%sliding_force, point%force_drop, point%snap_off_force]
-      results([r_peak_displacement, r_snap_off_displacement]) = case%approach_unit &
-         & *[point%peak_displacement, point%snap_off_displacement]
+      associate (events => point%events)
+         results([r_peak_force, r_sliding_force, r_force_drop, r_snap_off_force]) = case%force_unit &
+            & *[events%peak_force, events%sliding_force, events%force_drop, events%snap_off_force]
+         results([r_peak_displacement, r_snap_off_displacement]) = case%approach_unit &
+            & *[events%peak_displacement, events%snap_off_displacement]
+      end associate
       if (point%status /= status_solved) return
       associate (contact => point%contact)
          results(r_load) = contact%load*case%force_unit
@@ -204,11 +208,6 @@ contains
       if (is_set(values(v_tangential_force))) results(r_friction_force) = values(v_tangential_force)
       if (is_set(values(v_tangential_displacement))) results(r_tangential_displacement) = values(v_tangential_displacement)
    end subroutine store
-
-   !> A quiet NaN, which stands for `no value`.
-   pure real(dp) function not_a_number()
-      not_a_number = ieee_value(1.0_dp, ieee_quiet_nan)
-   end function not_a_number
 
    !> See `model_t`.
    subroutine solve_profiles(self, values, results, profiles)
@@ -245,25 +244,12 @@ contains
       text = ''
       if (size(self%variables) == 0) return
       call resolve_case(values, case)
-      text = line('Maugis''s parameter lambda', case%lambda, '-')
-      if (.not. is_reduced(values)) text = text//line('unit of radii', case%length_unit, 'm') &
-         & //line('unit of the approach', case%approach_unit, 'm')//line('unit of forces', case%force_unit, 'N') &
-         & //line('unit of stresses', case%stress_unit, 'Pa')
-      if (case%has_friction) text = text//line('shear strength in the scale of lambda', case%strength, '-')
-      if (case%slip_energy_ratio < huge(1.0_dp)) text = text//line('slip energy ratio g0', case%slip_energy_ratio, '-')
-
-   contains
-
-      function line(name, value, unit)
-         character(*), intent(in) :: name, unit
-         real(dp), intent(in) :: value
-         character(:), allocatable :: line
-         character(24) :: number
-
-         write (number, '(es14.6)') value
-         line = name//' = '//trim(adjustl(number))//' '//unit//new_line('a')
-      end function line
-
+      text = quantity_line('Maugis''s parameter lambda', case%lambda, '-')
+      if (.not. is_reduced(values)) text = text//quantity_line('unit of radii', case%length_unit, 'm') &
+         & //quantity_line('unit of the approach', case%approach_unit, 'm')//quantity_line('unit of forces', case%force_unit, 'N') &
+         & //quantity_line('unit of stresses', case%stress_unit, 'Pa')
+      if (case%has_friction) text = text//quantity_line('shear strength in the scale of lambda', case%strength, '-')
+      if (case%slip_energy_ratio < huge(1.0_dp)) text = text//quantity_line('slip energy ratio g0', case%slip_energy_ratio, '-')
    end function describe_case
 
 end module adfric_sphere_model

@@ -1,18 +1,19 @@
 !> One point of the sphere: the theory it needs, its contact, and its friction, in reduced variables.
 module adfric_sphere_point
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_sphere_case, only: sphere_case_t, theory_auto
-   use adfric_sphere_contact, only: contact_t, theory_t, theory_hertz, theory_maugis_dugdale
+   use adfric_sphere_contact, only: contact_t, theory_t, theory_hertz, theory_maugis_dugdale, find_contact, &
+      & friction_radius
    use adfric_sphere_interaction, only: adhesion_ratio
    use adfric_sphere_maugis_dugdale, only: maugis_t
    use adfric_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
-      & find_friction_events, given_force, given_displacement
+      & find_friction_events, forget_events, given_force, given_displacement
    use adfric_sphere_static_friction, only: angle_of_gamma, gamma_of_force, gamma_of_displacement, slip_factor, mean_slip, &
       & largest_slip, force_ratio, displacement_core
-   use adfric_sphere_theory_choice, only: new_theory, find_contact, choose_theory, get_mismatch
+   use adfric_sphere_theory_choice, only: new_theory, choose_theory, get_mismatch
    implicit none (type, external)
    private
    public :: sphere_point_t, sphere_memory_t, solve_point
@@ -30,8 +31,7 @@ module adfric_sphere_point
       !> gamma = e/b, tangential force and displacement, slip at the edge: mean and largest.
       real(dp) :: gamma = 1, friction_force = 0, displacement = 0, slip = 0, largest_slip = 0
       !> Events of the static phase; NaN where they are not asked for, or do not happen.
-      real(dp) :: peak_force = 0, peak_displacement = 0, sliding_force = 0, force_drop = 0, snap_off_force = 0, &
-         & snap_off_displacement = 0
+      type(friction_events_t) :: events
    end type sphere_point_t
 
    !> What one point leaves to the next.
@@ -58,7 +58,7 @@ contains
       type(sphere_point_t), intent(out) :: point
       type(friction_state_t) :: state
 
-      call forget_events(point)
+      call forget_events(point%events)
       if (case%has_friction .and. case%is_sliding) point%ratio = adhesion_ratio(case%slip_energy_ratio, case%interaction)
       call take_theory(case, needs_events, memory, point)
       if (is_peeling(case)) then
@@ -112,17 +112,9 @@ contains
       type(sphere_case_t), intent(in) :: case
       class(theory_t), intent(in) :: theory
       type(sphere_point_t), intent(inout) :: point
-      type(friction_events_t) :: events
 
-      call find_friction_events(theory, new_friction(case), case%control, case%value, case%branch, events)
-      if (.not. events%is_found) return
-      if (.not. events%is_converged) point%status = status_not_converged
-      point%peak_force = events%peak_force
-      point%peak_displacement = events%peak_displacement
-      point%sliding_force = events%sliding_force
-      point%force_drop = events%force_drop
-      point%snap_off_force = events%snap_off_force
-      point%snap_off_displacement = events%snap_off_displacement
+      call find_friction_events(theory, new_friction(case), case%control, case%value, case%branch, point%events)
+      if (point%events%is_found .and. .not. point%events%is_converged) point%status = status_not_converged
    end subroutine add_events
 
    !> The theory that is asked for, or the simplest one that will do.
@@ -179,11 +171,7 @@ contains
          return
       end if
       memory%contact = point%contact
-      associate (contact => point%contact)
-         ! without intimate contact there is no friction
-         if (contact%radius > 0) point%friction_radius = contact%radius &
-            & + case%edge_fraction*(contact%adhesion_radius - contact%radius)
-      end associate
+      if (point%contact%radius > 0) point%friction_radius = friction_radius(point%contact, case%edge_fraction)
       point%contact_area = pi*point%friction_radius**2
    end subroutine finish_contact
 
@@ -229,24 +217,5 @@ contains
       point%slip = mean_slip(case%strength, case%poisson, point%friction_radius, angle)
       point%largest_slip = largest_slip(case%strength, case%poisson, point%friction_radius, angle)
    end subroutine add_static_friction
-
-   !> No event is known.
-   pure subroutine forget_events(point)
-      type(sphere_point_t), intent(inout) :: point
-      real(dp) :: none
-
-      none = not_a_number()
-      point%peak_force = none
-      point%peak_displacement = none
-      point%sliding_force = none
-      point%force_drop = none
-      point%snap_off_force = none
-      point%snap_off_displacement = none
-   end subroutine forget_events
-
-   !> A quiet NaN, which stands for `no value`.
-   pure real(dp) function not_a_number()
-      not_a_number = ieee_value(1.0_dp, ieee_quiet_nan)
-   end function not_a_number
 
 end module adfric_sphere_point

@@ -1,7 +1,8 @@
 !> The namelist variables and results of the model `sphere`.
 module adfric_sphere_variables
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice
+   use adfric_base_model, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, &
+      & positive => positive_variable
    use adfric_base_unset, only: unset
    implicit none (type, external)
    private
@@ -81,14 +82,6 @@ contains
       v(v_n_r) = variable_t('output', 'n_r', kind_integer, '-', 'samples of a profile', '', 201.0_dp, 2.0_dp, 1.0e7_dp)
       v(v_r_max) = positive('output', 'r_max', 'm', 'radius up to which profiles are written')
    end function get_sphere_variables
-
-   !> A real variable > 0 without default.
-   function positive(group, name, unit, meaning) result(variable)
-      character(*), intent(in) :: group, name, unit, meaning
-      type(variable_t) :: variable
-
-      variable = variable_t(group, name, kind_real, unit, meaning, '', unset, 0.0_dp, lower_open=.true.)
-   end function positive
 
    !> The table of results.
    function get_sphere_results(is_reduced) result(r)

@@ -5,7 +5,7 @@
 module adfric_sphere_theory_choice
    use adfric_base_kinds, only: dp
    use adfric_sphere_contact, only: contact_t, theory_t, theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale, &
-      & control_load, control_approach, branch_stable
+      & control_load, control_approach, branch_stable, find_contact
    use adfric_sphere_dmt, only: dmt_t
    use adfric_sphere_dugdale_curve, only: point_t, get_point, get_disc
    use adfric_sphere_hertz, only: hertz_t
@@ -14,7 +14,7 @@ module adfric_sphere_theory_choice
    use adfric_sphere_theory_bounds, only: get_theory_bounds
    implicit none (type, external)
    private
-   public :: new_theory, find_contact, choose_theory, get_mismatch
+   public :: new_theory, choose_theory, get_mismatch
 
    !> Relative errors are those of the larger of a value and this.
    real(dp), parameter :: least_value = 0.1_dp
@@ -40,27 +40,6 @@ contains
          allocate (theory, source=maugis_t(lambda=lambda))
       end select
    end subroutine new_theory
-
-   !> The contact for what is held.
-   pure subroutine find_contact(theory, control, value, branch, contact)
-      class(theory_t), intent(in) :: theory
-      !> One of `control_...`.
-      integer, intent(in) :: control
-      real(dp), intent(in) :: value
-      !> One of `branch_...`; a radius belongs to one contact only.
-      integer, intent(in) :: branch
-      !> In: a neighbour or a new one.
-      type(contact_t), intent(inout) :: contact
-
-      select case (control)
-      case (control_load)
-         call theory%of_load(value, branch, contact)
-      case (control_approach)
-         call theory%of_approach(value, branch, contact)
-      case default
-         call theory%of_radius(value, contact)
-      end select
-   end subroutine find_contact
 
    !> The simplest theory that is proved to be within a tolerance.
    pure subroutine choose_theory(lambda, ratio, control, value, branch, needs_edge, tolerance, number, error)

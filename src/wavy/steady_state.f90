@@ -60,17 +60,9 @@ contains
          call continue_state(strip, guess, state, is_found)
          if (is_found) return
       end if
-      if (branch == branch_approach) then
-         ! the free surface, undisturbed
-         state%regime = regime_free
-         if (-strip%crest > strip%range) return
-      else
-         call find_without_release(strip, state, guess)
-         if (.not. state%is_converged) return
-         if (get_range_margin(strip, state) >= 0) return
-      end if
+      call try_bound(strip, branch, state, is_found, guess)
+      if (is_found) return
       bound_width = state%bound_width
-      is_found = .false.
       if (present(guess)) then
          if (guess%regime == regime_adhesion_zones) call continue_state(strip, guess, state, is_found)
       end if
@@ -86,16 +78,31 @@ contains
       !> State at the fold.
       type(steady_state_t), intent(in) :: fold
       type(steady_state_t), intent(out) :: state
+      logical :: is_found
+
+      call try_bound(strip, branch, state, is_found)
+      if (.not. is_found) call search_with_release(strip, branch, state, fold%shift + fold%half_width + fold%leading)
+   end subroutine find_beyond_fold
+
+   !> The state that bounds a branch, if it is a steady state: the free surface undisturbed, or adhesion everywhere in the
+   !> gap.
+   pure subroutine try_bound(strip, branch, state, is_found, guess)
+      type(strip_t), intent(in) :: strip
+      integer, intent(in) :: branch
+      type(steady_state_t), intent(out) :: state
+      !> Is there nothing to search for? So it is, too, where `state` did not converge.
+      logical, intent(out) :: is_found
+      type(steady_state_t), intent(in), optional :: guess
 
       if (branch == branch_approach) then
-         if (-strip%crest > strip%range) return
+         state%regime = regime_free
+         is_found = -strip%crest > strip%range
       else
-         call find_without_release(strip, state)
-         if (.not. state%is_converged) return
-         if (get_range_margin(strip, state) >= 0) return
+         call find_without_release(strip, state, guess)
+         is_found = .not. state%is_converged
+         if (.not. is_found) is_found = get_range_margin(strip, state) >= 0
       end if
-      call search_with_release(strip, branch, state, fold%shift + fold%half_width + fold%leading)
-   end subroutine find_beyond_fold
+   end subroutine try_bound
 
    !> The state of this strip that continues a neighbour's in the same regime, if there is a stable one.
    pure subroutine continue_state(strip, guess, state, is_found)

@@ -1,8 +1,9 @@
 !> What is missing, contradictory or impossible in an input of the model `wavy_sliding`.
 module adfric_wavy_check
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: variable_t, kind_choice
+   use adfric_base_model, only: variable_t
    use adfric_base_problems, only: problems_t
+   use adfric_base_requirements, only: need
    use adfric_base_unset, only: is_set
    use adfric_wavy_case, only: wavy_case_t, resolve_case
    use adfric_wavy_variables, only: v_height, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_poisson_ratio, &
@@ -24,12 +25,10 @@ contains
       integer :: before
 
       before = problems%count()
-      call need(v_kind)
-      call need(v_period)
-      call need(v_height)
+      call need(variables, values, [v_kind, v_period, v_height], problems)
       call check_foundation()
       call check_adhesion()
-      call need(v_velocity)
+      call need(variables, values, [v_velocity], problems)
       if (is_set(values(v_load)) .and. is_set(values(v_penetration))) then
          call add(v_load, 'stands beside penetration; give one of them')
       else if (.not. is_set(values(v_load)) .and. .not. is_set(values(v_penetration))) then
@@ -52,21 +51,9 @@ contains
          call problems%add(variables(v)%group, variables(v)%name, text)
       end subroutine add
 
-      subroutine need(v)
-         integer, intent(in) :: v
-
-         if (is_set(values(v))) return
-         if (variables(v)%kind == kind_choice) then
-            call add(v, 'is missing, one of '//variables(v)%choices)
-         else
-            call add(v, 'is missing ['//variables(v)%unit//']')
-         end if
-      end subroutine need
-
       subroutine check_foundation()
          logical :: has_layer(3)
          integer, parameter :: layer(3) = [v_young_modulus, v_poisson_ratio, v_thickness]
-         integer :: k
 
          has_layer = is_set(values(layer))
          if (is_set(values(v_stiffness)) .and. any(has_layer)) then
@@ -75,12 +62,9 @@ contains
          else if (.not. is_set(values(v_stiffness)) .and. .not. any(has_layer)) then
             call add(v_stiffness, 'is missing [Pa/m]; give it, or young_modulus, poisson_ratio and thickness')
          else if (any(has_layer)) then
-            do k = 1, 3
-               call need(layer(k))
-            end do
+            call need(variables, values, layer, problems)
          end if
-         call need(v_relaxation_time)
-         call need(v_retardation_ratio)
+         call need(variables, values, [v_relaxation_time, v_retardation_ratio], problems)
       end subroutine check_foundation
 
       subroutine check_adhesion()

@@ -1,11 +1,12 @@
 !> The model `wavy_sliding`: a rigid wavy surface sliding on a viscoelastic foundation (GM 2011).
 module adfric_wavy_model
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi, pi
    use adfric_base_model, only: model_t, result_t, attribute_t, status_solved
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: unset, is_set
+   use adfric_base_words, only: quantity_line
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
@@ -207,11 +208,6 @@ contains
       results(r_regime) = crest%regime
    end subroutine store
 
-   !> A quiet NaN, which stands for `no value`.
-   pure real(dp) function not_a_number()
-      not_a_number = ieee_value(1.0_dp, ieee_quiet_nan)
-   end function not_a_number
-
    !> See `model_t`.
    subroutine solve_profiles(self, values, results, profiles)
       class(wavy_model_t), intent(in) :: self
@@ -236,24 +232,12 @@ contains
       if (size(self%variables) == 0) return
       call resolve_case(values, point)
       associate (s => point%surface, f => point%surface%foundation)
-         text = line('relaxation phase k V Ts', f%u, '-')//line('retardation phase k V Te', f%v, '-') &
-            & //line('loss modulus over stiffness', f%loss, '-') &
-            & //line('pressure unit, height times stiffness', point%pressure_unit, 'Pa') &
-            & //line('adhesion stress over it', s%stress, '-')//line('range of adhesion over height', s%range, '-')
+         text = quantity_line('relaxation phase k V Ts', f%u, '-')//quantity_line('retardation phase k V Te', f%v, '-') &
+            & //quantity_line('loss modulus over stiffness', f%loss, '-') &
+            & //quantity_line('pressure unit, height times stiffness', point%pressure_unit, 'Pa') &
+            & //quantity_line('adhesion stress over it', s%stress, '-') &
+            & //quantity_line('range of adhesion over height', s%range, '-')
       end associate
-
-   contains
-
-      function line(name, value, unit)
-         character(*), intent(in) :: name, unit
-         real(dp), intent(in) :: value
-         character(:), allocatable :: line
-         character(24) :: number
-
-         write (number, '(es14.6)') value
-         line = name//' = '//trim(adjustl(number))//' '//unit//new_line('a')
-      end function line
-
    end function describe_case
 
 end module adfric_wavy_model

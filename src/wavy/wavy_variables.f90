@@ -1,7 +1,8 @@
 !> The namelist variables and results of the model `wavy_sliding`.
 module adfric_wavy_variables
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice
+   use adfric_base_model, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, &
+      & positive => positive_variable
    use adfric_base_unset, only: unset
    use adfric_wavy_strip, only: regime_meanings
    implicit none (type, external)
@@ -73,14 +74,6 @@ contains
       v(v_n_y) = variable_t('output', 'n_y', kind_integer, '-', 'samples of a profile across it (wave_3d)', '', &
          & 101.0_dp, 2.0_dp, 1.0e7_dp)
    end function get_wavy_variables
-
-   !> A real variable > 0 without default.
-   function positive(group, name, unit, meaning) result(variable)
-      character(*), intent(in) :: group, name, unit, meaning
-      type(variable_t) :: variable
-
-      variable = variable_t(group, name, kind_real, unit, meaning, '', unset, 0.0_dp, lower_open=.true.)
-   end function positive
 
    !> The table of results.
    function get_wavy_results(is_3d) result(r)

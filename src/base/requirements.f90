@@ -1,0 +1,74 @@
+!> What is said of values that are missing, or stand beside others that say the same.
+module adfric_base_requirements
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: variable_t, kind_choice
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   implicit none (type, external)
+   private
+   public :: need, need_one
+
+contains
+
+   !> Each of a list has to be given.
+   subroutine need(variables, values, list, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      !> Places.
+      integer, intent(in) :: list(:)
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
+      do k = 1, size(list)
+         if (is_set(values(list(k)))) cycle
+         associate (v => variables(list(k)))
+            if (v%kind == kind_choice) then
+               call problems%add(v%group, v%name, 'is missing, one of '//v%choices)
+            else
+               call problems%add(v%group, v%name, 'is missing ['//v%unit//']')
+            end if
+         end associate
+      end do
+   end subroutine need
+
+   !> Of a list not more than one may be given, and one has to be if it is needed.
+   subroutine need_one(variables, values, list, is_needed, problems)
+      type(variable_t), intent(in) :: variables(:)
+      real(dp), intent(in) :: values(:)
+      !> Places.
+      integer, intent(in) :: list(:)
+      logical, intent(in) :: is_needed
+      type(problems_t), intent(inout) :: problems
+      integer :: first, last
+
+      first = findloc(is_set(values(list)), .true., 1)
+      last = findloc(is_set(values(list)), .true., 1, back=.true.)
+      if (first == 0 .and. is_needed) then
+         associate (v => variables(list(1)))
+            call problems%add(v%group, v%name, 'is missing; one of '//list_names(variables, list)//' is needed')
+         end associate
+      else if (last > first) then
+         associate (v => variables(list(first)), w => variables(list(last)))
+            call problems%add(v%group, v%name, 'stands beside '//w%name//'; give one of them')
+         end associate
+      end if
+   end subroutine need_one
+
+   !> Names as in `a, b or c`.
+   pure function list_names(variables, list) result(text)
+      type(variable_t), intent(in) :: variables(:)
+      integer, intent(in) :: list(:)
+      character(:), allocatable :: text
+      integer :: k
+
+      text = variables(list(1))%name
+      do k = 2, size(list)
+         if (k == size(list)) then
+            text = text//' or '//variables(list(k))%name
+         else
+            text = text//', '//variables(list(k))%name
+         end if
+      end do
+   end function list_names
+
+end module adfric_base_requirements
