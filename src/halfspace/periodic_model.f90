@@ -1,0 +1,246 @@
+!> What the models of a periodic surface on an elastic half-space share; a model says what its surface is.
+module adfric_halfspace_periodic_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t
+   use adfric_base_model, only: model_t, variable_t, result_t, attribute_t, status_solved, status_no_equilibrium, &
+      & status_not_converged
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_requirements, only: need, need_one
+   use adfric_base_unset, only: is_set
+   use adfric_base_words, only: quantity_line
+   use adfric_halfspace_halfspace_model, only: contact_profiles
+   use adfric_halfspace_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic
+   use adfric_halfspace_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
+   use adfric_halfspace_periodic_table
+   implicit none (type, external)
+   private
+   public :: periodic_model_t
+
+   type, abstract, extends(model_t) :: periodic_model_t
+      !> Rows of the variables before those that all these models share.
+      integer :: n_own = 0
+   contains
+      procedure :: set_tables
+      procedure :: check_values
+      procedure :: describe_results
+      procedure :: wants_profiles
+      procedure :: get_profile_axis
+      procedure :: solve_block
+      procedure :: solve_profiles
+      procedure :: describe_case
+      procedure(check_surface_i), deferred :: check_surface
+      procedure(get_surface_i), deferred :: get_surface
+      procedure(get_full_pressure_i), deferred :: get_full_pressure
+      procedure(get_peak_pressure_i), deferred :: get_peak_pressure
+   end type periodic_model_t
+
+   abstract interface
+
+      !> Add to `problems` what is missing or impossible of the surface.
+      subroutine check_surface_i(self, values, is_swept, problems)
+         import :: periodic_model_t, dp, problems_t
+         implicit none (type, external)
+         class(periodic_model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+         logical, intent(in) :: is_swept(:)
+         type(problems_t), intent(inout) :: problems
+      end subroutine check_surface_i
+
+      !> The surface of a point; its values have been checked.
+      subroutine get_surface_i(self, values, surface)
+         import :: periodic_model_t, dp, periodic_surface_t
+         implicit none (type, external)
+         class(periodic_model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+         type(periodic_surface_t), intent(out) :: surface
+      end subroutine get_surface_i
+
+      !> Mean pressure at which contact becomes full [Pa].
+      real(dp) function get_full_pressure_i(self, values)
+         import :: periodic_model_t, dp
+         implicit none (type, external)
+         class(periodic_model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+      end function get_full_pressure_i
+
+      !> The largest pressure [Pa] of a map [E*].
+      real(dp) function get_peak_pressure_i(self, values, pressure)
+         import :: periodic_model_t, dp
+         implicit none (type, external)
+         class(periodic_model_t), intent(in) :: self
+         real(dp), intent(in) :: values(:)
+         !> In the middles of the cells.
+         real(dp), intent(in) :: pressure(:, :)
+      end function get_peak_pressure_i
+
+   end interface
+
+contains
+
+   !> The tables.
+   subroutine set_tables(self, name, summary, variables)
+      class(periodic_model_t), intent(inout) :: self
+      character(*), intent(in) :: name, summary
+      !> Those of the surface.
+      type(variable_t), intent(in) :: variables(:)
+
+      self%name = name
+      self%summary = summary
+      self%n_own = size(variables)
+      allocate (self%variables(self%n_own + n_periodic_variables))
+      self%variables(:self%n_own) = variables
+      call set_periodic_variables(self%variables(self%n_own + 1:))
+      self%results = get_periodic_results()
+      self%profiles = contact_profiles()
+      self%profile_axes = 'y x'
+   end subroutine set_tables
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      logical, intent(in) :: is_swept(:)
+      type(problems_t), intent(inout) :: problems
+
+      call self%check_surface(values, is_swept, problems)
+      call need(self%variables, values, [self%n_own + v_contact_modulus], problems)
+      call need_one(self%variables, values, self%n_own + [v_mean_pressure, v_penetration], .true., problems)
+   end subroutine check_values
+
+   !> See `model_t`.
+   function describe_results(self, values) result(results)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      results = self%results
+      associate (unused => values)
+      end associate
+   end function describe_results
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = values(self%n_own + v_profiles) > 0
+   end function wants_profiles
+
+   !> See `model_t`: the middles of the cells.
+   function get_profile_axis(self, values, axis) result(coordinate)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      integer, intent(in) :: axis
+      real(dp), allocatable :: coordinate(:)
+      type(periodic_surface_t) :: surface
+      integer :: i, n, along
+
+      call self%get_surface(values, surface)
+      ! the slowest axis of the file is y
+      along = 3 - axis
+      n = size(surface%shape, along)
+      coordinate = [(surface%period(along)*(i - 0.5_dp)/(n*merge(2, 1, surface%is_quarter)), i=1, n)]
+   end function get_profile_axis
+
+   !> What is held at a point.
+   type(periodic_goal_t) function get_goal(self, values) result(goal)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+
+      associate (v => values(self%n_own + 1:))
+         goal%tolerance = v(v_relative_tolerance)
+         goal%is_pressure = is_set(v(v_mean_pressure))
+         if (goal%is_pressure) goal%value = v(v_mean_pressure)/v(v_contact_modulus)
+         if (.not. goal%is_pressure) goal%value = v(v_penetration)
+      end associate
+   end function get_goal
+
+   !> See `model_t`.
+   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :)
+      real(dp), intent(out) :: error_estimate(:)
+      integer, intent(out) :: status(:)
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      type(periodic_memory_t) :: memory
+      type(periodic_surface_t) :: surface
+      type(periodic_solution_t) :: solution
+      type(error_t), allocatable :: error
+      integer :: i
+
+      allocate (attributes(1))
+      attributes(1)%name = 'iterations_per_point'
+      results = not_a_number()
+      error_estimate = not_a_number()
+      do i = 1, size(values, 2)
+         call self%get_surface(values(:, i), surface)
+         call solve_periodic(surface, get_goal(self, values(:, i)), memory, solution, error)
+         status(i) = status_not_converged
+         if (allocated(error)) cycle
+         if (solution%status == contact_out_of_range) status(i) = status_no_equilibrium
+         attributes(1)%value = attributes(1)%value + solution%n_iterations
+         if (solution%status /= contact_solved) cycle
+         status(i) = status_solved
+         call store(self, values(:, i), solution, results(:, i))
+         error_estimate(i) = 0
+         if (solution%area%error > 0) error_estimate(i) = solution%area%error/max(solution%area%corrected, solution%area%error)
+      end do
+   end subroutine solve_block
+
+   !> Results of a point.
+   subroutine store(self, values, solution, results)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(periodic_solution_t), intent(in) :: solution
+      real(dp), intent(out) :: results(:)
+
+      associate (s => solution, v => values(self%n_own + 1:))
+         results(r_mean_pressure) = s%mean_pressure*v(v_contact_modulus)
+         results(r_penetration) = s%penetration
+         ! what was given comes back to the last digit
+         if (is_set(v(v_mean_pressure))) results(r_mean_pressure) = v(v_mean_pressure)
+         if (is_set(v(v_penetration))) results(r_penetration) = v(v_penetration)
+         results(r_area_fraction) = s%area%corrected
+         results(r_area_fraction_error) = s%area%error
+         results(r_peak_pressure) = self%get_peak_pressure(values, s%pressure)
+         results(r_mean_gap) = sum(s%gap)/size(s%gap)
+         results(r_full_contact_pressure) = self%get_full_pressure(values)
+         results(r_contact_violation) = s%residual
+      end associate
+   end subroutine store
+
+   !> See `model_t`.
+   subroutine solve_profiles(self, values, results, profiles)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(in) :: results(:)
+      real(dp), intent(out) :: profiles(:, :, :)
+      type(periodic_memory_t) :: memory
+      type(periodic_surface_t) :: surface
+      type(periodic_solution_t) :: solution
+      type(error_t), allocatable :: error
+
+      profiles = not_a_number()
+      if (.not. results(r_mean_pressure) < huge(1.0_dp)) return
+      call self%get_surface(values, surface)
+      call solve_periodic(surface, get_goal(self, values), memory, solution, error)
+      if (allocated(error)) return
+      profiles(:, :, 1) = solution%pressure*values(self%n_own + v_contact_modulus)
+      profiles(:, :, 2) = solution%gap
+   end subroutine solve_profiles
+
+   !> See `model_t`.
+   function describe_case(self, values) result(text)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      type(periodic_surface_t) :: surface
+
+      call self%get_surface(values, surface)
+      text = quantity_line('pressure of full contact p*', self%get_full_pressure(values), 'Pa') &
+         & //quantity_line('penetration of full contact', sum(surface%shape)/size(surface%shape), 'm')
+   end function describe_case
+
+end module adfric_halfspace_periodic_model

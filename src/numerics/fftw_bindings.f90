@@ -1,0 +1,72 @@
+!> Bindings of FFTW 3 (M. Frigo, S. G. Johnson, Proc. IEEE 93, 2005, 216), double precision.
+!>
+!> Sizes are in C's order: of a Fortran array of shape `(nx, ny)` n0 is ny and n1 is nx.
+module adfric_numerics_fftw_bindings
+   use, intrinsic :: iso_c_binding, only: c_double, c_double_complex, c_int, c_ptr, c_size_t
+   implicit none (type, external)
+   private
+   public :: fftw_plan_r2r_2d, fftw_plan_dft_r2c_2d, fftw_plan_dft_c2r_2d, fftw_execute, fftw_destroy_plan
+   public :: fftw_malloc, fftw_free, fftw_redft10, fftw_redft01, fftw_measure, fftw_estimate
+
+   !> Cosine transforms on the half-sample grid: forward (DCT-II) and backward (DCT-III).
+   integer(c_int), parameter :: fftw_redft10 = 5, fftw_redft01 = 4
+   !> How much a plan may cost: trials, or none.
+   integer(c_int), parameter :: fftw_measure = 0, fftw_estimate = 64
+
+   interface
+      !> Plan a real-to-real transform; null if there is none.
+      type(c_ptr) function fftw_plan_r2r_2d(n0, n1, in, out, kind0, kind1, flags) bind(c, name='fftw_plan_r2r_2d')
+         import :: c_double, c_int, c_ptr
+         implicit none (type, external)
+         integer(c_int), intent(in), value :: n0, n1, kind0, kind1, flags
+         real(c_double), intent(inout) :: in(*), out(*)
+      end function fftw_plan_r2r_2d
+
+      !> Plan a real-to-complex transform; null if there is none.
+      type(c_ptr) function fftw_plan_dft_r2c_2d(n0, n1, in, out, flags) bind(c, name='fftw_plan_dft_r2c_2d')
+         import :: c_double, c_double_complex, c_int, c_ptr
+         implicit none (type, external)
+         integer(c_int), intent(in), value :: n0, n1, flags
+         real(c_double), intent(inout) :: in(*)
+         complex(c_double_complex), intent(inout) :: out(*)
+      end function fftw_plan_dft_r2c_2d
+
+      !> Plan a complex-to-real transform, which destroys its input; null if there is none.
+      type(c_ptr) function fftw_plan_dft_c2r_2d(n0, n1, in, out, flags) bind(c, name='fftw_plan_dft_c2r_2d')
+         import :: c_double, c_double_complex, c_int, c_ptr
+         implicit none (type, external)
+         integer(c_int), intent(in), value :: n0, n1, flags
+         complex(c_double_complex), intent(inout) :: in(*)
+         real(c_double), intent(inout) :: out(*)
+      end function fftw_plan_dft_c2r_2d
+
+      !> Transform the arrays a plan was made for. Of FFTW only this may be called by several threads at once.
+      subroutine fftw_execute(plan) bind(c, name='fftw_execute')
+         import :: c_ptr
+         implicit none (type, external)
+         type(c_ptr), intent(in), value :: plan
+      end subroutine fftw_execute
+
+      !> Free a plan.
+      subroutine fftw_destroy_plan(plan) bind(c, name='fftw_destroy_plan')
+         import :: c_ptr
+         implicit none (type, external)
+         type(c_ptr), intent(in), value :: plan
+      end subroutine fftw_destroy_plan
+
+      !> Memory aligned for vector instructions; null if there is none.
+      type(c_ptr) function fftw_malloc(n) bind(c, name='fftw_malloc')
+         import :: c_ptr, c_size_t
+         implicit none (type, external)
+         integer(c_size_t), intent(in), value :: n
+      end function fftw_malloc
+
+      !> Free such memory.
+      subroutine fftw_free(memory) bind(c, name='fftw_free')
+         import :: c_ptr
+         implicit none (type, external)
+         type(c_ptr), intent(in), value :: memory
+      end subroutine fftw_free
+   end interface
+
+end module adfric_numerics_fftw_bindings
