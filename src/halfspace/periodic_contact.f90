@@ -24,8 +24,6 @@ module adfric_halfspace_periodic_contact
    public :: contact_state_t, solve_contact, start_contact, update_pressure, residual_of
 
    integer, parameter :: max_rounds = 300
-   !> Rounds without fewer wrong cells before cells are changed one by one.
-   integer, parameter :: max_patience = 5
    !> How far the pressure of the open cells is reduced while the region still changes.
    real(dp), parameter :: loose = 0.1_dp
 
@@ -47,6 +45,8 @@ module adfric_halfspace_periodic_contact
       real(dp) :: pressure_scale = 1, gap_scale = 1
       !> -A g0.
       real(dp), allocatable :: rest_pressure(:, :)
+      !> Rounds without fewer wrong cells before cells are changed one by one.
+      integer :: patience = 5
       !> Rounds of the active set, and conjugate gradients in all of them.
       integer :: n_rounds = 0, n_iterations = 0
       logical :: is_converged = .false.
@@ -102,7 +102,7 @@ contains
       is_exact = .false.
       n_wrong_before = size(is_wrong)
       fewest = size(is_wrong)
-      patience = max_patience
+      patience = state%patience
       do round = 1, max_rounds
          call keep_region_sound(state)
          call update_pressure(state, operator)
@@ -118,7 +118,7 @@ contains
          state%is_converged = is_exact .and. n_wrong == 0 .and. residual_of(state) <= tolerance
          if (state%is_converged) exit
          if (is_exact) then
-            patience = merge(max_patience, patience - 1, n_wrong < fewest)
+            patience = merge(state%patience, patience - 1, n_wrong < fewest)
             fewest = min(fewest, n_wrong)
             ! no wrong cell and yet no better: round-off
             if (patience < 0 .and. n_wrong == 0) exit
