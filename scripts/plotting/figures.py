@@ -5,7 +5,7 @@ The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2
 
 import numpy as np
 
-from . import sphere
+from . import halfspace, sphere
 from .curves import draw_panels
 from .results import NothingToDraw
 from .surface import draw_pressure_maps, draw_stresses
@@ -13,13 +13,17 @@ from .surface import draw_pressure_maps, draw_stresses
 # results in the order in which they are worth drawing; others follow
 MAIN_RESULTS = ("friction_force", "friction_coefficient", "contact_width", "contact_area", "contact_radius", "approach",
                 "penetration", "load", "adhesion_area", "adhesion_radius")
-CHECKS = ("error_estimate", "energy_imbalance", "residual")
+CHECKS = ("error_estimate", "energy_imbalance", "residual", "contact_violation")
 MOST_PANELS = 6
 
 
 def choose_figure(results):
     """The procedure that draws a run: by its profiles, by its model and what was swept, or the general one."""
     several = [axis.name for axis in results.axes if axis.values.size > 1]
+    if set(halfspace.STRESSES) <= set(results.profiles) and len(results.profile_axes) == 2:
+        return halfspace.draw_stress_maps
+    if "pressure" in results.profiles and results.model in PRESSURE_FIGURES:
+        return PRESSURE_FIGURES[results.model]
     if "pressure" in results.profiles:
         if (results.model, several) == ("sphere", ["tangential_force"]):
             return sphere.draw_shear_traction
@@ -77,4 +81,15 @@ FIGURES = {
     ("sphere", frozenset({"interaction", "tangential_displacement"})): sphere.draw_peeling,
     ("sphere", frozenset({"tangential_force"})): sphere.draw_stick_radius,
     ("sphere", frozenset({"lambda"})): sphere.draw_pull_off,
+    ("sphere", frozenset({"contact_radius", "work_of_adhesion"})): sphere.draw_load_and_radius,
+    ("wave_2d_elastic", frozenset({"mean_pressure"})): halfspace.draw_area,
+    ("wave_1d", frozenset({"mean_pressure"})): halfspace.draw_wave,
+    ("hertz", frozenset({"radius_1x"})): halfspace.draw_half_axes,
+    ("hertz", frozenset({"radius_2y"})): halfspace.draw_half_axes,
+}
+# figures of the pressure on the surface, by model; all others have those of `surface`
+PRESSURE_FIGURES = {
+    "wave_1d": halfspace.draw_pressures,
+    "rigid_punch": halfspace.draw_pressures,
+    "wave_2d_elastic": halfspace.draw_contact_maps,
 }

@@ -43,6 +43,31 @@ def draw_radii_against_load(results):
     return figure
 
 
+def draw_load_and_radius(results):
+    """Radius of contact against load for several works of adhesion; the radius is swept, so both branches are there."""
+    along = results.axis_names.index("contact_radius")
+    contact, load = results.axes[along], results.fields["load"]
+    x_factor, x_unit = scale_of(load.values, load.unit)
+    y_factor, y_unit = scale_of(contact.values, contact.unit)
+    figure, axes = plt.subplots(figsize=(4.8, 3.6))
+    largest = np.min(np.nanmax(load.values, axis=along, initial=-np.inf))
+    words = []
+    for curve in find_curves(results, "contact_radius"):
+        x = np.moveaxis(load.values, along, -1)[curve.index]
+        stable = _is_stable(results, along, curve.index)
+        for branch, style in BRANCHES.items():
+            here = (stable if branch == "stable" else ~stable) & (x <= largest)
+            axes.plot(x * x_factor, np.where(here, contact.values, np.nan) * y_factor, color=curve.style["color"], **style)
+        words.append((f"{curve.label}{_main_theory(results, along, curve.index, stable)}", curve.style))
+    words.append(("unstable under a given load", {"color": "0.4", "linewidth": BRANCHES["unstable"]["linewidth"]}))
+    axes.axvline(0, color="0.7", linewidth=0.6, zorder=0)
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel(axis_label("load", x_unit))
+    axes.set_ylabel(axis_label("contact_radius", y_unit))
+    _add_words(axes, words)
+    return figure
+
+
 def draw_load(results):
     """Friction force against load (J Fig. 5); without friction, radius and approach."""
     names = ["friction_force"] if _has_values(results, "friction_force") else ["contact_radius", "approach"]
@@ -175,6 +200,15 @@ def _theory(results, axis, i):
         return None
     used = np.take(results.states["theory_used"], i, axis=results.axis_names.index(axis.name))
     return "JKR" if np.sum(used == "jkr") > 0.9 * np.sum(used != None) else None  # noqa: E711
+
+
+def _main_theory(results, along, index, stable):
+    """The theory of all stable points of a curve as words to add, if there is one."""
+    if "theory_used" not in results.states:
+        return ""
+    used = {word for word in np.moveaxis(results.states["theory_used"], along, -1)[index][stable] if word}
+    names = {"hertz": "Hertz", "jkr": "JKR", "dmt": "DMT", "maugis_dugdale": "Maugis-Dugdale"}
+    return f", {names[used.pop()]}" if len(used) == 1 else ""
 
 
 def _add_words(axes, words):

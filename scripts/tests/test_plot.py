@@ -15,14 +15,19 @@ import numpy as np
 SCRIPTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(SCRIPTS))
 
-from plotting import command, figures, labels  # noqa: E402
+from plotting import command, figures, halfspace, labels  # noqa: E402
 from plotting.results import Results  # noqa: E402
 
 UNITS = {"stress": "Pa", "velocity": "m/s", "load": "N/m", "x": "m", "y": "m", "pressure": "Pa", "gap": "m",
-         "friction_force": "N/m", "contact_width": "m", "friction_coefficient": "-", "radius": "m"}
+         "friction_force": "N/m", "contact_width": "m", "friction_coefficient": "-", "radius": "m", "mean_pressure": "Pa"}
 
 SPHERE = ("load", "approach", "contact_radius", "adhesion_radius", "friction_radius", "stick_radius", "contact_area",
           "pull_off_load")
+HALFSPACE = {"hertz": ("contact_half_width", "minor_half_width", "peak_pressure", "approach"),
+             "wave_1d": ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap", "full_contact_pressure"),
+             "wave_2d_elastic": ("area_fraction", "area_fraction_error", "full_contact_pressure"),
+             "rigid_punch": ("mean_pressure",), "line_load": ()}
+STRESS_MODELS = ("line_load", "rigid_punch")
 STATES = {"stable": "no_value unstable stable", "theory_used": "no_value hertz jkr dmt maugis_dugdale"}
 
 
@@ -42,9 +47,13 @@ def make_file(path, axes, profile_axes=(), model="wavy_sliding"):
         if model == "sphere":
             fields.update({name: values for name in SPHERE if name not in dict(axes)})
             fields.update({name: np.where(status == 0, 1, -1).astype("i1") for name in STATES})
+        fields.update({name: values + 1 for name in HALFSPACE.get(model, ())})
         fields["status"] = status
         if profile_axes:
             surface = [*shape, *(len(values) for _, values in profile_axes)]
+            if model in STRESS_MODELS and len(profile_axes) == 2:
+                fields.update({name: np.linspace(-3.0, 5.0, int(np.prod(surface))).reshape(surface) ** 3
+                               for name in halfspace.STRESSES})
             fields["pressure"] = np.linspace(-1.0, 2.0, int(np.prod(surface))).reshape(surface)
             fields["gap"] = np.maximum(fields["pressure"], 0.0)
             fields["shear_stress"] = fields["pressure"]
@@ -126,6 +135,40 @@ class PlotTest(unittest.TestCase):
                 make_file(self.file, axes, radius, model="sphere")
                 self.assertIs(figures.choose_figure(Results(self.file)), expected)
                 self.assertEqual(self.plot(), (0, ""))
+
+    def test_figures_of_the_half_space(self):
+        pressure, radius = ("mean_pressure", [0.0, 0.5, 1.0]), ("radius_1x", [0.1, 1.0, 10.0])
+        load, work = ("load", [0.0, 1.0, 2.0]), ("work_of_adhesion", [0.0, 0.1])
+        x, y = ("x", [0.5, 1.5, 2.5, 3.5]), ("y", [0.5, 1.5, 2.5])
+        for expected, model, axes, surface in (
+            (halfspace.draw_area, "wave_2d_elastic", [pressure], []),
+            (halfspace.draw_contact_maps, "wave_2d_elastic", [pressure], [y, x]),
+            (halfspace.draw_wave, "wave_1d", [pressure], []),
+            (halfspace.draw_pressures, "wave_1d", [pressure], [x]),
+            (halfspace.draw_pressures, "rigid_punch", [load], [x]),
+            (halfspace.draw_stress_maps, "rigid_punch", [], [y, x]),
+            (halfspace.draw_stress_maps, "line_load", [load], [y, x]),
+            (halfspace.draw_half_axes, "hertz", [radius], []),
+            (halfspace.draw_half_axes, "hertz", [("radius_2y", [-10.0, -1.0, -0.1])], []),
+            (figures.draw_pressure_maps, "hertz", [radius], [y, x]),
+            (figures.sphere.draw_load_and_radius, "sphere", [work, ("contact_radius", [0.5, 1.0, 1.5])], []),
+        ):
+            with self.subTest(expected=expected.__name__, model=model):
+                make_file(self.file, axes, surface, model=model)
+                self.assertIs(figures.choose_figure(Results(self.file)), expected)
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    self.assertEqual(self.plot(), (0, ""))
+
+    def test_levels(self):
+        # even over what is usual, 1-2-5 where few are much larger, and something where there is nothing
+        np.testing.assert_allclose(halfspace.choose_levels(np.linspace(0.0, 0.95, 100)), 0.1 * np.arange(1, 11))
+        np.testing.assert_allclose(halfspace.choose_levels(np.append(np.full(1000, 3.0), 1e4)), [.02, .05, .1, .2, .5, 1, 2])
+        self.assertTrue(np.all(np.diff(halfspace.choose_levels(np.array([np.nan, 0.0]))) > 0))
+
+    def test_period_from_its_quarter(self):
+        np.testing.assert_array_equal(halfspace._mirror(np.array([1.0, 2.0])), [2, 1, 1, 2])
+        np.testing.assert_array_equal(halfspace._mirror(np.array([1.0, 2.0]), -1.0), [-2, -1, 1, 2])
 
     def test_words_of_states(self):
         make_file(self.file, [("load", [0.0, 1.0, 2.0])], model="sphere")

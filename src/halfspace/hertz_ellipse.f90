@@ -16,7 +16,7 @@ module adfric_halfspace_hertz_ellipse
    implicit none (type, external)
    private
    public :: ellipse_t, find_curvatures, ellipse_of_load, ellipse_of_approach, ellipse_pressure, ellipse_gap, &
-      & ellipse_axial_stress, ellipse_misfit
+      & ellipse_axial_stress, ellipse_edge_shear, ellipse_misfit
 
    !> An axis ratio nearer to 1 than this is that of a circle where a difference would be divided by it.
    real(dp), parameter :: nearly_round = 1.0e-6_dp
@@ -235,6 +235,17 @@ contains
          & zy - 2*poisson_ratio*zz - (1 - 2*poisson_ratio)*(2/(rb*(ra + rb)) - zy), -2/(ra*rb)]
       stress = stress*self%peak_pressure*k/2
    end function ellipse_axial_stress
+
+   !> Shear stress at the ends of the major axis, where the surface is pulled along it and pressed as much across it (Johnson 4.28):
+   !> (1 - 2 nu) p0 (k/e^2)(artanh(e)/e - 1), e^2 = 1 - k^2, without the difference. For a circle (1 - 2 nu) p0/3.
+   pure real(dp) function ellipse_edge_shear(self, poisson_ratio) result(shear)
+      type(ellipse_t), intent(in) :: self
+      real(dp), intent(in) :: poisson_ratio
+      real(dp) :: k
+
+      k = self%minor/self%major
+      shear = (1 - 2*poisson_ratio)*self%peak_pressure*k/3*carlson_d(k*k, k*k, 1.0_dp)
+   end function ellipse_edge_shear
 
    !> Largest gap or overlap that the pressure leaves within the ellipse, over the approach; 0 but for round-off.
    pure real(dp) function ellipse_misfit(self, a, b, modulus) result(misfit)

@@ -6,12 +6,12 @@ module adfric_halfspace_hertz_model
       & status_not_converged
    use adfric_base_problems, only: problems_t
    use adfric_base_requirements, only: need, need_one
-   use adfric_base_unset, only: is_set
+   use adfric_base_unset, only: is_set, unset
    use adfric_halfspace_contact_conditions, only: largest_violation
    use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
    use adfric_halfspace_halfspace_table, only: positive, choice, number, poisson_ratio_row
    use adfric_halfspace_hertz_ellipse, only: ellipse_t, find_curvatures, ellipse_of_load, ellipse_of_approach, &
-      & ellipse_pressure, ellipse_gap, ellipse_axial_stress, ellipse_misfit
+      & ellipse_pressure, ellipse_gap, ellipse_axial_stress, ellipse_edge_shear, ellipse_misfit
    use adfric_halfspace_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap
    use adfric_halfspace_largest_shear, only: axial_stress_t, find_largest_shear
    use adfric_halfspace_strip_tractions, only: hertz_strip_stress
@@ -46,8 +46,10 @@ module adfric_halfspace_hertz_model
       procedure :: stress_at => ellipse_stress_at
    end type ellipse_stress_t
 
-   !> Stress in the plane of a line contact, depth in its half-width; the stress along the line lies between.
+   !> Stress under a line contact in units of p0, depth in its half-width.
    type, extends(axial_stress_t) :: line_stress_t
+      !> nu of plane strain; not set: the stress along the line is left out.
+      real(dp) :: poisson_ratio = unset
    contains
       procedure :: stress_at => line_stress_at
    end type line_stress_t
@@ -68,7 +70,7 @@ contains
       v(v_angle) = number('contact', 'angle', 'rad', 'from the first principal direction of body 1 to that of body 2', 0.0_dp)
       v(v_contact_modulus) = positive('solid', 'contact_modulus', 'Pa', 'E*, 1/E* = sum of (1 - nu^2)/E')
       v(v_poisson_ratio) = poisson_ratio_row()
-      v(v_poisson_ratio)%meaning = 'Poisson''s ratio, for the shear stress under circle and ellipse'
+      v(v_poisson_ratio)%meaning = 'Poisson''s ratio, for the largest shear stress; a line without it: that in the plane'
       v(v_load) = number('operating', 'load', 'N; N/m for line', 'load')
       v(v_load)%lower = 0
       v(v_approach) = number('operating', 'approach', 'm', 'of distant points, instead of the load; not for a line')
@@ -90,7 +92,7 @@ contains
       r(r_mean_pressure) = result_t('mean_pressure', 'Pa', 'load over area of contact', '')
       r(r_contact_area) = result_t('contact_area', 'm^2', 'area of contact', '')
       r(r_direction) = result_t('major_axis_angle', 'rad', 'from the first principal direction of body 1 to the major axis', '')
-      r(r_shear) = result_t('largest_shear_stress', 'Pa', 'largest shear stress on the axis', '')
+      r(r_shear) = result_t('largest_shear_stress', 'Pa', 'largest shear stress in the solid', '')
       r(r_shear_depth) = result_t('largest_shear_depth', 'm', 'its depth', '')
       r(r_violation) = result_t('contact_violation', '-', 'largest violation of g >= 0, p >= 0, g p = 0', '')
       if (is_line) r(r_load)%unit = 'N/m'
@@ -195,7 +197,7 @@ contains
       line = line_of_load(values(v_radius), values(v_contact_modulus), values(v_load))
       results([r_load, r_half_width, r_peak_pressure]) = [values(v_load), line%half_width, line%peak_pressure]
       results([r_mean_pressure, r_contact_area]) = [pi/4*line%peak_pressure, 2*line%half_width]
-      call find_largest_shear(line_stress_t(), 1.0_dp, depth, shear)
+      call find_largest_shear(line_stress_t(values(v_poisson_ratio)), 1.0_dp, depth, shear)
       results([r_shear, r_shear_depth]) = [shear*line%peak_pressure, depth*line%half_width]
       x = places()*line%half_width
       unit = line%half_width**2/line%radius
@@ -221,8 +223,7 @@ contains
       results([r_peak_pressure, r_mean_pressure]) = s%peak_pressure*[1.0_dp, 2.0_dp/3]
       results([r_contact_area, r_direction, r_violation]) = [pi*s%major*s%minor, direction, 0.0_dp]
       if (.not. s%minor > 0) return
-      if (is_set(values(v_poisson_ratio))) call find_largest_shear(ellipse_stress_t(s, values(v_poisson_ratio)), s%minor, &
-         & results(r_shear_depth), results(r_shear))
+      if (is_set(values(v_poisson_ratio))) call solve_shear(s, values(v_poisson_ratio), results(r_shear), results(r_shear_depth))
       x = [places()*s%major, spread(0.0_dp, 1, n_places)]
       y = [spread(0.0_dp, 1, n_places), places()*s%minor]
       violation = ellipse_misfit(s, a, b, values(v_contact_modulus))
@@ -230,6 +231,20 @@ contains
       results(r_violation) = max(violation, largest_violation(ellipse_pressure(s, x, y), &
          & ellipse_gap(s, values(v_contact_modulus), x, y), s%peak_pressure, s%approach))
    end subroutine solve_ellipse
+
+   !> The largest shear stress: on the axis, or for negative nu at the edge of the surface.
+   pure subroutine solve_shear(s, poisson_ratio, shear, depth)
+      type(ellipse_t), intent(in) :: s
+      real(dp), intent(in) :: poisson_ratio
+      real(dp), intent(inout) :: shear, depth
+      real(dp) :: edge
+
+      call find_largest_shear(ellipse_stress_t(s, poisson_ratio), s%minor, depth, shear)
+      edge = ellipse_edge_shear(s, poisson_ratio)
+      if (.not. edge > shear) return
+      shear = edge
+      depth = 0
+   end subroutine solve_shear
 
    !> Ellipse of a case and the curvatures of its gap.
    pure subroutine get_ellipse(values, s, a, b, direction)
@@ -299,8 +314,7 @@ contains
 
       stress = hertz_strip_stress(1.0_dp, 0.0_dp, 0.0_dp, depth)
       stress(3) = stress(1)
-      associate (unused => self)
-      end associate
+      if (is_set(self%poisson_ratio)) stress(3) = self%poisson_ratio*(stress(1) + stress(2))
    end function line_stress_at
 
 end module adfric_halfspace_hertz_model

@@ -9,9 +9,11 @@ module adfric_halfspace_punch_model
    use adfric_base_requirements, only: need, need_one
    use adfric_base_unset, only: is_set
    use adfric_halfspace_contact_conditions, only: largest_violation
+   use adfric_halfspace_field_model, only: set_stresses, maps_of
    use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
    use adfric_halfspace_halfspace_table, only: positive, choice, number
    use adfric_halfspace_punch_profiles, only: polynomial_t, wedge_load, wedge_pressure, wedge_gap
+   use adfric_halfspace_punch_stress, only: punch_stress
    use adfric_halfspace_rigid_punch, only: punch_contact_t, solve_punch, bounded_load
    implicit none (type, external)
    private
@@ -23,6 +25,8 @@ module adfric_halfspace_punch_model
    integer, parameter, public :: kind_flat = 1, kind_wedge = 2, kind_cylinder = 3, kind_polynomial = 4
    integer, parameter, public :: r_load = 1, r_contact_half_width = 2, r_mean_pressure = 3, r_centre_pressure = 4, &
       & r_edge_intensity = 5, r_violation = 6
+   !> Places of the profiles: those of the surface, and from `p_stress` on maps of s_xx, s_yy, s_xy and the largest shear.
+   integer, parameter, public :: p_pressure = 1, p_gap = 2, p_displacement = 3, p_stress = 4, p_shear = 7
    !> Places where the conditions of contact are checked, and how far they reach, in half-widths.
    integer, parameter :: n_places = 120
    real(dp), parameter :: reach = 3.0_dp
@@ -56,7 +60,6 @@ contains
    subroutine new_punch_model(self)
       type(punch_model_t), intent(out) :: self
       type(variable_t) :: v(12)
-      type(profile_t) :: p(3)
       character(1) :: degree, power
       character(:), allocatable :: name, unit, meaning
       integer :: i
@@ -81,11 +84,22 @@ contains
       v(v_contact_half_width) = positive('operating', 'contact_half_width', 'm', 'instead of the load; not for a flat punch')
       v(v_points) = variable_t('numerics', 'points', kind_integer, '-', 'points of collocation, even', '', 32.0_dp, &
          & 8.0_dp, 1000.0_dp)
-      p(:2) = contact_profiles()
-      p(3) = profile_t('displacement', 'm', 'displacement of the surface into the solid, against the middle of the punch')
       call self%set_tables('rigid_punch', 'a rigid punch on an elastic half-plane, plane strain', v, get_results(), &
-         & p, 'x', .false.)
+         & get_profile_table(), 'y x', .true.)
    end subroutine new_punch_model
+
+   !> The table of profiles.
+   function get_profile_table() result(p)
+      type(profile_t) :: p(p_shear)
+      type(result_t) :: r(p_shear - p_stress + 1)
+
+      p(:p_gap) = contact_profiles()
+      p(p_displacement) = profile_t('displacement', 'm', &
+         & 'displacement of the surface into the solid, against the middle of the punch')
+      call set_stresses('xx yy xy', r)
+      r(size(r)) = result_t('largest_shear_stress', 'Pa', 'largest shear stress in the plane', '')
+      p(p_stress:) = maps_of(r)
+   end function get_profile_table
 
    !> The table of results.
    function get_results() result(r)
@@ -220,28 +234,47 @@ contains
       end associate
    end subroutine solve_point
 
-   !> See `halfspace_model_t`.
+   !> See `halfspace_model_t`. Pressure, gap and displacement are those of the surface, NaN at other depths.
    subroutine get_profiles(self, values, results, slow, fast, profiles)
       class(punch_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:), results(:)
       real(dp), intent(in) :: slow(:), fast(:)
       real(dp), intent(inout) :: profiles(:, :, :)
       type(state_t) :: state
-      integer :: i
+      real(dp) :: stress(3)
+      integer :: i, j
 
       if (.not. is_possible(values)) return
       call solve_state(values, state)
       if (.not. state%contact%is_converged) return
-      profiles(:, 1, 1) = state%pressure(fast)
-      do i = 1, size(fast)
-         ! beyond the face there is no punch to have a gap from; in contact what is left is round-off
-         if (abs(fast(i)) <= state%face) profiles(i, 1, 2) = max(0.0_dp, state%gap(fast(i)))
-         if (abs(fast(i)) <= state%contact%half_width) profiles(i, 1, 2) = 0
+      do j = 1, size(slow)
+         if (.not. slow(j) > 0) call get_surface(state, fast, profiles(:, j, :))
+         do i = 1, size(fast)
+            stress = punch_stress(state%contact, state%slope, fast(i), slow(j))
+            profiles(i, j, p_stress:p_shear - 1) = stress
+            profiles(i, j, p_shear) = hypot((stress(1) - stress(2))/2, stress(3))
+         end do
       end do
-      profiles(:, 1, 3) = -state%level(fast)
-      associate (unused => self, unused_too => slow, unused_results => results)
+      associate (unused => self, unused_results => results)
       end associate
    end subroutine get_profiles
+
+   !> Pressure, gap and displacement along the surface.
+   subroutine get_surface(state, x, profiles)
+      type(state_t), intent(in) :: state
+      real(dp), intent(in) :: x(:)
+      !> Shape `(n_x, n_profiles)`.
+      real(dp), intent(inout) :: profiles(:, :)
+      integer :: i
+
+      profiles(:, p_pressure) = state%pressure(x)
+      do i = 1, size(x)
+         ! beyond the face there is no punch to have a gap from; in contact what is left is round-off
+         if (abs(x(i)) <= state%face) profiles(i, p_gap) = max(0.0_dp, state%gap(x(i)))
+         if (abs(x(i)) <= state%contact%half_width) profiles(i, p_gap) = 0
+      end do
+      profiles(:, p_displacement) = -state%level(x)
+   end subroutine get_surface
 
    !> Pressure at x.
    elemental real(dp) function pressure(self, x)

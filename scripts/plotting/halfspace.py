@@ -1,0 +1,219 @@
+"""Figures of the elastic half-plane and half-space."""
+
+import math
+
+import numpy as np
+from matplotlib.colors import Normalize
+
+from .curves import draw_panels
+from .labels import axis_label, point_label, scale_of
+from .style import COLOURS, DASHES, norm_of, plt
+from .surface import choose_points, label_rows
+
+# bi-sinusoidal wave: mean pressure over that of full contact at which the summits' contacts merge (docs/wave_2d.md)
+MERGING = 0.2286
+# how far the asymptotes are drawn
+LIGHT, HEAVY = 0.35, 0.45
+OPEN = "#d9e2ec"
+STRESSES = {"stress_xx_map": r"$\sigma_{xx}$", "stress_yy_map": r"$\sigma_{yy}$", "stress_xy_map": r"$\sigma_{xy}$",
+            "largest_shear_stress_map": r"largest shear $\tau$"}
+MOST_ROWS = 3
+# pressures above this multiple of the largest mean pressure are cut off, as at the edge of a punch
+TALLEST = 4.0
+# maps show this share of the places within their levels; where the rest is larger by this factor the levels are 1, 2, 5, 10 ...
+SHOWN, STEEP = 0.99, 10.0
+
+
+def draw_area(results):
+    """Share of the area in contact against mean pressure, its error bound, and the asymptotes of Johnson, Greenwood, Higginson."""
+    q = _share_of_full(results)
+    order = np.argsort(q)
+    q, area, error = q[order], *(results.fields[name].values[order] for name in ("area_fraction", "area_fraction_error"))
+    figure, (axes, below) = plt.subplots(2, 1, sharex=True, figsize=(5.0, 4.6), height_ratios=(4, 1))
+    axes.plot(q, area, color=COLOURS[2], linewidth=1, label="solved")
+    axes.fill_between(q, area - error, area + error, color=COLOURS[2], alpha=0.3, linewidth=0)
+    # a band of the width of the curve says little
+    below.fill_between(q, 0, 1e3 * error, color=COLOURS[2], alpha=0.5, linewidth=0)
+    below.set_ylim(bottom=0)
+    below.set_ylabel("Error\nbound (10$^{-3}$)")
+    light, heavy = np.linspace(0, LIGHT, 200), np.linspace(HEAVY, 1, 50)
+    axes.plot(light, np.pi * (3 * light / (8 * np.pi)) ** (2 / 3), color=COLOURS[1], linestyle=DASHES[0], linewidth=1,
+              label=r"light: $\pi\,(3p/8\pi p^*)^{2/3}$")
+    axes.plot(heavy, 1 - 3 / (2 * np.pi) * (1 - heavy), color="0.3", linestyle=DASHES[3], linewidth=1,
+              label=r"close to full: $1 - (3/2\pi)(1 - p/p^*)$")
+    axes.axvline(MERGING, color="0.6", linewidth=0.6, zorder=0)
+    axes.annotate(f"contacts merge\nat {MERGING} $p^*$", (MERGING, 0.03), xytext=(4, 0), textcoords="offset points",
+                  fontsize="small", color="0.4")
+    axes.set_xlim(0, max(1.0, np.nanmax(q, initial=0.0)))
+    axes.set_ylim(0, 1.05)
+    below.set_xlabel("Mean pressure $p/p^*$")
+    axes.set_ylabel("Contact area $A/l^2$")
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.12))
+    return figure
+
+
+def draw_contact_maps(results):
+    """Contact of a bi-sinusoidal wave, coloured by its pressure: two periods in each direction, from the quarter of one."""
+    points = choose_points(results)
+    axes = [_mirror(axis.values, -1.0) for axis in results.profile_axes]
+    factor, unit = scale_of(axes[-1], results.profile_axes[-1].unit)
+    # from two halves of a period to two periods
+    y, x = (np.concatenate([axis, axis + axis[-1] - axis[0] + axis[1] - axis[0]]) * factor for axis in axes)
+    full, area = (results.fields[name].values for name in ("full_contact_pressure", "area_fraction"))
+    pressure, share = results.profiles["pressure"].values, _share_of_full(results)
+    shown = [np.tile(_mirror(_mirror(pressure[i] / full[i]).T).T, (2, 2)) for i in points]
+    colours = plt.get_cmap("YlOrRd").with_extremes(bad=OPEN)
+    norm = Normalize(0, max(np.nanmax(values, initial=0.0) for values in shown) or 1.0)
+    columns = min(3, len(points))
+    rows = -(-len(points) // columns)
+    figure, panels = plt.subplots(rows, columns, sharex=True, sharey=True, squeeze=False,
+                                  figsize=(2.5 * columns + 0.9, 2.65 * rows + 0.4))
+    for panel in panels.flat[len(points):]:
+        panel.set_visible(False)
+    for panel, index, values in zip(panels.flat, points, shown):
+        image = panel.pcolormesh(x, y, np.where(values > 0, values, np.nan), cmap=colours, norm=norm, shading="nearest",
+                                 rasterized=True)
+        panel.set_aspect("equal")
+        panel.set_title(f"$p/p^*$ = {share[index]:.3g}, $A/l^2$ = {area[index]:.3f}", fontsize="small")
+        if panel.get_subplotspec().is_last_row():
+            panel.set_xlabel(axis_label("x", unit))
+        label_rows(panel, axis_label("y", unit))
+    figure.colorbar(image, ax=panels, label="Pressure over $p^*$; blue: no contact", shrink=0.85)
+    return figure
+
+
+def draw_pressures(results):
+    """Pressure along the surface, a curve for each point of the sweep."""
+    x, pressure = results.profile_axes[-1], results.profiles["pressure"]
+    mean = _values(results, "mean_pressure")
+    highest = min(np.nanmax(pressure.values, initial=0.0), TALLEST * np.nanmax(mean, initial=0.0)) or 1.0
+    x_factor, x_unit = scale_of(x.values, x.unit)
+    factor, unit = scale_of([highest], pressure.unit)
+    places = list(np.ndindex(*results.status.shape))
+    figure, axes = plt.subplots(figsize=(5.6, 3.4))
+    norm = norm_of(np.arange(len(places)))
+    for place, index in enumerate(places):
+        colour = COLOURS[place] if len(places) <= len(COLOURS) else plt.get_cmap("viridis")(norm(place))
+        label = point_label(results.describe(index), results.model)
+        if "full_contact_pressure" in results.fields:
+            label = f"$p/p^*$ = {_share_of_full(results)[index]:.3g}"
+        axes.plot(x.values * x_factor, _touching(pressure.values[index]) * factor, color=colour, label=label or "_")
+    axes.set_xlim(x.values[0] * x_factor, x.values[-1] * x_factor)
+    axes.set_ylim(0, 1.05 * highest * factor)
+    axes.set_xlabel(axis_label("x", x_unit))
+    axes.set_ylabel(axis_label("pressure", unit))
+    if axes.get_legend_handles_labels()[1]:
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+def draw_stress_maps(results):
+    """Stresses in the plane over place and depth: a row for each point of the sweep, a column for each component."""
+    points = choose_points(results)
+    if len(points) > MOST_ROWS:
+        points = [points[0], points[len(points) // 2], points[-1]]
+    y, x = results.profile_axes
+    x_factor, x_unit = scale_of(x.values, x.unit)
+    fields = [results.profiles[name].values for name in STRESSES]
+    levels, shear_levels = (choose_levels(np.concatenate([np.abs(values[index]).ravel() for values in part for index in points]))
+                            for part in (fields[:-1], fields[-1:]))
+    factor, unit = scale_of(levels, results.profiles["stress_yy_map"].unit)
+    shape = abs(np.ptp(y.values) / np.ptp(x.values))
+    figure, panels = plt.subplots(len(points), len(STRESSES), sharex=True, sharey=True, squeeze=False,
+                                  figsize=(2.6 * len(STRESSES) + 0.6, (2.3 * shape + 0.35) * len(points) + 1.2))
+    for row, index in zip(panels, points):
+        for panel, name, values in zip(row, STRESSES, fields):
+            edges, colours = (shear_levels, "YlOrRd") if values is fields[-1] else (np.append(-levels[::-1], levels), "RdBu_r")
+            image = panel.contourf(x.values * x_factor, y.values * x_factor, values[index] * factor, levels=edges * factor,
+                                   extend="both", colors=plt.get_cmap(colours)(np.linspace(0, 1, edges.size + 1)))
+            panel.set_aspect("equal")
+            if panel.get_subplotspec().is_first_row():
+                panel.set_title(STRESSES[name])
+                _add_levels(figure, panels, panel, image, unit)
+            if panel.get_subplotspec().is_last_row():
+                panel.set_xlabel(axis_label("x", x_unit))
+        label = "depth " + axis_label("y", x_unit)
+        label_rows(row[0], "\n".join(part for part in (point_label(results.describe(index), results.model), label) if part))
+    panels[0, 0].invert_yaxis()
+    return figure
+
+
+def choose_levels(sizes):
+    """Levels of positive numbers, the least of them above 0: even, or 1, 2, 5, 10 ... over two decades where few are large."""
+    sizes = sizes[np.isfinite(sizes)]
+    usual = np.quantile(sizes, SHOWN) if sizes.size else 0.0
+    if not usual > 0:
+        return np.array([0.5, 1.0])
+    power = math.floor(math.log10(usual))
+    steps = np.array([1.0, 2.0, 5.0])
+    if sizes.max() > STEEP * usual:
+        ladder = np.concatenate([10.0 ** (power + k) * steps for k in (-2, -1, 0)])
+        return ladder[ladder <= usual][-7:]
+    step = next(s for s in np.append(steps, 10.0) * 10.0 ** (power - 1) if usual / s <= 10)
+    return step * np.arange(1, math.ceil(usual / step) + 1)
+
+
+def draw_half_axes(results):
+    """Half-axes of the ellipse of contact, largest pressure and approach against a principal radius."""
+    radius = next(axis for axis in results.axes if axis.values.size > 1)
+    figure = draw_panels(results, radius.name, ["contact_half_width", "peak_pressure", "approach"])
+    axes = figure.axes[0]
+    line = axes.lines[0]
+    line.set_label("major $a$")
+    factor, unit = scale_of(results.fields["contact_half_width"].values, "m")
+    minor = results.fields["minor_half_width"].values.ravel()[np.argsort(radius.values)]
+    axes.plot(line.get_xdata(), minor * factor, color=COLOURS[1], linestyle=DASHES[0], label="minor $b$")
+    if np.isfinite(minor).any():
+        axes.set_yscale("log")
+        axes.relim()
+        axes.autoscale(axis="y")
+    axes.set_ylabel(f"Half-axis ({unit})")
+    axes.legend()
+    for panel in figure.axes:
+        if radius.values.max() < 0:
+            # a concave radius: logarithmic, too
+            panel.set_xscale("symlog", linthresh=-radius.values.max())
+    return figure
+
+
+def draw_wave(results):
+    """Share of a wave in contact, pressure of its crest and gaps against mean pressure."""
+    return draw_panels(results, "mean_pressure", ["contact_fraction", "peak_pressure", "mean_gap", "largest_gap"])
+
+
+def _add_levels(figure, panels, panel, image, unit):
+    """The key of the levels of the signed stresses below their first column, and that of the shear below the last."""
+    column = panel.get_subplotspec().colspan.start
+    if 0 < column < len(STRESSES) - 1:
+        return
+    part, words = (panels[:, :-1], "Stress") if column == 0 else (panels[:, -1], "Shear stress")
+    bar = figure.colorbar(image, ax=part, location="bottom", aspect=50 if column == 0 else 15, spacing="uniform")
+    bar.set_ticks(image.levels[::1 if column else max(1, image.levels.size // 12)])
+    bar.ax.xaxis.set_major_formatter("{x:.3g}")
+    bar.ax.tick_params(labelsize="x-small")
+    bar.set_label(f"{words} ({unit})" if unit else words)
+
+
+def _touching(pressure):
+    """Pressure with the places next to the contact, but without those farther away."""
+    near = np.convolve(pressure != 0, np.ones(3), mode="same") > 0
+    return np.where(near, pressure, np.nan)
+
+
+def _mirror(values, sign=1.0):
+    """Values of a half of a period, continued to its other side."""
+    return np.concatenate([sign * values[::-1], values])
+
+
+def _values(results, name):
+    """A result, which may be swept, in the shape of the sweep."""
+    if name in results.fields:
+        return results.fields[name].values
+    along = results.axis_names.index(name)
+    shape = [-1 if k == along else 1 for k in range(results.status.ndim)]
+    return np.broadcast_to(results.axes[along].values.reshape(shape), results.status.shape)
+
+
+def _share_of_full(results):
+    """Mean pressure over that of full contact."""
+    return _values(results, "mean_pressure") / results.fields["full_contact_pressure"].values

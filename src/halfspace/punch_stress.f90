@@ -1,0 +1,94 @@
+!> Stresses in a half-plane under the pressure of a rigid punch.
+!>
+!> y points into the solid, tension is positive. With lengths in the half-width a, t = x + i y and Cauchy's integral W of the
+!> pressure
+!>
+!>     W = (1/pi) int p(s)/(s - t) ds,  s_xx = -Im W - y Re W', s_yy = -Im W + y Re W', s_xy = y Im W'
+!>
+!> which is the superposition of Flamant's line loads (`adfric_halfspace_flamant`). Each part of the pressure has its closed form in
+!> z = t - sqrt(t^2 - 1), |z| <= 1, the inverse of Joukowski's map, from
+!>
+!>     (1/pi) int sqrt(1 - s^2) U_(k-1)(s)/(s - t) ds = -z^k
+module adfric_halfspace_punch_stress
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_halfspace_rigid_punch, only: punch_contact_t
+   implicit none (type, external)
+   private
+   public :: punch_stress
+
+contains
+
+   !> Stresses [s_xx, s_yy, s_xy] at a place [Pa]; NaN where the pressure is infinite.
+   pure function punch_stress(contact, slope, x, y) result(stress)
+      type(punch_contact_t), intent(in) :: contact
+      !> Slope of a wedge, whose pressure adds to that of the contact; 0 without [-].
+      real(dp), intent(in) :: slope
+      !> Place [m], y >= 0.
+      real(dp), intent(in) :: x, y
+      real(dp) :: stress(3), depth
+      complex(dp) :: t, root, z, w, derivative
+      logical :: is_edge, is_tip
+
+      associate (a => contact%half_width)
+         depth = abs(y/a)
+         t = cmplx(x/a, depth, dp)
+         ! x - a first: what is near an edge keeps its digits
+         root = sqrt(cmplx((x - a)/a, depth, dp))*sqrt(cmplx((x + a)/a, depth, dp))
+      end associate
+      is_edge = .not. abs(root) > 0
+      is_tip = .not. abs(t) > 0
+      stress = not_a_number()
+      if (is_edge .and. contact%excess > 0 .or. is_tip .and. slope > 0) return
+      stress = 0
+      ! the bounded pressure ends at an edge, and y W' with it
+      if (is_edge) return
+      z = 1/(t + root)
+      call add_bounded(contact%b, z, root, w, derivative)
+      call add_flat(contact%excess/(pi*contact%half_width), t, root, w, derivative)
+      if (slope > 0) call add_wedge(contact%modulus*slope, t, root, z, w, derivative)
+      stress = [-aimag(w) - depth*real(derivative), -aimag(w) + depth*real(derivative), depth*aimag(derivative)]
+   end function punch_stress
+
+   !> W and W' of the sum of b_k sin(k th), cos th = s: W = -sum of b_k z^k, by Horner's rule.
+   pure subroutine add_bounded(b, z, root, w, derivative)
+      !> [Pa].
+      real(dp), intent(in) :: b(:)
+      complex(dp), intent(in) :: z, root
+      complex(dp), intent(out) :: w, derivative
+      integer :: k
+
+      w = 0
+      derivative = 0
+      do k = size(b), 1, -1
+         w = (w - b(k))*z
+         derivative = (derivative + k*b(k))*z
+      end do
+      ! z' = -z/root
+      derivative = derivative/root
+   end subroutine add_bounded
+
+   !> Those of c/sqrt(1 - s^2): W = -c/sqrt(t^2 - 1).
+   pure subroutine add_flat(c, t, root, w, derivative)
+      !> [Pa].
+      real(dp), intent(in) :: c
+      complex(dp), intent(in) :: t, root
+      complex(dp), intent(inout) :: w, derivative
+
+      w = w - c/root
+      derivative = derivative + c*(t/root)/root/root
+   end subroutine add_flat
+
+   !> Those of (c/pi) arccosh(1/|s|): W = -(c/pi) arcsin(1/t) = -(2c/pi) arctan z.
+   pure subroutine add_wedge(c, t, root, z, w, derivative)
+      !> E* times the slope [Pa].
+      real(dp), intent(in) :: c
+      complex(dp), intent(in) :: t, root, z
+      complex(dp), intent(inout) :: w, derivative
+
+      w = w - 2*c/pi*atan(z)
+      derivative = derivative + c/pi/t/root
+   end subroutine add_wedge
+
+end module adfric_halfspace_punch_stress
