@@ -10,7 +10,7 @@ from .labels import axis_label, point_label, scale_of
 from .style import COLOURS, DASHES, norm_of, plt
 from .surface import choose_points, label_rows
 
-# bi-sinusoidal wave: mean pressure over that of full contact at which the summits' contacts merge (docs/wave_2d.md)
+# bi-sinusoidal wave: mean pressure over that of full contact at which the summits' contacts merge (docs/periodic.md)
 MERGING = 0.2286
 # how far the asymptotes are drawn
 LIGHT, HEAVY = 0.35, 0.45

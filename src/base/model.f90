@@ -11,12 +11,12 @@ module adfric_base_model
    private
    public :: model_t, variable_t, result_t, profile_t, attribute_t
    public :: positive_variable
-   public :: kind_real, kind_integer, kind_logical, kind_choice
+   public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
    public :: status_solved, status_no_equilibrium, status_not_converged, n_status
    public :: status_meanings
 
    !> Kinds of namelist variables.
-   integer, parameter :: kind_real = 1, kind_integer = 2, kind_logical = 3, kind_choice = 4
+   integer, parameter :: kind_real = 1, kind_integer = 2, kind_logical = 3, kind_choice = 4, kind_dataset = 5
 
    !> Status of a point, as it stands in the file.
    integer, parameter :: status_solved = 0, status_no_equilibrium = 1, status_not_converged = 2
@@ -25,7 +25,7 @@ module adfric_base_model
    character(*), parameter :: status_meanings = 'solved no_equilibrium not_converged'
 
    !> A namelist variable. Every kind is held as a real number: integers as they are, logicals as 0 and 1,
-   !> choices as their place in `choices` (from 1), and what was not given as `unset`.
+   !> choices as their place in `choices` (from 1), datasets of a file as 1, and what was not given as `unset`.
    type :: variable_t
       !> Group it stands in, without `&`.
       character(:), allocatable :: group
@@ -40,9 +40,11 @@ module adfric_base_model
       character(:), allocatable :: choices
       !> Value where the user gives none; `unset` if there is no default.
       real(dp) :: default = unset
-      !> Allowed range; a bound that is not itself allowed is marked open.
+      !> Allowed range, of a dataset that of every value; a bound that is not itself allowed is marked open.
       real(dp) :: lower = -unset, upper = unset
       logical :: lower_open = .false., upper_open = .false.
+      !> Number of dimensions that a dataset may have at most, 1 or 2, and of values that it needs along each.
+      integer :: largest_rank = 1, least_count = 1
    end type variable_t
 
    !> A result per point.
@@ -94,6 +96,7 @@ module adfric_base_model
       procedure(solve_block_i), deferred :: solve_block
       procedure(solve_profiles_i), deferred :: solve_profiles
       procedure(describe_case_i), deferred :: describe_case
+      procedure :: take_dataset
       procedure :: describe_profiles
       procedure :: describe_profile_axis
       procedure :: unit_of
@@ -191,6 +194,22 @@ contains
 
       variable = variable_t(group, name, kind_real, unit, meaning, '', unset, 0.0_dp, lower_open=.true.)
    end function positive_variable
+
+   !> Take over the values of a dataset; called for every one that is given, in the order of the table, before the values are
+   !> checked. They are finite and within the table's bounds. A model with such variables overrides it; here nothing is kept.
+   subroutine take_dataset(self, place, values, problems)
+      class(model_t), intent(inout) :: self
+      !> Place in `variables`.
+      integer, intent(in) :: place
+      !> Shape `(n_last, n_first)`, the dimensions of the file in reverse: what h5py shows as `(ny, nx)` is `(nx, ny)` here.
+      !> One dimension is `(n, 1)`.
+      real(dp), intent(in) :: values(:, :)
+      !> What makes no sense in them is added here.
+      type(problems_t), intent(inout) :: problems
+
+      associate (unused => self, unused_place => place, unused_values => values, unused_problems => problems)
+      end associate
+   end subroutine take_dataset
 
    !> Number of states of an enumerated result; 0 for a number.
    pure integer function n_states(self)

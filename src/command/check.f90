@@ -1,6 +1,6 @@
 !> `adfric check`: read and validate an input, and say what it means.
 module adfric_command_check
-   use adfric_base_model, only: model_t
+   use adfric_base_model, only: model_t, kind_dataset
    use adfric_base_unset, only: is_set
    use adfric_command_case, only: open_case
    use adfric_command_line, only: command_t
@@ -58,7 +58,12 @@ contains
             if (run%is_swept(i) .or. .not. is_set(value)) cycle
             if (variable%group /= group) lines = lines//'&'//variable%group//newline
             group = variable%group
-            lines = lines//pad('  '//variable%name, name_width)//show_input_value(variable, value)
+            lines = lines//pad('  '//variable%name, name_width)
+            if (variable%kind == kind_dataset) then
+               lines = lines//run%datasets(i)%describe()
+            else
+               lines = lines//show_input_value(variable, value)
+            end if
             lines = lines//show_unit(model%unit_of(run%plan%base, i))
             if (.not. run%is_given(i)) lines = lines//' (default)'
             lines = lines//newline

@@ -32,7 +32,7 @@ module adfric_command_help_pages
       '    output = ''FILE.h5''   results file; default: the name of the input with .h5'//newline// &
       '  /'//newline// &
       '  &GROUP'//newline// &
-      '    VARIABLE = VALUE     a group of the model'//newline// &
+      '    VARIABLE = VALUE     a group of the model; a dataset is ''FILE.h5:/DATASET'''//newline// &
       '  /'//newline// &
       '  &sweep'//newline// &
       '    variable = ''NAME''    or ''GROUP%NAME'': any numeric variable of the model'//newline// &
@@ -53,6 +53,7 @@ module adfric_command_help_pages
       '  status [-]                      0 solved, 1 no_equilibrium, 2 not_converged'//newline// &
       '  error_estimate [-]              relative error of the main result, estimated'//newline// &
       '  attributes of the file          title, model, adfric_version, git_revision, compiler, created,'//newline// &
-      '                                  wall_seconds, input (the whole text)'//newline
+      '                                  wall_seconds, input (the whole text); dataset_NAME and checksum_NAME'//newline// &
+      '                                  (64-bit FNV-1a of the values) for each dataset that the input names'//newline
 
 end module adfric_command_help_pages

@@ -8,7 +8,7 @@ module adfric_command_run
    use adfric_input_run, only: run_input_t
    use adfric_output_names, only: check_output_name, would_replace
    use adfric_output_resources, only: check_resources
-   use adfric_output_results_file, only: results_file_t
+   use adfric_output_results_file, only: results_file_t, note_t
    use adfric_output_run_table, only: new_run_table
    use adfric_sweep_progress, only: progress_t
    use adfric_sweep_runner, only: run_sweep
@@ -49,16 +49,42 @@ contains
       class(model_t), intent(in) :: model
       type(run_input_t), intent(in) :: run
       type(error_t), allocatable, intent(out) :: error
+      integer :: k
 
       if (would_replace(run%output, command%subject)) then
          call set_error(error, input_failure, run%output//': the results would replace the input')
          return
       end if
+      do k = 1, size(run%datasets)
+         if (.not. run%datasets(k)%is_given()) cycle
+         if (.not. would_replace(run%output, run%datasets(k)%file)) cycle
+         call set_error(error, input_failure, run%output//': the results would replace the data of '//model%variables(k)%name)
+         return
+      end do
       call check_output_name(run%output, command%overwrite, error)
       if (allocated(error)) return
       call check_resources(model, run%plan, run%output, error)
       if (allocated(error)) error%message = command%subject//': '//error%message
    end subroutine check_output
+
+   !> Names and checksums of the datasets that the input names.
+   function notes_on_datasets(model, run) result(notes)
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(in) :: run
+      type(note_t), allocatable :: notes(:)
+      integer :: k, n
+
+      allocate (notes(2*count(run%datasets%is_given())))
+      n = 0
+      do k = 1, size(run%datasets)
+         if (.not. run%datasets(k)%is_given()) cycle
+         notes(n + 1)%name = 'dataset_'//model%variables(k)%name
+         notes(n + 1)%text = run%datasets(k)%text
+         notes(n + 2)%name = 'checksum_'//model%variables(k)%name
+         notes(n + 2)%text = run%datasets(k)%checksum
+         n = n + 2
+      end do
+   end function notes_on_datasets
 
    !> Solve every point and write the results.
    subroutine solve_case(command, model, run, progress, summary, error)
@@ -70,7 +96,8 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(results_file_t) :: results
 
-      call results%create(run%output, command%overwrite, model, run%plan, run%title, run%text, error)
+      call results%create(run%output, command%overwrite, model, run%plan, run%title, run%text, error, &
+         notes_on_datasets(model, run))
       if (allocated(error)) return
       call run_sweep(model, run%plan, results, progress, summary, error)
       if (allocated(error)) then

@@ -5,6 +5,7 @@ module adfric_halfspace_catalogue
    use adfric_halfspace_line_load_model, only: line_load_model_t, new_line_load_model, strip_load_model_t, new_strip_load_model
    use adfric_halfspace_point_load_model, only: point_load_model_t, new_point_load_model
    use adfric_halfspace_punch_model, only: punch_model_t, new_punch_model
+   use adfric_halfspace_surface_model, only: surface_model_t, new_surface_model
    use adfric_halfspace_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
    use adfric_halfspace_wave_model, only: wave_model_t, new_wave_model
    implicit none (type, external)
@@ -12,7 +13,8 @@ module adfric_halfspace_catalogue
    public :: halfspace_models, new_halfspace_model
 
    !> Their names, separated by a blank.
-   character(*), parameter :: halfspace_models = 'hertz rigid_punch wave_1d wave_2d_elastic line_load strip_load point_load'
+   character(*), parameter :: halfspace_models = 'hertz rigid_punch wave_1d wave_2d_elastic surface_elastic line_load '// &
+      & 'strip_load point_load'
 
 contains
 
@@ -24,6 +26,7 @@ contains
       type(punch_model_t), allocatable :: punch
       type(wave_model_t), allocatable :: wave
       type(wave_2d_model_t), allocatable :: wave_2d
+      type(surface_model_t), allocatable :: surface
       type(line_load_model_t), allocatable :: line
       type(strip_load_model_t), allocatable :: strip
       type(point_load_model_t), allocatable :: point
@@ -45,6 +48,10 @@ contains
          allocate (wave_2d)
          call new_wave_2d_model(wave_2d)
          call move_alloc(wave_2d, model)
+      case ('surface_elastic')
+         allocate (surface)
+         call new_surface_model(surface)
+         call move_alloc(surface, model)
       case ('line_load')
          allocate (line)
          call new_line_load_model(line)

@@ -1,11 +1,11 @@
 !> Rows of the tables of variables of the half-space models.
 module adfric_halfspace_halfspace_table
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice
+   use adfric_base_model, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
    use adfric_base_unset, only: unset
    implicit none (type, external)
    private
-   public :: positive, number, choice, set_output_axis, output_switch, poisson_ratio_row
+   public :: positive, number, choice, dataset, set_output_axis, output_switch, poisson_ratio_row
 
    !> Sizes beyond these are those of a slip in the units.
    real(dp), parameter :: largest_unit = 1.0e30_dp, smallest_unit = 1.0e-30_dp
@@ -44,6 +44,18 @@ contains
 
       variable = variable_t(group, name, kind_choice, '', meaning, choices)
    end function choice
+
+   !> A dataset of a file.
+   function dataset(group, name, unit, meaning, largest_rank, least_count) result(variable)
+      character(*), intent(in) :: group, name, unit, meaning
+      integer, intent(in) :: largest_rank, least_count
+      type(variable_t) :: variable
+
+      variable = number(group, name, unit, meaning)
+      variable%kind = kind_dataset
+      variable%largest_rank = largest_rank
+      variable%least_count = least_count
+   end function dataset
 
    !> Are profiles wanted?
    function output_switch() result(variable)

@@ -2,26 +2,30 @@
 module adfric_halfspace_line_load_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
-   use adfric_base_model, only: result_t, variable_t
+   use adfric_base_model, only: result_t, variable_t, status_solved
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_requirements, only: need
+   use adfric_base_unset, only: is_set
    use adfric_halfspace_field_model, only: field_model_t, set_stresses, set_displacements, maps_of
    use adfric_halfspace_flamant, only: line_stress, line_displacement
-   use adfric_halfspace_halfspace_table, only: positive, number, choice, poisson_ratio_row
+   use adfric_halfspace_halfspace_table, only: positive, number, choice, dataset, poisson_ratio_row
+   use adfric_halfspace_sampled_traction, only: sampled_traction_t, every_second
    use adfric_halfspace_strip_tractions, only: uniform_strip_stress, hertz_strip_stress, uniform_strip_integral, &
       & hertz_strip_integral
    implicit none (type, external)
    private
    public :: line_load_model_t, new_line_load_model, strip_load_model_t, new_strip_load_model
 
-   !> Places of the variables; the last three are those of the line load, or of the strip load.
+   !> Places of the variables; those from the normal load on are of the line load, or of the strip load.
    integer, parameter, public :: v_young_modulus = 1, v_poisson_ratio = 2, v_x = 3, v_y = 4, v_normal = 5, v_tangential = 6, &
-      & v_datum = 7, v_distribution = 7, v_half_width = 8
+      & v_datum = 7, v_distribution = 7, v_half_width = 8, v_positions = 9, v_pressures = 10, v_shear_tractions = 11
    !> Places of the results; a displacement is one of a line load, a slope one of a strip load.
    integer, parameter, public :: r_stress_xx = 1, r_stress_xy = 3, r_shear = 4, r_displacement_x = 5, r_displacement_y = 6, &
       & r_strain = 5, r_slope = 6
-   integer, parameter, public :: distribution_uniform = 1, distribution_hertz = 2
+   integer, parameter, public :: distribution_uniform = 1, distribution_hertz = 2, distribution_sampled = 3
+   !> Samples, so that there are fewer to compare with.
+   integer, parameter :: fewest_samples = 3
 
    type, abstract, extends(field_model_t) :: plane_model_t
    contains
@@ -35,9 +39,14 @@ module adfric_halfspace_line_load_model
    end type line_load_model_t
 
    type, extends(plane_model_t) :: strip_load_model_t
+      private
+      !> Tractions of &samples.
+      type(sampled_traction_t) :: samples
    contains
+      procedure :: take_dataset => take_samples
       procedure :: check_case => check_strip
       procedure :: get_field => get_strip_field
+      procedure :: solve_point => solve_strip_point
    end type strip_load_model_t
 
 contains
@@ -62,14 +71,20 @@ contains
    !> The model of a strip load with its tables.
    subroutine new_strip_load_model(self)
       type(strip_load_model_t), intent(out) :: self
-      type(variable_t) :: v(8)
+      type(variable_t) :: v(11)
       type(result_t) :: r(6)
 
       call set_common(v)
       v(v_normal) = number('operating', 'normal_traction', 'Pa', 'p, into the solid; its largest value', 0.0_dp)
       v(v_tangential) = number('operating', 'tangential_traction', 'Pa', 'q, along x; its largest value', 0.0_dp)
-      v(v_distribution) = choice('operating', 'distribution', 'of both tractions: constant, or sqrt(1 - x^2/a^2)', 'uniform hertz')
-      v(v_half_width) = positive('operating', 'half_width', 'm', 'half-width a of the strip')
+      v(v_distribution) = choice('operating', 'distribution', &
+         & 'of both tractions: constant, sqrt(1 - x^2/a^2), or as in &samples', &
+         & 'uniform hertz sampled')
+      v(v_half_width) = positive('operating', 'half_width', 'm', 'half-width a of the strip; not of a sampled one')
+      v(v_positions) = dataset('samples', 'positions', 'm', 'where the tractions are given, increasing; linear between', 1, &
+         & fewest_samples)
+      v(v_pressures) = dataset('samples', 'pressures', 'Pa', 'p there, into the solid', 1, fewest_samples)
+      v(v_shear_tractions) = dataset('samples', 'shear_tractions', 'Pa', 'q there, along x; not given: none', 1, fewest_samples)
       call set_plane_stresses(r)
       r(r_strain) = result_t('surface_strain', '-', 'du_x/dx of the surface at position_x', '')
       r(r_slope) = result_t('surface_slope', '-', 'du_y/dx of the surface at position_x', '')
@@ -110,9 +125,71 @@ contains
       class(strip_load_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       type(problems_t), intent(inout) :: problems
+      integer :: k
 
-      call need(self%variables, values, [v_young_modulus, v_poisson_ratio, v_distribution, v_half_width], problems)
+      call need(self%variables, values, [v_young_modulus, v_poisson_ratio, v_distribution], problems)
+      if (.not. is_set(values(v_distribution))) return
+      if (nint(values(v_distribution)) == distribution_sampled) then
+         call need(self%variables, values, [v_positions, v_pressures], problems)
+         call check_samples(self, values, problems)
+         if (is_set(values(v_half_width))) call refuse(v_half_width)
+         do k = v_normal, v_tangential
+            if (abs(values(k)) > 0) call refuse(k)
+         end do
+      else
+         call need(self%variables, values, [v_half_width], problems)
+         do k = v_positions, v_shear_tractions
+            if (is_set(values(k))) call refuse(k)
+         end do
+      end if
+
+   contains
+
+      subroutine refuse(k)
+         integer, intent(in) :: k
+
+         call problems%add(self%variables(k)%group, self%variables(k)%name, 'is given, but the distribution does not take it')
+      end subroutine refuse
+
    end subroutine check_strip
+
+   !> Do the samples belong together? Only those are looked at that are given.
+   subroutine check_samples(self, values, problems)
+      class(strip_load_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+
+      if (.not. is_set(values(v_positions))) return
+      associate (n => size(self%samples%s))
+         if (is_set(values(v_pressures)) .and. size(self%samples%p) /= n) &
+            & call problems%add('samples', 'pressures', 'has not as many values as positions')
+         if (is_set(values(v_shear_tractions)) .and. size(self%samples%q) /= n) &
+            & call problems%add('samples', 'shear_tractions', 'has not as many values as positions')
+      end associate
+   end subroutine check_samples
+
+   !> See `model_t`.
+   subroutine take_samples(self, place, values, problems)
+      class(strip_load_model_t), intent(inout) :: self
+      integer, intent(in) :: place
+      real(dp), intent(in) :: values(:, :)
+      type(problems_t), intent(inout) :: problems
+
+      select case (place)
+      case (v_positions)
+         self%samples%s = values(:, 1)
+         associate (s => self%samples%s)
+            if (.not. all(s(2:) > s(:size(s) - 1))) &
+               & call problems%add('samples', 'positions', 'do not increase from each to the next')
+         end associate
+      case (v_pressures)
+         self%samples%p = values(:, 1)
+         ! until they are given
+         self%samples%q = 0*values(:, 1)
+      case (v_shear_tractions)
+         self%samples%q = values(:, 1)
+      end select
+   end subroutine take_samples
 
    !> See `field_model_t`.
    pure function get_plane_place(self, values, slow, fast) result(place)
@@ -144,17 +221,20 @@ contains
       end associate
    end subroutine get_line_field
 
-   !> See `field_model_t`. The slopes of the surface (Johnson 2.25), with p and q where they are and their principal values I:
-   !>
-   !>     du_x/dx = -(1 + nu)(1 - 2 nu)/E p - 2 (1 - nu^2)/(pi E) I[q]
-   !>     du_y/dx =  (1 + nu)(1 - 2 nu)/E q - 2 (1 - nu^2)/(pi E) I[p]
+   !> See `field_model_t`.
    subroutine get_strip_field(self, values, place, field)
       class(strip_load_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       real(dp), intent(in) :: place(3)
       real(dp), intent(out) :: field(:)
-      real(dp) :: x, y, shape, integral, near, far
+      real(dp) :: x, y, shape, integral, tractions(2), integrals(2)
       logical :: is_uniform
+
+      if (nint(values(v_distribution)) == distribution_sampled) then
+         call set_stress(self%samples%stress_at(place(1), place(2)), field)
+         call set_slopes(values, self%samples%value_at(place(1)), self%samples%integral_at(place(1)), field)
+         return
+      end if
 
       x = place(1)/values(v_half_width)
       y = place(2)/values(v_half_width)
@@ -172,13 +252,52 @@ contains
          integral = hertz_strip_integral(x)
          shape = sqrt(max(0.0_dp, (1 - x)*(1 + x)))
       end if
-      near = (1 + values(v_poisson_ratio))*(1 - 2*values(v_poisson_ratio))/values(v_young_modulus)*shape
-      far = 2*(1 - values(v_poisson_ratio)**2)/(pi*values(v_young_modulus))*integral
-      field(r_strain) = -near*values(v_normal) - far*values(v_tangential)
-      field(r_slope) = near*values(v_tangential) - far*values(v_normal)
-      associate (unused => self)
-      end associate
+      tractions = [values(v_normal), values(v_tangential)]*shape
+      integrals = [values(v_normal), values(v_tangential)]*integral
+      call set_slopes(values, tractions, integrals, field)
    end subroutine get_strip_field
+
+   !> The slopes of the surface (Johnson 2.25), with p and q where they are and their principal values I:
+   !>
+   !>     du_x/dx = -(1 + nu)(1 - 2 nu)/E p - 2 (1 - nu^2)/(pi E) I[q]
+   !>     du_y/dx =  (1 + nu)(1 - 2 nu)/E q - 2 (1 - nu^2)/(pi E) I[p]
+   pure subroutine set_slopes(values, tractions, integrals, field)
+      real(dp), intent(in) :: values(:)
+      !> Of p and q.
+      real(dp), intent(in) :: tractions(2), integrals(2)
+      real(dp), intent(inout) :: field(:)
+      real(dp) :: near, far
+
+      near = (1 + values(v_poisson_ratio))*(1 - 2*values(v_poisson_ratio))/values(v_young_modulus)
+      far = 2*(1 - values(v_poisson_ratio)**2)/(pi*values(v_young_modulus))
+      field(r_strain) = -near*tractions(1) - far*integrals(2)
+      field(r_slope) = near*tractions(2) - far*integrals(1)
+   end subroutine set_slopes
+
+   !> See `halfspace_model_t`. The error of sampled tractions is what every second sample changes of the stresses: at least the
+   !> error of the interpolation, where that falls with the distance of the samples or faster. Against the root of the squares of
+   !> the stresses; 1 where they are 0 and should perhaps not be.
+   subroutine solve_strip_point(self, values, results, error_estimate, status)
+      class(strip_load_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(inout) :: results(:)
+      real(dp), intent(out) :: error_estimate
+      integer, intent(out) :: status
+      type(sampled_traction_t) :: coarse
+      real(dp) :: place(3), change
+
+      place = self%get_place(values)
+      call self%get_field(values, place, results)
+      status = status_solved
+      error_estimate = epsilon(error_estimate)
+      if (nint(values(v_distribution)) /= distribution_sampled) return
+      if (.not. place(2) > 0 .and. self%samples%jumps_at(place(1))) return
+      coarse = every_second(self%samples)
+      associate (stress => results(r_stress_xx:r_stress_xy))
+         change = norm2(stress - coarse%stress_at(place(1), place(2)))
+         if (change > 0) error_estimate = max(error_estimate, change/max(change, norm2(stress)))
+      end associate
+   end subroutine solve_strip_point
 
    !> Stresses and their largest shear.
    pure subroutine set_stress(stress, field)

@@ -29,6 +29,8 @@ module adfric_halfspace_periodic_model
       procedure :: solve_block
       procedure :: solve_profiles
       procedure :: describe_case
+      procedure :: describe_surface
+      procedure :: refuse_swept_axes
       procedure(check_surface_i), deferred :: check_surface
       procedure(get_surface_i), deferred :: get_surface
       procedure(get_full_pressure_i), deferred :: get_full_pressure
@@ -107,6 +109,23 @@ contains
       call need(self%variables, values, [self%n_own + v_contact_modulus], problems)
       call need_one(self%variables, values, self%n_own + [v_mean_pressure, v_penetration], .true., problems)
    end subroutine check_values
+
+   !> Add to `problems` the variables that are swept although the axes of the maps depend on them.
+   subroutine refuse_swept_axes(self, list, values, is_swept, problems)
+      class(periodic_model_t), intent(in) :: self
+      !> Places.
+      integer, intent(in) :: list(:)
+      real(dp), intent(in) :: values(:)
+      logical, intent(in) :: is_swept(:)
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
+      if (.not. self%wants_profiles(values)) return
+      do k = 1, size(list)
+         if (is_swept(list(k))) call problems%add(self%variables(list(k))%group, self%variables(list(k))%name, &
+            & 'is swept, but all profiles share one axis; sweep another variable')
+      end do
+   end subroutine refuse_swept_axes
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
@@ -240,7 +259,18 @@ contains
 
       call self%get_surface(values, surface)
       text = quantity_line('pressure of full contact p*', self%get_full_pressure(values), 'Pa') &
-         & //quantity_line('penetration of full contact', sum(surface%shape)/size(surface%shape), 'm')
+         & //quantity_line('penetration of full contact', sum(surface%shape)/size(surface%shape), 'm') &
+         & //self%describe_surface()
    end function describe_case
+
+   !> What else there is to say of the surface, a line each: nothing. A model may override it.
+   function describe_surface(self) result(text)
+      class(periodic_model_t), intent(in) :: self
+      character(:), allocatable :: text
+
+      text = ''
+      associate (unused => self)
+      end associate
+   end function describe_surface
 
 end module adfric_halfspace_periodic_model

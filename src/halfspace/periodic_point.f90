@@ -2,10 +2,12 @@
 module adfric_halfspace_periodic_point
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_halfspace_periodic_operator, only: periodic_operator_t, new_periodic_operator
    use adfric_halfspace_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    implicit none (type, external)
    private
-   public :: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic
+   public :: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, find_full_pressure
 
    !> A surface.
    type :: periodic_surface_t
@@ -59,6 +61,23 @@ contains
       solution%penetration = solution%penetration*unit
       if (allocated(solution%gap)) solution%gap = solution%gap*unit
    end subroutine solve_periodic
+
+   !> Mean pressure at which contact becomes full on the cells of the surface: the largest tension under a flat surface, without a
+   !> mean, that follows it everywhere. NaN if there is no memory.
+   real(dp) function find_full_pressure(surface) result(pressure)
+      type(periodic_surface_t), intent(in) :: surface
+      type(periodic_operator_t) :: operator
+      type(error_t), allocatable :: error
+      real(dp), allocatable :: tension(:, :)
+
+      pressure = not_a_number()
+      call new_periodic_operator(operator, shape(surface%shape), surface%period/surface%period(1), surface%is_quarter, .false., &
+         & error)
+      if (allocated(error)) return
+      allocate (tension, mold=surface%shape)
+      call operator%apply_stiffness(surface%shape/surface%period(1), tension)
+      pressure = maxval(tension)
+   end function find_full_pressure
 
    !> A solver of the surface's size, where the last point has not left it.
    subroutine prepare(surface, memory, error)

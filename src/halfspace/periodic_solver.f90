@@ -14,12 +14,14 @@ module adfric_halfspace_periodic_solver
    implicit none (type, external)
    private
    public :: periodic_solver_t, periodic_solution_t, new_periodic_solver
-   public :: contact_solved, contact_not_converged, contact_out_of_range
+   public :: contact_solved, contact_not_converged, contact_out_of_range, grids_for_error
 
    !> How a solution ended.
    integer, parameter :: contact_solved = 0, contact_not_converged = 1
    !> A load that is negative, or a penetration that no pressure reaches: full contact has the mean of the undeformed gap.
    integer, parameter :: contact_out_of_range = 2
+   !> Grids that it takes to estimate the error of the area.
+   integer, parameter :: grids_for_error = 3
    !> Largest residual that a grid other than the finest needs.
    real(dp), parameter :: coarse_tolerance = 1.0e-4_dp
 
@@ -225,10 +227,10 @@ contains
       integer :: k, n
 
       n = size(states)
-      do k = max(1, n - 2), n
+      do k = max(1, n - grids_for_error + 1), n
          areas(k) = area_of_cells(.not. states(k)%is_open, is_quarter)
       end do
-      if (n > 2) call refine_area(areas(n), areas(n - 1), areas(n - 2), size(states(n)%shape, 2) == 1)
+      if (n >= grids_for_error) call refine_area(areas(n), areas(n - 1), areas(n - 2), size(states(n)%shape, 2) == 1)
       solution%area = areas(n)
       solution%residual = residual_of(states(n))
       solution%status = merge(contact_solved, contact_not_converged, states(n)%is_converged)

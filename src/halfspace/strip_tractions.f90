@@ -9,7 +9,7 @@ module adfric_halfspace_strip_tractions
    use adfric_numerics_trigonometry, only: angle_minus_sine
    implicit none (type, external)
    private
-   public :: uniform_strip_stress, hertz_strip_stress, uniform_strip_integral, hertz_strip_integral
+   public :: uniform_strip_stress, hertz_strip_stress, uniform_strip_integral, hertz_strip_integral, log_ratio
 
    !> Below this the logarithm of the distances' ratio is an inverse hyperbolic tangent.
    real(dp), parameter :: even_distances = 0.5_dp
@@ -43,7 +43,7 @@ contains
       stress = -[p*along + q*(2*log_ratio(x, y, r1, r2) - mixed), p*across + q*mixed, p*mixed + q*along]/pi
    end function uniform_strip_stress
 
-   !> ln(r1/r2).
+   !> ln(r1/r2), with the distances r1 and r2 of the place (x, y) from (-1, 0) and (1, 0).
    pure real(dp) function log_ratio(x, y, r1, r2)
       real(dp), intent(in) :: x, y, r1, r2
       real(dp) :: w

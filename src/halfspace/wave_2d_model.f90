@@ -53,25 +53,11 @@ contains
       real(dp), intent(in) :: values(:)
       logical, intent(in) :: is_swept(:)
       type(problems_t), intent(inout) :: problems
-      integer, parameter :: axis(*) = [v_period, v_cells]
-      integer :: k
 
       call need(self%variables, values, [v_period, v_amplitude], problems)
-      if (modulo(nint(values(v_cells)), multiple_of_cells) /= 0) call add(v_cells, 'is no multiple of 64')
-      if (.not. self%wants_profiles(values)) return
-      do k = 1, size(axis)
-         if (is_swept(axis(k))) call add(axis(k), 'is swept, but all profiles share one axis; sweep another variable')
-      end do
-
-   contains
-
-      subroutine add(v, text)
-         integer, intent(in) :: v
-         character(*), intent(in) :: text
-
-         call problems%add(self%variables(v)%group, self%variables(v)%name, text)
-      end subroutine add
-
+      if (modulo(nint(values(v_cells)), multiple_of_cells) /= 0) &
+         & call problems%add('numerics', 'cells', 'is no multiple of 64')
+      call self%refuse_swept_axes([v_period, v_cells], values, is_swept, problems)
    end subroutine check_surface
 
    !> See `periodic_model_t`.

@@ -1,11 +1,12 @@
 !> The case: a value for every variable of the model.
 module adfric_input_case
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: model_t
+   use adfric_base_model, only: model_t, kind_dataset
    use adfric_base_problems, only: problems_t
+   use adfric_input_dataset, only: dataset_t, read_dataset_name
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest
-   use adfric_input_variable, only: read_variable
+   use adfric_input_variable, only: read_variable, describe_allowed
    use adfric_input_vocabulary, only: list_groups, list_variables, list_groups_of, has_word, &
                                       say_unknown_group, say_unknown_variable
    implicit none (type, external)
@@ -24,6 +25,8 @@ module adfric_input_case
       logical, allocatable :: is_broken(:)
       !> Line where it is given or swept; 0 where it is neither.
       integer, allocatable :: line(:)
+      !> What it names, where it names a dataset.
+      type(dataset_t), allocatable :: datasets(:)
    end type case_t
 
 contains
@@ -39,6 +42,7 @@ contains
       n = size(model%variables)
       allocate (input%is_given(n), input%is_swept(n), input%is_broken(n), source=.false.)
       allocate (input%line(n), source=0)
+      allocate (input%datasets(n))
       input%values = [(model%variables(i)%default, i=1, n)]
       call check_group_names(file, model, input, problems)
       do i = 1, size(file%assignments)
@@ -101,7 +105,12 @@ contains
             call mark_meant(model, group, name, input)
             return
          end if
-         call read_variable(file%value_of(number), model%variables(i), input%values(i), flaw, place)
+         if (model%variables(i)%kind == kind_dataset) then
+            call read_dataset_name(file%value_of(number), input%datasets(i), flaw, place)
+            if (len(flaw) > 0) flaw = flaw//', allowed: '//describe_allowed(model%variables(i))
+         else
+            call read_variable(file%value_of(number), model%variables(i), input%values(i), flaw, place)
+         end if
          input%is_given(i) = .true.
          input%line(i) = file%line_of(assignment%first)
          input%is_broken(i) = input%is_broken(i) .or. len(flaw) > 0

@@ -7,6 +7,8 @@ module adfric_input_run
    use adfric_base_problems, only: problems_t
    use adfric_input_case, only: case_t, read_groups
    use adfric_input_consistency, only: check_consistency
+   use adfric_input_dataset, only: dataset_t
+   use adfric_input_dataset_loading, only: load_datasets
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file
@@ -35,6 +37,8 @@ module adfric_input_run
       logical, allocatable :: is_given(:)
       !> Which variables it sweeps, shape `(n_variables)`.
       logical, allocatable :: is_swept(:)
+      !> Datasets that it names, shape `(n_variables)`; without a name where a variable names none.
+      type(dataset_t), allocatable :: datasets(:)
    end type run_input_t
 
 contains
@@ -69,10 +73,10 @@ contains
       call read_model(file, group, known_models, run%model, problems)
    end subroutine read_job
 
-   !> Read the case and the sweep of the model that the input wants.
+   !> Read the case and the sweep of the model that the input wants, and hand the model its datasets.
    subroutine read_case(file, model, run, problems)
       type(namelist_file_t), intent(in) :: file
-      class(model_t), intent(in) :: model
+      class(model_t), intent(inout) :: model
       type(run_input_t), intent(inout) :: run
       type(problems_t), intent(inout) :: problems
       type(case_t) :: input
@@ -80,12 +84,14 @@ contains
 
       call read_groups(file, model, input, problems)
       call read_sweeps(file, model, input, run%plan%axes, problems)
+      call load_datasets(model, input, problems)
       call check_consistency(file, model, input, run%plan%axes, problems)
       text = find_size_problem(run%plan)
       if (len(text) > 0) call problems%add('sweep', '', text)
       call move_alloc(input%values, run%plan%base)
       call move_alloc(input%is_given, run%is_given)
       call move_alloc(input%is_swept, run%is_swept)
+      call move_alloc(input%datasets, run%datasets)
    end subroutine read_case
 
    !> The name of the input, without folder and with `.h5` for its extension.

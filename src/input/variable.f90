@@ -1,13 +1,13 @@
 !> The values of a model's variables: read from their groups, and held against what the model's table allows.
 module adfric_input_variable
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: variable_t, kind_real, kind_integer, kind_logical
+   use adfric_base_model, only: variable_t, kind_real, kind_integer, kind_logical, kind_dataset
    use adfric_base_unset, only: unset
    use adfric_base_words, only: count_words, get_word
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_suggestion, only: did_you_mean
-   use adfric_input_text, only: join_words, show_number
+   use adfric_input_text, only: join_words, show_count, show_number
    implicit none (type, external)
    private
    public :: read_variable, is_in_range, describe_allowed, show_value
@@ -124,6 +124,10 @@ contains
       case (kind_logical)
          text = '.true. or .false.'
          return
+      case (kind_dataset)
+         text = describe_dataset(variable)
+         if (has_unit(variable)) text = text//' ['//variable%unit//']'
+         return
       case default
          text = list_choices(variable%choices)
          return
@@ -137,6 +141,20 @@ contains
       if (.not. present(value)) return
       if (.not. is_usable(value)) text = text//', of size '//show_number(smallest)//' to '//show_number(largest)
    end function describe_allowed
+
+   !> What a dataset may be, in words.
+   pure function describe_dataset(variable) result(text)
+      type(variable_t), intent(in) :: variable
+      character(:), allocatable :: text
+
+      text = '''FILE.h5:/DATASET'' of numbers, '
+      if (variable%largest_rank > 1) then
+         text = text//show_count(1)//' or '//show_count(variable%largest_rank)//' dimensions, at least '// &
+            show_count(variable%least_count)//' values along each'
+      else
+         text = text//'1 dimension, at least '//show_count(variable%least_count)//' values'
+      end if
+   end function describe_dataset
 
    !> Words in quotes, with commas between them.
    pure function list_choices(choices) result(text)

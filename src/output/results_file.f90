@@ -26,10 +26,16 @@ module adfric_output_results_file
    use adfric_sweep_sink, only: sink_t
    implicit none (type, external)
    private
-   public :: results_file_t
+   public :: results_file_t, note_t
 
    !> Time between two flushes [s].
    real(dp), parameter :: flush_interval = 10
+
+   !> A text that stands as an attribute of the file.
+   type :: note_t
+      character(:), allocatable :: name
+      character(:), allocatable :: text
+   end type note_t
 
    !> A results file that is being written.
    type, extends(sink_t) :: results_file_t
@@ -60,7 +66,7 @@ module adfric_output_results_file
 contains
 
    !> Create the file with every dataset in it.
-   subroutine create(self, path, overwrite, model, plan, title, input, error)
+   subroutine create(self, path, overwrite, model, plan, title, input, error, notes)
       class(results_file_t), intent(inout) :: self
       !> Final name.
       character(*), intent(in) :: path
@@ -73,8 +79,11 @@ contains
       !> Whole text of the input file.
       character(*), intent(in) :: input
       type(error_t), allocatable, intent(out) :: error
+      !> What else is to stand in the file.
+      type(note_t), intent(in), optional :: notes(:)
       type(hdf5_calls_t) :: calls
       logical :: is_in_use
+      integer :: k
 
       call check_output_name(path, overwrite, error)
       if (allocated(error)) return
@@ -89,6 +98,11 @@ contains
       is_in_use = is_locked(partial_name(path))
       if (calls%is_good() .or. .not. is_in_use) self%id = id_of_file(partial_name(path))
       call write_heading(calls, self%file, model, title, input)
+      if (present(notes)) then
+         do k = 1, size(notes)
+            call write_attribute(calls, self%file, notes(k)%name, notes(k)%text)
+         end do
+      end if
       call create_scales(calls, self)
       call create_fields(calls, self)
       call flush_file(calls, self%file)

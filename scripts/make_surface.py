@@ -1,0 +1,57 @@
+"""Write a self-affine random surface, periodic in x and y, as heights in an HDF5 file."""
+
+import argparse
+
+import h5py
+import numpy as np
+
+
+def make_heights(cells, hurst, longest, shortest, rms, seed):
+    """Heights [m] in the middles of cells, shape (ny, nx): waves of random phase whose power falls as |k|^(-2 - 2 hurst).
+
+    Wavelengths are parts of the period, which is the same in x and y. A seed makes the same surface on any number of cells.
+    """
+    modes = 2 * int(1 / shortest) + 2
+    waves = np.fft.fftfreq(modes, 1 / modes)
+    number = np.hypot(waves[:, None], waves[None, :])
+    is_kept = (number >= 1 / longest) & (number <= 1 / shortest)
+    amplitude = np.zeros_like(number)
+    amplitude[is_kept] = number[is_kept] ** (-1 - hurst)
+    spectrum = amplitude * np.fft.fft2(np.random.default_rng(seed).normal(size=number.shape))
+    to_middle = np.exp(1j * np.pi * waves / cells)
+    places = waves.astype(int)
+    padded = np.zeros((cells, cells), complex)
+    padded[np.ix_(places, places)] = spectrum * to_middle[:, None] * to_middle[None, :]
+    heights = np.fft.ifft2(padded).real
+    return heights * (rms / heights.std())
+
+
+def write_surface(path, heights, length):
+    """Write the heights and what is known of them; the program reads the heights alone."""
+    with h5py.File(path, "w") as file:
+        dataset = file.create_dataset("heights", data=heights)
+        dataset.attrs["units"] = "m"
+        dataset.attrs["long_name"] = "height of the rough body, summits positive"
+        dataset.attrs["length"] = length
+
+
+def main():
+    """Read the options and write the file."""
+    parser = argparse.ArgumentParser(prog="scripts/make_surface", description=__doc__)
+    parser.add_argument("file", nargs="?", default="surface.h5", help="file to write (default: %(default)s)")
+    parser.add_argument("--cells", type=int, default=512, help="cells along x and y (default: %(default)s)")
+    parser.add_argument("--length", type=float, default=1.0e-4, help="period in x and y [m] (default: %(default)s)")
+    parser.add_argument("--hurst", type=float, default=0.8, help="Hurst exponent (default: %(default)s)")
+    parser.add_argument("--longest", type=float, default=1 / 4, help="longest wave, in periods (default: %(default)s)")
+    parser.add_argument("--shortest", type=float, default=1 / 64, help="shortest wave, in periods (default: %(default)s)")
+    parser.add_argument("--rms", type=float, default=1.0e-7, help="root mean square of the heights [m] (default: %(default)s)")
+    parser.add_argument("--seed", type=int, default=1, help="of the random numbers (default: %(default)s)")
+    given = parser.parse_args()
+    if given.cells < 2 * int(1 / given.shortest) + 2:
+        parser.error("the cells are too few for the shortest wave: less than two along it")
+    heights = make_heights(given.cells, given.hurst, given.longest, given.shortest, given.rms, given.seed)
+    write_surface(given.file, heights, given.length)
+
+
+if __name__ == "__main__":
+    main()

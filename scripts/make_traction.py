@@ -1,0 +1,47 @@
+"""Write the tractions of a cylinder in partial slip (Cattaneo, Mindlin; K. L. Johnson, Contact Mechanics, 1985, 7.2) as samples."""
+
+import argparse
+
+import h5py
+import numpy as np
+
+
+def half_circle(positions, half_width):
+    """sqrt(1 - x^2/a^2), and 0 beside the strip."""
+    return np.sqrt(np.maximum(0, 1 - (positions / half_width) ** 2))
+
+
+def make_tractions(half_width, peak_pressure, friction, load_ratio, samples):
+    """Positions [m], pressures and shear tractions [Pa].
+
+    Samples are dense at the ends of the strip, |x| = a, and of the part that sticks, |x| = c with c^2 = a^2 (1 - Q/(f P)).
+    """
+    stuck = half_width * np.sqrt(1 - load_ratio)
+    share = 0.5 - 0.5 * np.cos(np.pi * np.arange(samples) / (samples - 1))
+    ends = [-half_width, -stuck, stuck, half_width]
+    positions = np.unique(np.concatenate([a + (b - a) * share for a, b in zip(ends, ends[1:]) if b > a]))
+    pressures = peak_pressure * half_circle(positions, half_width)
+    shear = friction * pressures
+    if stuck > 0:
+        shear = shear - friction * peak_pressure * (stuck / half_width) * half_circle(positions, stuck)
+    return positions, pressures, shear
+
+
+def main():
+    """Read the options and write the file."""
+    parser = argparse.ArgumentParser(prog="scripts/make_traction", description=__doc__)
+    parser.add_argument("file", nargs="?", default="traction.h5", help="file to write (default: %(default)s)")
+    parser.add_argument("--half-width", type=float, default=1.0e-3, help="a [m] (default: %(default)s)")
+    parser.add_argument("--peak-pressure", type=float, default=1.0e9, help="p0 [Pa] (default: %(default)s)")
+    parser.add_argument("--friction", type=float, default=0.3, help="coefficient f (default: %(default)s)")
+    parser.add_argument("--load-ratio", type=float, default=0.5, help="Q/(f P), 0 to 1 (default: %(default)s)")
+    parser.add_argument("--samples", type=int, default=401, help="in each of the three parts (default: %(default)s)")
+    given = parser.parse_args()
+    values = make_tractions(given.half_width, given.peak_pressure, given.friction, given.load_ratio, given.samples)
+    with h5py.File(given.file, "w") as file:
+        for name, unit, data in zip(("positions", "pressures", "shear_tractions"), ("m", "Pa", "Pa"), values):
+            file.create_dataset(name, data=data).attrs["units"] = unit
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,138 @@
+!> The model `surface_elastic`: a rigid periodic surface, given by its heights, on an elastic half-space, without friction and
+!> adhesion.
+!>
+!> The heights stand in the middles of equal cells that fill a period, from x = 0 and y = 0 on. They are those of the rough body,
+!> positive towards the half-space: the summits touch first.
+module adfric_halfspace_surface_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: variable_t
+   use adfric_base_problems, only: problems_t
+   use adfric_base_requirements, only: need
+   use adfric_base_unset, only: is_set
+   use adfric_base_words, only: quantity_line
+   use adfric_halfspace_halfspace_table, only: positive, dataset
+   use adfric_halfspace_periodic_grids, only: n_grids_of
+   use adfric_halfspace_periodic_model, only: periodic_model_t
+   use adfric_halfspace_periodic_point, only: periodic_surface_t, find_full_pressure
+   use adfric_halfspace_periodic_solver, only: grids_for_error
+   use adfric_halfspace_periodic_table, only: v_contact_modulus
+   implicit none (type, external)
+   private
+   public :: surface_model_t, new_surface_model
+
+   !> Places of the surface's own variables; those of `adfric_halfspace_periodic_table` follow.
+   integer, parameter, public :: v_heights = 1, v_length_x = 2, v_length_y = 3
+   integer, parameter, public :: n_surface_own = 3
+   !> Cells in each direction, so that there is a wave that they can hold.
+   integer, parameter :: fewest_cells = 4
+
+   type, extends(periodic_model_t) :: surface_model_t
+      private
+      !> Heights less the largest of them, shape `(nx, ny)` [m]; ny = 1 for a surface that does not vary along y.
+      real(dp), allocatable :: depths(:, :)
+   contains
+      procedure :: take_dataset
+      procedure :: check_surface
+      procedure :: get_surface
+      procedure :: get_full_pressure
+      procedure :: get_peak_pressure
+      procedure :: describe_surface
+      procedure, private :: is_line
+   end type surface_model_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_surface_model(self)
+      type(surface_model_t), intent(out) :: self
+      type(variable_t) :: v(n_surface_own)
+
+      v(v_heights) = dataset('surface', 'heights', 'm', &
+         & 'heights of the rough body, (ny, nx), or (nx) if it does not vary along y; the largest touches first', 2, fewest_cells)
+      v(v_length_x) = positive('surface', 'length_x', 'm', 'period in x, along which the heights vary fastest')
+      v(v_length_y) = positive('surface', 'length_y', 'm', 'period in y')
+      call self%set_tables('surface_elastic', &
+         & 'a rigid periodic surface of given heights on an elastic half-space: area, pressure and gap up to full contact', v)
+   end subroutine new_surface_model
+
+   !> See `model_t`.
+   subroutine take_dataset(self, place, values, problems)
+      class(surface_model_t), intent(inout) :: self
+      integer, intent(in) :: place
+      real(dp), intent(in) :: values(:, :)
+      type(problems_t), intent(inout) :: problems
+
+      if (maxval(values) > minval(values)) then
+         self%depths = maxval(values) - values
+      else
+         call problems%add(self%variables(place)%group, self%variables(place)%name, 'all heights are the same')
+      end if
+   end subroutine take_dataset
+
+   !> Does the surface not vary along y?
+   pure logical function is_line(self)
+      class(surface_model_t), intent(in) :: self
+
+      is_line = size(self%depths, 2) == 1
+   end function is_line
+
+   !> See `periodic_model_t`.
+   subroutine check_surface(self, values, is_swept, problems)
+      class(surface_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      logical, intent(in) :: is_swept(:)
+      type(problems_t), intent(inout) :: problems
+
+      call need(self%variables, values, [v_heights, v_length_x], problems)
+      if (.not. is_set(values(v_heights))) return
+      if (.not. self%is_line()) then
+         call need(self%variables, values, [v_length_y], problems)
+      else if (is_set(values(v_length_y))) then
+         call problems%add('surface', 'length_y', 'is given, but the heights have one dimension, x')
+      end if
+      call self%refuse_swept_axes([v_length_x, v_length_y], values, is_swept, problems)
+   end subroutine check_surface
+
+   !> See `periodic_model_t`.
+   subroutine get_surface(self, values, surface)
+      class(surface_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(periodic_surface_t), intent(out) :: surface
+
+      surface%period = values(v_length_x)
+      if (.not. self%is_line()) surface%period(2) = values(v_length_y)
+      surface%shape = self%depths
+   end subroutine get_surface
+
+   !> See `periodic_model_t`: that of the cells as they are.
+   real(dp) function get_full_pressure(self, values)
+      class(surface_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(periodic_surface_t) :: surface
+
+      call self%get_surface(values, surface)
+      get_full_pressure = values(self%n_own + v_contact_modulus)*find_full_pressure(surface)
+   end function get_full_pressure
+
+   !> See `periodic_model_t`: that of a cell.
+   real(dp) function get_peak_pressure(self, values, pressure)
+      class(surface_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      real(dp), intent(in) :: pressure(:, :)
+
+      get_peak_pressure = values(self%n_own + v_contact_modulus)*maxval(pressure)
+   end function get_peak_pressure
+
+   !> See `periodic_model_t`.
+   function describe_surface(self) result(text)
+      class(surface_model_t), intent(in) :: self
+      character(:), allocatable :: text
+      real(dp) :: mean
+
+      mean = sum(self%depths)/size(self%depths)
+      text = quantity_line('root mean square of the heights', sqrt(sum((self%depths - mean)**2)/size(self%depths)), 'm')
+      if (n_grids_of(shape(self%depths)) < grids_for_error) text = text//'the error of the area is not estimated: for that the ' &
+         & //'numbers of cells have to be multiples of 4, 32 at least'//new_line('a')
+   end function describe_surface
+
+end module adfric_halfspace_surface_model
