@@ -9,7 +9,8 @@ program random_strips
    use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_saturated
    use measure, only: spread_t, spread_of, print_heading, integer_argument, text_argument, open_table
    use strip_judge, only: judge_steady_state, verdict_right, verdict_not_steady
-   use trial_strips, only: dice_t, new_dice, trial_t, draw_trial, make_strip, describe
+   use random_dice, only: dice_t, new_dice
+   use trial_strips, only: trial_t, draw_trial, make_strip, describe
    implicit none (type, external)
 
    !> Change of the penetration from a neighbour to the strip [h].

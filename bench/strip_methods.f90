@@ -13,7 +13,8 @@ program strip_methods
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use plain_edges, only: edges_t, new_edges, get_residuals, edges_of, elastic_edges, state_of_edges, is_possible
    use time_march, only: march_forces
-   use trial_strips, only: dice_t, new_dice, trial_t, draw_trial, make_strip
+   use random_dice, only: dice_t, new_dice
+   use trial_strips, only: trial_t, draw_trial, make_strip
    implicit none (type, external)
 
    integer, parameter :: n_strips = 300, n_repeats = 9, n_calls = 50

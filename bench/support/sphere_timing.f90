@@ -4,7 +4,7 @@ module sphere_timing
    use adfric_sphere_contact, only: contact_t, branch_stable, find_contact
    use adfric_sphere_maugis_dugdale, only: maugis_t
    use adfric_sweep_clock, only: wall_clock
-   use trial_strips, only: dice_t, new_dice
+   use random_dice, only: dice_t, new_dice
    implicit none (type, external)
    private
    public :: time_theory, time_pull_off, even, logarithmic, shuffle

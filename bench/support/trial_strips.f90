@@ -1,21 +1,13 @@
 !> Random strips over the whole range of parameters, the same for the same seed.
 module trial_strips
-   use adfric_base_kinds, only: dp, i8
+   use adfric_base_kinds, only: dp
    use adfric_wavy_foundation, only: foundation_t, new_foundation
    use adfric_wavy_steady_state, only: branch_adhered, branch_approach
    use adfric_wavy_strip, only: strip_t, new_strip, edge_continuous, edge_instantaneous
+   use random_dice, only: dice_t
    implicit none (type, external)
    private
-   public :: dice_t, new_dice, trial_t, draw_trial, make_strip, describe
-
-   !> Two coupled generators of L'Ecuyer, Communications of the ACM 31 (1988) 742; period 2.3e18.
-   type :: dice_t
-      private
-      integer(i8) :: first = 1, second = 1
-   contains
-      procedure :: between
-      procedure :: decades
-   end type dice_t
+   public :: trial_t, draw_trial, make_strip, describe
 
    !> Parameters of a strip in units of the height h, and of h/K for stresses.
    type :: trial_t
@@ -27,42 +19,6 @@ module trial_strips
    real(dp), parameter :: share_without_adhesion = 0.05_dp, share_elastic = 0.02_dp
 
 contains
-
-   !> Dice that fall the same way for the same seed.
-   pure subroutine new_dice(self, seed)
-      type(dice_t), intent(out) :: self
-      integer, intent(in) :: seed
-      real(dp) :: unused
-      integer :: k
-
-      self%first = 1 + modulo(int(seed, i8), 2147483562_i8)
-      self%second = 1 + modulo(16807_i8*seed, 2147483398_i8)
-      do k = 1, 20
-         call self%between(0.0_dp, 1.0_dp, unused)
-      end do
-   end subroutine new_dice
-
-   !> A number that is uniform between two bounds.
-   pure subroutine between(self, low, high, value)
-      class(dice_t), intent(inout) :: self
-      real(dp), intent(in) :: low, high
-      real(dp), intent(out) :: value
-      integer(i8), parameter :: first_modulus = 2147483563_i8, second_modulus = 2147483399_i8
-
-      self%first = mod(40014_i8*self%first, first_modulus)
-      self%second = mod(40692_i8*self%second, second_modulus)
-      value = low + (high - low)*real(modulo(self%first - self%second, first_modulus - 1), dp)/(first_modulus - 1)
-   end subroutine between
-
-   !> A number whose logarithm is uniform between 10**low and 10**high.
-   pure subroutine decades(self, low, high, value)
-      class(dice_t), intent(inout) :: self
-      real(dp), intent(in) :: low, high
-      real(dp), intent(out) :: value
-
-      call self%between(low, high, value)
-      value = 10**value
-   end subroutine decades
 
    !> Draw a strip.
    pure subroutine draw_trial(dice, trial)

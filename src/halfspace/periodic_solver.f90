@@ -161,6 +161,8 @@ contains
       solution%pressure = 0*shape
       solution%penetration = penetration
       solution%area%error = 0
+      ! a contact smaller than a cell goes unseen
+      if (penetration > 0) solution%area%error = 1/real(size(shape), dp)
       solution%residual = 0
       solution%status = contact_solved
    end subroutine set_touch

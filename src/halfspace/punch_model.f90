@@ -32,6 +32,8 @@ module adfric_halfspace_punch_model
    real(dp), parameter :: reach = 3.0_dp
    !> Of a polynomial, those of small tips are large.
    real(dp), parameter :: largest_coefficient = 1.0e100_dp
+   !> Decimal logarithm of a load beyond all numbers.
+   real(dp), parameter :: largest_load = 200.0_dp
 
    type, extends(halfspace_model_t) :: punch_model_t
    contains
@@ -135,6 +137,7 @@ contains
       case default
          if (.not. maxval(values(v_coefficient_2:v_coefficient_8)) > 0) call problems%add('punch', 'coefficient_2', &
             & 'is 0 like all coefficients; give one of them, or kind = ''flat''')
+         call check_coefficients(self, values, problems)
       end select
       call need_one(self%variables, values, [v_load, v_contact_half_width], .true., problems)
       if (is_set(values(v_contact_half_width)) .and. is_set(values(v_face))) then
@@ -143,14 +146,41 @@ contains
       end if
    end subroutine check_case
 
+   !> Coefficients that are no numbers beside what is given.
+   subroutine check_coefficients(self, values, problems)
+      class(punch_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      integer :: i
+
+      do i = v_coefficient_2, v_coefficient_8
+         if (.not. is_carried(values, i)) call problems%add('punch', self%variables(i)%name, &
+            & 'makes a load beyond all numbers at this contact_half_width')
+      end do
+   end subroutine check_coefficients
+
+   !> Is the load of a term c x^2i within the numbers, where the half-width of contact is given?
+   pure logical function is_carried(values, i)
+      real(dp), intent(in) :: values(:)
+      !> Place of the coefficient.
+      integer, intent(in) :: i
+
+      is_carried = .true.
+      if (.not. (is_set(values(v_contact_half_width)) .and. values(i) > 0)) return
+      is_carried = log10(values(i)) + 2*(i - v_coefficient_2 + 1)*log10(values(v_contact_half_width)) &
+         & + log10(values(v_contact_modulus)) < largest_load
+   end function is_carried
+
    !> Is there such a contact? A sweep may lead to a contact wider than the face, or to a polynomial without terms and end.
    pure logical function is_possible(values)
       real(dp), intent(in) :: values(:)
+      integer :: i
 
       is_possible = .true.
       if (is_set(values(v_contact_half_width))) is_possible = values(v_contact_half_width) <= values(v_face)
       if (nint(values(v_kind)) == kind_polynomial) is_possible = is_possible &
-         & .and. maxval(values(v_coefficient_2:v_coefficient_8)) > 0
+         & .and. maxval(values(v_coefficient_2:v_coefficient_8)) > 0 &
+         & .and. all([(is_carried(values, i), i=v_coefficient_2, v_coefficient_8)])
    end function is_possible
 
    !> Solve for the contact.

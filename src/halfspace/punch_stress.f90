@@ -80,14 +80,20 @@ contains
       derivative = derivative + c*(t/root)/root/root
    end subroutine add_flat
 
-   !> Those of (c/pi) arccosh(1/|s|): W = -(c/pi) arcsin(1/t) = -(2c/pi) arctan z.
+   !> Those of (c/pi) arccosh(1/|s|): W = -(c/pi) arcsin(1/t) = -(2c/pi) arctan z = (i c/pi) ln((sqrt(t^2 - 1) + i)/t), the last of
+   !> which keeps the digits of t close to the tip.
    pure subroutine add_wedge(c, t, root, z, w, derivative)
       !> E* times the slope [Pa].
       real(dp), intent(in) :: c
       complex(dp), intent(in) :: t, root, z
       complex(dp), intent(inout) :: w, derivative
+      complex(dp), parameter :: i = (0.0_dp, 1.0_dp)
 
-      w = w - 2*c/pi*atan(z)
+      if (abs(z) < 0.5_dp) then
+         w = w - 2*c/pi*atan(z)
+      else
+         w = w + i*c/pi*log((root + i)/t)
+      end if
       derivative = derivative + c/pi/t/root
    end subroutine add_wedge
 

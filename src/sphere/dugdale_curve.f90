@@ -94,13 +94,15 @@ contains
    !> About where a contact of a radius is, from the leading terms of A c^2 + B c = 1 at both ends.
    elemental real(dp) function guess_place(lambda, ratio, radius) result(place)
       real(dp), intent(in) :: lambda, ratio, radius
-      real(dp) :: small, large
+      real(dp) :: inverse
 
       ! (2/3) lambda th^3 a^2 + (2/3) X lambda^2 th^2 a = 1, by the harmonic sum of what each alone gives
-      small = 1/((2*lambda*radius**2/3)**(1.0_dp/3) + lambda*sqrt(2*ratio*radius/3))
-      large = get_disc_radius(lambda, ratio)/radius
-      if (small > 1) small = max(large, 1.0_dp)
-      place = log(small)
+      inverse = (2*lambda*radius**2/3)**(1.0_dp/3) + lambda*sqrt(2*ratio*radius/3)
+      if (inverse >= 1) then
+         place = -log(inverse)
+      else
+         place = max(log(get_disc_radius(lambda, ratio)) - log(radius), 0.0_dp)
+      end if
    end function guess_place
 
 end module adfric_sphere_dugdale_curve

@@ -57,11 +57,12 @@ contains
       end if
    end subroutine get_adhesion_ratio
 
-   !> g of X, J 4.7 solved for it: (1 - X)(1 + X)/(2 (alpha - 1 + X)). For 0 <= X <= 1, X > 1 - alpha.
+   !> g of X, J 4.7 solved for it: (1 - X)(1 + X)/(2 (alpha - 1 + X)). For 0 <= X <= 1, X >= 1 - alpha; enormous where g has
+   !> no end.
    elemental real(dp) function slip_energy_of_ratio(ratio, interaction) result(slip_energy)
       real(dp), intent(in) :: ratio, interaction
 
-      slip_energy = (1 - ratio)*(1 + ratio)/(2*(interaction - (1 - ratio)))
+      slip_energy = (1 - ratio)*(1 + ratio)/max(2*(interaction - (1 - ratio)), tiny(ratio))
    end function slip_energy_of_ratio
 
    !> alpha = 1 + g/2 of Savkoor and Briggs, with which nothing is dissipated: X = 1 - g.

@@ -101,11 +101,12 @@ contains
       integer, intent(in) :: branch
       type(contact_t), intent(inout) :: contact
       type(contact_t) :: fold
-      real(dp) :: largest, mean, half, load, touching
+      real(dp) :: largest, mean, half, touching
 
       largest = get_disc_radius(self%lambda, self%ratio)
       mean = 8*self%ratio*self%lambda/(3*pi)
-      call get_disc(self%lambda, self%ratio, largest, load, touching)
+      ! a = 0 as the end of the contacts: that of the discs loses its digits where lambda is small
+      touching = -4*self%ratio*self%lambda*largest/3
       if (branch == branch_stable .and. value >= touching) then
          if (.not. abs(contact%place) > 0) then
             contact%place = guess_place(self%lambda, self%ratio, &
@@ -142,7 +143,7 @@ contains
       type(contact_t), intent(out) :: contact
       type(curve_equation_t) :: equation
       type(point_t) :: point
-      real(dp) :: mean, largest, radius
+      real(dp) :: mean, largest, radius, reach
 
       largest = get_disc_radius(self%lambda, self%ratio)
       mean = 8*self%ratio*self%lambda/(3*pi)
@@ -157,7 +158,9 @@ contains
          equation%quantity = merge(approach_along, load_along, control == control_approach)
          ! between JKR's radius and what small lambda lead to
          radius = cube_root(merge(1/6.0_dp, 1.5_dp, control == control_approach)*self%ratio)
-         contact%place = guess_place(self%lambda, self%ratio, 1/(1/radius + 0.5_dp/(self%ratio*self%lambda)))
+         ! 1/(1/radius + 1/(2 X lambda)), for next to no adhesion, too
+         reach = 2*self%ratio*self%lambda
+         contact%place = guess_place(self%lambda, self%ratio, max(radius*(reach/(reach + radius)), tiny(radius)))
          call find_root(equation, start_of(self), farthest, .true., contact%place, contact%is_converged, &
             & close_enough*small_step)
          call get_point(self%lambda, self%ratio, contact%place, point)

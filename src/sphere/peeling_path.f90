@@ -77,6 +77,8 @@ module adfric_sphere_peeling_path
    !> Steps of ln g for the slope of b, where it steers an iteration and where it is the result; of ln z, for the slope
    !> of that.
    real(dp), parameter :: coarse_step = 1.0e-6_dp, fine_step = 1.0e-5_dp, rate_step = 1.0e-4_dp
+   !> Slope of ln b where b is 0.
+   real(dp), parameter :: fall_to_nothing = -1.0e30_dp
 
 contains
 
@@ -204,7 +206,10 @@ contains
          if (.not. before%is_found) before = waypoint
       end if
       rate = 0
-      if (width > 0) rate = (after%friction_radius - before%friction_radius)/(width*waypoint%friction_radius)
+      if (.not. width > 0) return
+      ! a contact that ends as a point falls to nothing
+      rate = fall_to_nothing
+      if (waypoint%friction_radius > 0) rate = ((after%friction_radius - before%friction_radius)/waypoint%friction_radius)/width
    end function radius_rate
 
    !> A quantity less the given value, or its rate, and the slope of that. Beyond the last contact both are as if the

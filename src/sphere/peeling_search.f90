@@ -48,6 +48,7 @@ contains
          ! a mere touch carries no friction
          waypoint = self%start
          waypoint%is_found = self%start%contact%is_found .and. .not. value > 0
+         is_converged = self%start%contact%is_converged
          return
       end if
       if (.not. value > 0 .or. .not. self%friction%interaction > 0) then

@@ -11,8 +11,8 @@ module adfric_sphere_point
    use adfric_sphere_maugis_dugdale, only: maugis_t
    use adfric_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
       & find_friction_events, forget_events, given_force, given_displacement
-   use adfric_sphere_static_friction, only: angle_of_gamma, gamma_of_force, gamma_of_displacement, slip_factor, mean_slip, &
-      & largest_slip, force_ratio, displacement_core
+   use adfric_sphere_static_friction, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement, &
+      & slip_factor, mean_slip, largest_slip
    use adfric_sphere_theory_choice, only: new_theory, choose_theory, get_mismatch
    implicit none (type, external)
    private
@@ -162,7 +162,7 @@ contains
       end if
       point%pull_off_load = memory%pull_off_load
       if (.not. point%contact%is_found) then
-         point%status = status_no_equilibrium
+         point%status = merge(status_no_equilibrium, status_not_converged, point%contact%is_converged)
          return
       end if
       point%error_estimate = get_mismatch(memory%theory, point%contact) + point%theory_error
@@ -179,7 +179,7 @@ contains
    pure subroutine add_friction(case, point)
       type(sphere_case_t), intent(in) :: case
       type(sphere_point_t), intent(inout) :: point
-      real(dp) :: largest_force, largest_displacement
+      real(dp) :: largest_force, largest_displacement, angle
 
       largest_force = half_pi*case%strength*point%friction_radius**2
       largest_displacement = 2*slip_factor(case%poisson)*case%strength*point%friction_radius/3
@@ -192,27 +192,32 @@ contains
          point%largest_slip = not_a_number()
          return
       end if
+      ! little slip is known by the angle, of which gamma = cos(angle) says nothing
       point%gamma = 1
+      angle = 0
       if (case%is_force_given .and. case%tangential > 0) then
          if (case%tangential > largest_force) point%status = status_no_equilibrium
-         if (case%tangential <= largest_force) point%gamma = gamma_of_force(case%tangential/largest_force)
+         if (point%status /= status_solved) return
+         point%gamma = gamma_of_force(case%tangential/largest_force)
+         angle = angle_of_force(case%tangential/largest_force)
       else if (case%is_displacement_given .and. case%tangential > 0) then
          if (case%tangential > largest_displacement) point%status = status_no_equilibrium
-         if (case%tangential <= largest_displacement) point%gamma = gamma_of_displacement(case%tangential/largest_displacement)
+         if (point%status /= status_solved) return
+         point%gamma = gamma_of_displacement(case%tangential/largest_displacement)
+         angle = asin(case%tangential/largest_displacement)
       end if
-      call add_static_friction(case, point)
+      call add_static_friction(case, angle, point)
    end subroutine add_friction
 
-   !> What gamma says of the static phase.
-   pure subroutine add_static_friction(case, point)
+   !> What arccos(gamma) says of the static phase.
+   pure subroutine add_static_friction(case, angle, point)
       type(sphere_case_t), intent(in) :: case
+      real(dp), intent(in) :: angle
       type(sphere_point_t), intent(inout) :: point
-      real(dp) :: angle
 
-      angle = angle_of_gamma(point%gamma)
-      point%friction_force = half_pi*case%strength*point%friction_radius**2*force_ratio(point%gamma)
+      point%friction_force = half_pi*case%strength*point%friction_radius**2*force_of_angle(angle)
       if (case%is_force_given) point%friction_force = case%tangential
-      point%displacement = 2*slip_factor(case%poisson)*case%strength*point%friction_radius*displacement_core(point%gamma)/3
+      point%displacement = 2*slip_factor(case%poisson)*case%strength*point%friction_radius*sin(angle)/3
       if (case%is_displacement_given) point%displacement = case%tangential
       point%slip = mean_slip(case%strength, case%poisson, point%friction_radius, angle)
       point%largest_slip = largest_slip(case%strength, case%poisson, point%friction_radius, angle)

@@ -183,15 +183,15 @@ contains
    !> Shear stress over the strength at a radius >= 0 (J 3.3, there with e and b interchanged).
    elemental real(dp) function shear_traction(radius, friction_radius, gamma) result(traction)
       real(dp), intent(in) :: radius
-      !> b > 0.
+      !> b >= 0; a point has no shear stress.
       real(dp), intent(in) :: friction_radius
       real(dp), intent(in) :: gamma
       real(dp) :: r
 
+      traction = 0
+      if (.not. radius <= friction_radius .or. .not. friction_radius > 0) return
       r = radius/friction_radius
-      if (r > 1) then
-         traction = 0
-      else if (r >= gamma) then
+      if (r >= gamma) then
          traction = 1
       else
          ! arccos[(2 e^2 - b^2 - r^2)/(b^2 - r^2)] by its half angle

@@ -348,6 +348,7 @@ contains
       totals%edge_loss = totals%edge_loss + w*part%edge_loss
       totals%load_mismatch = totals%load_mismatch + w*part%load_mismatch
       totals%energy_mismatch = totals%energy_mismatch + w*part%energy_mismatch
+      totals%slope_error = totals%slope_error + w*part%slope_error
       totals%load_scale = totals%load_scale + w*part%load_scale
       totals%friction_scale = totals%friction_scale + w*part%friction_scale
       totals%n_strips = totals%n_strips + part%n_strips

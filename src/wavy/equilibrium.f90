@@ -10,7 +10,7 @@ module adfric_wavy_equilibrium
    use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_wavy_crosswise, only: memory_t, get_totals
    use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_surface, only: negligible, surface_t, totals_t, is_same_surface
+   use adfric_wavy_surface, only: share_of_scale, surface_t, totals_t, is_same_surface, get_relative_error
    implicit none (type, external)
    private
    public :: equilibrium_t, solve_penetration, solve_load, leads_to
@@ -26,8 +26,6 @@ module adfric_wavy_equilibrium
    real(dp), parameter :: closest = 1.0e-10_dp
    !> Relative tolerance of what is known in closed form.
    real(dp), parameter :: round_off = 1.0e-13_dp
-   !> Below this share of the sum of their terms, load and friction are as good as zero.
-   real(dp), parameter :: share_of_scale = 0.01_dp
 
    !> A point: its penetration, what it carries, and how well that is known.
    type :: equilibrium_t
@@ -59,7 +57,7 @@ contains
       type(trial_t) :: trial
 
       call try_penetration(surface, penetration, 0.0_dp, memory, trial)
-      call finish(trial, equilibrium)
+      call finish(trial, 0.0_dp, equilibrium)
    end subroutine solve_penetration
 
    !> Solve a point of given load.
@@ -80,7 +78,7 @@ contains
          if (is_found) call close_bracket(surface, load, memory, low, high)
       end if
       if (is_found) then
-         call finish(high, equilibrium)
+         call finish(high, high%excess, equilibrium)
       else
          equilibrium%status = status_no_equilibrium
          if (.not. (low%totals%is_converged .and. high%totals%is_converged)) then
@@ -109,7 +107,8 @@ contains
 
       tolerance = round_off
       if (surface%is_3d .and. surface%n_strips == 0) tolerance = max(surface%tolerance/10, round_off)
-      carries_load = abs(trial%excess) <= tolerance*max(abs(trial%totals%load), share_of_scale*trial%totals%load_scale)
+      carries_load = abs(trial%excess) <= tolerance*max(abs(trial%totals%load), share_of_scale*trial%totals%load_scale) &
+         & .and. abs(trial%excess) < huge(tolerance)
    end function carries_load
 
    !> Does the penetration of one load (or one penetration) lead to another on the same branch? Without adhesion it always does.
@@ -152,7 +151,11 @@ contains
          if (is_found) return
          ! regimes that spread add to the slope of the strips: the chord sees that
          slope = trial%totals%load_slope
-         if (k > 1) slope = (trial%excess - last%excess)/(trial%penetration - last%penetration)
+         if (k > 1) then
+            ! as near as round-off lets the penetration come
+            if (.not. abs(trial%penetration - last%penetration) > 0) return
+            slope = (trial%excess - last%excess)/(trial%penetration - last%penetration)
+         end if
          step = -trial%excess/slope
          if (.not. (slope > 0 .and. abs(step) < longest_step)) return
          penetration = penetration + step
@@ -361,8 +364,10 @@ contains
             if (middle%totals%load_slope > 0) then
                penetration = middle%penetration - middle%excess/middle%totals%load_slope
             end if
-                  if (penetration <= low%penetration .or. penetration >= high%penetration) then
-               penetration = low%penetration - low%excess*width/(high%excess - low%excess)
+            if (penetration <= low%penetration .or. penetration >= high%penetration) then
+               ! two loads that do not differ, as far as round-off can tell, have no chord
+               penetration = low%penetration + width/2
+               if (high%excess > low%excess) penetration = low%penetration - low%excess*(width/(high%excess - low%excess))
             end if
          end if
          call try_penetration(surface, penetration, load, memory, middle)
@@ -377,24 +382,18 @@ contains
    end subroutine close_bracket
 
    !> What is known of the point, and how well.
-   pure subroutine finish(trial, equilibrium)
+   pure subroutine finish(trial, excess, equilibrium)
       type(trial_t), intent(in) :: trial
+      !> By how much the load differs from the one that is given.
+      real(dp), intent(in) :: excess
       type(equilibrium_t), intent(out) :: equilibrium
-      real(dp) :: errors(2), sizes(2), scales(2)
 
       equilibrium%penetration = trial%penetration
       equilibrium%totals = trial%totals
-      associate (t => trial%totals)
-         scales = [t%load_scale, t%friction_scale]
-         sizes = max(abs([t%load, t%friction]), share_of_scale*scales)
-         ! a friction that is nothing beside the load has no digits of its own
-         sizes(2) = max(sizes(2), negligible*sizes(1))
-         errors = trial%error + 8*epsilon(1.0_dp)*scales + abs([t%load_mismatch, t%energy_mismatch])
-         equilibrium%error_estimate = maxval(errors/max(sizes, tiny(1.0_dp)))
-         if (.not. t%is_converged .or. .not. equilibrium%error_estimate < 1) then
-            equilibrium%status = status_not_converged
-         end if
-      end associate
+      equilibrium%error_estimate = get_relative_error(trial%totals, trial%error + [abs(excess), 0.0_dp])
+      if (.not. trial%totals%is_converged .or. .not. equilibrium%error_estimate < 1) then
+         equilibrium%status = status_not_converged
+      end if
    end subroutine finish
 
 end module adfric_wavy_equilibrium

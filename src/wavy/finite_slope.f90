@@ -18,23 +18,29 @@ contains
       !> Largest slope of the strip, k h_y/2; f' = -slope sin(xi).
       real(dp), intent(in) :: slope
 
-      shear = pressure*slope*sin(xi)/sqrt(1 + (slope*sin(xi))**2)
+      shear = pressure*slope*sin(xi)/hypot(1.0_dp, slope*sin(xi))
    end function shear_of_pressure
 
    !> Integral of the shear stress over a period, over the slope: in the units of `balance_t%friction`.
-   pure real(dp) function get_finite_slope_friction(strip, state, slope) result(friction)
+   pure subroutine get_finite_slope_friction(strip, state, slope, friction, small_slope)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
       !> Largest slope of the strip.
       real(dp), intent(in) :: slope
-      real(dp) :: a, b, trailing, start, finish, length
+      real(dp), intent(out) :: friction
+      !> What the same rule gives for tau = p f'.
+      real(dp), intent(out) :: small_slope
+      real(dp) :: a, b, trailing, start, finish, length, total(2)
 
       friction = 0
+      small_slope = 0
       if (state%regime == regime_free) return
       a = state%half_width - state%shift
       b = state%half_width + state%shift
       if (state%regime == regime_adhesion_only) then
-         friction = strip%stress*(rise(b) - rise(a))
+         total = strip%stress*(rise(b) - rise(a))
+         friction = total(1)
+         small_slope = total(2)
          return
       end if
       if (state%regime == regime_saturated) then
@@ -43,33 +49,48 @@ contains
       end if
       if (state%regime == regime_adhesion_zones) then
          trailing = state%trailing
-         friction = strip%stress*(rise(b + state%leading) - rise(b) + rise(a) - rise(a + trailing))
+         total = strip%stress*(rise(b + state%leading) - rise(b) + rise(a) - rise(a + trailing))
       else
-         friction = strip%stress*(rise(a) - rise(b))
+         total = strip%stress*(rise(a) - rise(b))
       end if
       ! pieces that grow from the leading edge, where the pressure changes over the length u
       start = 0
-      length = min(strip%foundation%u, half_pi/2)
+      length = min(strip%foundation%u, half_pi/2, room_below(b))
       do while (start < a + b)
          finish = min(start + length, a + b)
          ! beyond 40 u the exponential is gone and the pressure is a sine
          if (a + b - finish < length/4) finish = a + b
-         friction = friction + integrate_piece(b - finish, b - start)
+         total = total + integrate_piece(b - finish, b - start)
          start = finish
-         length = min(2*length, half_pi/2)
+         length = min(2*length, half_pi/2, room_below(b - finish))
       end do
+      friction = total(1)
+      small_slope = total(2)
 
    contains
 
-      !> Integral of sin/sqrt(1 + slope^2 sin^2), with the sign of cos.
-      pure real(dp) function rise(xi)
+      !> How far a piece may reach down from a phase. Steep slopes turn about crest and valley within 1/slope: a piece is no longer
+      !> than its distance from there, or than that.
+      pure real(dp) function room_below(xi)
          real(dp), intent(in) :: xi
+         real(dp) :: below
 
-         rise = asin(slope*cos(xi)/sqrt(1 + slope**2))/slope
+         below = xi - pi*floor(xi/pi)
+         room_below = max(asinh(1/max(slope, 0.1_dp)), 64*epsilon(xi), min(below/2, pi - below))
+      end function room_below
+
+      !> Integrals of sin/sqrt(1 + slope^2 sin^2), and of sin, with the sign of cos.
+      pure function rise(xi)
+         real(dp), intent(in) :: xi
+         real(dp) :: rise(2)
+
+         rise = [asin(slope/hypot(1.0_dp, slope)*cos(xi))/slope, cos(xi)]
       end function rise
 
-      pure real(dp) function integrate_piece(from, to) result(integral)
+      !> Integrals of both shear stresses over the slope.
+      pure function integrate_piece(from, to) result(integral)
          real(dp), intent(in) :: from, to
+         real(dp) :: integral(2)
          real(dp) :: xi, displacement, pressure
          integer :: k
 
@@ -77,11 +98,11 @@ contains
          do k = 1, size(gauss_nodes)
             xi = (from + to)/2 + (to - from)/2*gauss_nodes(k)
             call get_column(strip, state, xi, displacement, pressure)
-            integral = integral + gauss_weights(k)*shear_of_pressure(pressure, xi, slope)
+            integral = integral + gauss_weights(k)*[shear_of_pressure(pressure, xi, slope)/slope, pressure*sin(xi)]
          end do
-         integral = integral*(to - from)/(2*slope)
+         integral = integral*(to - from)/2
       end function integrate_piece
 
-   end function get_finite_slope_friction
+   end subroutine get_finite_slope_friction
 
 end module adfric_wavy_finite_slope

@@ -13,13 +13,15 @@ module adfric_wavy_surface
    use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, edge_continuous, regime_free
    implicit none (type, external)
    private
-   public :: negligible, surface_t, totals_t, new_surface_strip, add_strip, add_load_slope, is_same_surface, share_at
-   public :: phase_of_share
+   public :: negligible, share_of_scale, surface_t, totals_t, new_surface_strip, add_strip, add_load_slope, is_same_surface
+   public :: share_at, phase_of_share, get_relative_error
 
    !> A balance that is violated by this share of its terms has not been solved.
    real(dp), parameter :: unbalanced = 1.0e-3_dp
    !> Share of the load below which the digits of friction are those of round-off.
    real(dp), parameter :: negligible = 1.0e-7_dp
+   !> Below this share of the sum of their terms, load and friction are as good as zero.
+   real(dp), parameter :: share_of_scale = 0.01_dp
 
    !> A wavy surface on its foundation.
    type :: surface_t
@@ -49,6 +51,8 @@ module adfric_wavy_surface
       real(dp) :: dissipation = 0, edge_loss = 0
       !> What the balances of load and energy leave over, and the sizes of their terms.
       real(dp) :: load_mismatch = 0, energy_mismatch = 0, load_scale = 0, friction_scale = 0
+      !> Error of the friction of finite slopes, in the units of friction.
+      real(dp) :: slope_error = 0
       !> Strips solved, and those of them in closed form.
       integer :: n_strips = 0, n_closed_form = 0
       logical :: is_converged = .true.
@@ -111,7 +115,7 @@ contains
       real(dp), intent(in) :: width
       type(totals_t), intent(inout) :: totals
       type(balance_t) :: balance
-      real(dp) :: first, second, friction
+      real(dp) :: first, second, friction, small_slope
 
       totals%n_strips = totals%n_strips + 1
       totals%is_converged = totals%is_converged .and. state%is_converged
@@ -132,7 +136,11 @@ contains
          & + second*(balance%friction - balance%dissipation - balance%edge_loss)
       totals%friction_scale = totals%friction_scale + second*balance%friction_scale
       friction = balance%friction
-      if (surface%steepness > 0) friction = get_finite_slope_friction(strip, state, surface%steepness*share/2)
+      if (surface%steepness > 0) then
+         call get_finite_slope_friction(strip, state, surface%steepness*share/2, friction, small_slope)
+         ! the same rule for the friction that is known in closed form tells its error
+         totals%slope_error = totals%slope_error + second*abs(small_slope - balance%friction)
+      end if
       totals%friction = totals%friction + second*friction
    end subroutine add_strip
 
@@ -156,5 +164,23 @@ contains
 
       totals%load_slope = totals%load_slope + width*get_load_slope(strip, state)/two_pi
    end subroutine add_load_slope
+
+   !> The larger of the relative errors of load and friction, 1 at most.
+   pure real(dp) function get_relative_error(totals, error) result(relative)
+      type(totals_t), intent(in) :: totals
+      !> Errors of load and friction beside round-off and what the balances leave over.
+      real(dp), intent(in) :: error(2)
+      real(dp) :: errors(2), sizes(2), scales(2), shares(2)
+
+      scales = [totals%load_scale, totals%friction_scale]
+      sizes = max(abs([totals%load, totals%friction]), share_of_scale*scales)
+      ! a friction that is nothing beside the load has no digits of its own
+      sizes(2) = max(sizes(2), negligible*sizes(1))
+      errors = error + 8*epsilon(1.0_dp)*scales + abs([totals%load_mismatch, totals%energy_mismatch]) + [0.0_dp, totals%slope_error]
+      ! an error as large as the number is known says no more than 1
+      shares = merge(1.0_dp, 0.0_dp, errors > 0)
+      where (errors < sizes) shares = errors/sizes
+      relative = maxval(shares)
+   end function get_relative_error
 
 end module adfric_wavy_surface

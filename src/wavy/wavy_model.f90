@@ -13,6 +13,7 @@ module adfric_wavy_model
    use adfric_wavy_equilibrium, only: equilibrium_t, solve_penetration, solve_load, leads_to
    use adfric_wavy_profiles, only: get_profiles
    use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only
+   use adfric_wavy_surface, only: negligible
    use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
       & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, &
       & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_regime, v_kind, v_load, v_n_x, &
@@ -197,7 +198,8 @@ contains
          results(r_adhesion_area) = t%adhesion*point%area_unit
          results(r_dissipation) = t%dissipation*point%friction_unit
          results(r_edge_loss) = t%edge_loss*point%friction_unit
-         losses = t%friction_scale + t%dissipation + abs(t%edge_loss)
+         ! friction that is nothing beside the load has no digits of its own
+         losses = max(t%friction_scale + t%dissipation + abs(t%edge_loss), negligible*t%load_scale)
          results(r_energy_imbalance) = 0
          if (losses > 0) results(r_energy_imbalance) = t%energy_mismatch/losses
       end associate
