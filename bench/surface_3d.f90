@@ -8,7 +8,7 @@ program surface_3d
    use adfric_base_model, only: attribute_t, status_solved, status_no_equilibrium, status_not_converged
    use adfric_base_unset, only: unset
    use adfric_sweep_clock, only: wall_clock
-   use adfric_sweep_runner, only: block_size_of
+   use adfric_sweep_blocks, only: block_size_of
    use adfric_wavy_model, only: wavy_model_t, new_wavy_model
    use adfric_wavy_variables
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table

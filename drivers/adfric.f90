@@ -7,6 +7,7 @@ program main
    use adfric_command_check, only: check_case
    use adfric_command_help, only: give_help
    use adfric_command_line, only: command_t, get_arguments, parse_arguments
+   use adfric_command_merge, only: merge_parts
    use adfric_command_outcome, only: outcome_t, exit_success
    use adfric_command_run, only: run_case
    use adfric_driver_progress_bar, only: progress_bar_t, new_progress_bar
@@ -26,6 +27,8 @@ program main
          call new_progress_bar(bar, command%is_quiet)
          call run_case(command, bar, outcome)
          call bar%clear()
+      case ('merge')
+         call merge_parts(command, outcome)
       case ('check')
          call check_case(command, outcome)
       case ('help')

@@ -25,6 +25,8 @@ module adfric_driver_progress_bar
       !> Does the line stand on the terminal now?
       logical :: is_written = .false.
       real(dp) :: started_at = 0, written_at = 0
+      !> Points that were solved before the first report; negative before it.
+      integer(i8) :: n_before = -1
    contains
       procedure :: report
       procedure :: clear
@@ -59,10 +61,11 @@ contains
       real(dp) :: now, rate
       character(2*width) :: line
 
-      if (.not. self%is_shown .or. n_done == 0) return
+      if (self%n_before < 0) self%n_before = n_done
+      if (.not. self%is_shown .or. n_done == self%n_before) return
       now = wall_clock()
       if (now - self%written_at < interval .or. now - self%started_at < first_shown_after) return
-      rate = n_done/(now - self%started_at)
+      rate = (n_done - self%n_before)/(now - self%started_at)
       write (line, '(i0, a, i0, a, i0, a, es8.1, a)') n_done, ' of ', n_total, ' points (', (100*n_done)/n_total, &
          ' %),', rate, ' points/s, '//time_text((n_total - n_done)/rate)//' left'
       write (error_unit, '(2a)', advance='no') carriage_return, line(:width)

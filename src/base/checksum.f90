@@ -1,71 +1,68 @@
-!> Checksum of numbers, to tell whether data have changed: FNV-1a with 64 bits (G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake,
-!> The FNV non-cryptographic hash algorithm).
+!> A short number that tells things apart, whatever they consist of: FNV-1a with 64 bits (G. Fowler, L. C. Noll, K.-P. Vo,
+!> D. Eastlake, The FNV non-cryptographic hash algorithm).
 module adfric_base_checksum
-   use adfric_base_kinds, only: dp, i8
+   use, intrinsic :: iso_c_binding, only: c_int64_t, c_loc, c_null_char, c_ptr, c_size_t
+   use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
    public :: checksum_t, checksum_length
 
    !> Letters of a checksum as text.
    integer, parameter :: checksum_length = 16
-   !> Two halves, for Fortran has no arithmetic modulo 2**64; the factor of each byte is 2**40 + `low_factor`.
-   integer(i8), parameter :: high_start = int(z'cbf29ce4', i8), low_start = int(z'84222325', i8), low_factor = int(z'1b3', i8)
-   integer(i8), parameter :: half = int(z'ffffffff', i8), byte = int(z'ff', i8), digit = int(z'f', i8)
-   integer, parameter :: half_bits = 32, byte_bits = 8, digit_bits = 4, bytes_of_real = 8
 
-   !> The checksum of what has been added so far.
+   !> The checksum of what has been added so far; what is added in another order gives another one.
    type :: checksum_t
       private
-      integer(i8) :: high = high_start, low = low_start
+      !> Of nothing: 14695981039346656037 - 2**64.
+      integer(c_int64_t) :: sum = -3750763034362895579_c_int64_t
    contains
-      procedure :: add_byte
+      procedure :: add_text
       procedure :: add_reals
-      procedure :: as_text
+      procedure :: to_text
    end type checksum_t
+
+   interface
+      integer(c_int64_t) function c_add(before, bytes, n) bind(c, name='adfric_add_to_checksum')
+         import :: c_int64_t, c_ptr, c_size_t
+         implicit none (type, external)
+         integer(c_int64_t), intent(in), value :: before
+         type(c_ptr), intent(in), value :: bytes
+         integer(c_size_t), intent(in), value :: n
+      end function c_add
+   end interface
 
 contains
 
-   !> Add a byte.
-   elemental subroutine add_byte(self, value)
+   !> Add a text. Its end counts: 'ab' and 'c' are not 'a' and 'bc'.
+   subroutine add_text(self, text)
       class(checksum_t), intent(inout) :: self
-      !> 0 to 255.
-      integer(i8), intent(in) :: value
-      integer(i8) :: low, product
+      character(*), intent(in) :: text
+      character(:), allocatable, target :: buffer
 
-      low = ieor(self%low, value)
-      product = low*low_factor
-      self%high = iand(self%high*low_factor + ishft(product, -half_bits) + ishft(low, byte_bits), half)
-      self%low = iand(product, half)
-   end subroutine add_byte
+      buffer = text//c_null_char
+      self%sum = c_add(self%sum, c_loc(buffer), int(len(buffer), c_size_t))
+   end subroutine add_text
 
-   !> Add real numbers, each as its eight bytes, the lowest first.
-   pure subroutine add_reals(self, values)
+   !> Add numbers, each as its eight bytes, the lowest first.
+   subroutine add_reals(self, numbers)
       class(checksum_t), intent(inout) :: self
-      real(dp), intent(in) :: values(:)
-      integer(i8) :: bits
-      integer :: i, k
+      real(dp), intent(in), contiguous, target :: numbers(:)
+      integer, parameter :: bytes = 8
 
-      do i = 1, size(values)
-         bits = transfer(values(i), bits)
-         do k = 0, bytes_of_real - 1
-            call self%add_byte(iand(ishft(bits, -byte_bits*k), byte))
-         end do
-      end do
+      if (size(numbers) > 0) self%sum = c_add(self%sum, c_loc(numbers), bytes*size(numbers, kind=c_size_t))
    end subroutine add_reals
 
-   !> As a number to the base of 16.
-   pure function as_text(self) result(text)
+   !> Hexadecimal digits.
+   pure function to_text(self) result(text)
       class(checksum_t), intent(in) :: self
       character(checksum_length) :: text
+      integer, parameter :: to_small = iachar('a') - iachar('A')
+      integer :: i
 
-      character(*), parameter :: digits = '0123456789abcdef'
-      integer :: i, place
-
-      do i = 1, checksum_length
-         place = int(iand(ishft(merge(self%high, self%low, i <= checksum_length/2), -digit_bits*modulo(-i, checksum_length/2)), &
-            digit)) + 1
-         text(i:i) = digits(place:place)
+      write (text, '(z16.16)') self%sum
+      do i = 1, len(text)
+         if (text(i:i) >= 'A') text(i:i) = achar(iachar(text(i:i)) + to_small)
       end do
-   end function as_text
+   end function to_text
 
 end module adfric_base_checksum

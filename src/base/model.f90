@@ -158,7 +158,8 @@ module adfric_base_model
          real(dp), intent(out) :: error_estimate(:)
          !> One of `status_...`; shape `(n_points)`.
          integer, intent(out) :: status(:)
-         !> Counts that are summed over all blocks and stand in the file divided by the number of points.
+         !> Counts that are summed over all blocks and stand in the file divided by the number of points: the same names for
+         !> every block, even for one of no points.
          type(attribute_t), allocatable, intent(out) :: attributes(:)
       end subroutine solve_block_i
 

@@ -18,7 +18,7 @@ module adfric_command_help
    public :: give_help
 
    !> Topics that are not names of the models' tables.
-   character(*), parameter :: fixed_topics = 'input outputs run check help'
+   character(*), parameter :: fixed_topics = 'input outputs run merge check help'
    !> Width of the column of names.
    integer, parameter :: name_width = 34
 
@@ -51,7 +51,7 @@ contains
 
       text = ''
       topics = fixed_topics//' job sweep '//known_models
-      if (has_word('run check help', topic) .or. len_trim(topic) == 0) text = usage_page
+      if (has_word('run merge check help', topic) .or. len_trim(topic) == 0) text = usage_page
       if (has_word('input job sweep', topic)) text = input_page
       if (topic == 'outputs') text = outputs_head
       if (len_trim(topic) == 0) text = text//'Models'//newline

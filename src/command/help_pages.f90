@@ -10,8 +10,14 @@ module adfric_command_help_pages
       'adfric: adhesion and friction of real surfaces'//newline// &
       newline// &
       '  adfric run INPUT.nml [--output FILE.h5] [--force] [--quiet]'//newline// &
+      '             [--resume] [--shard I/N]'//newline// &
       '      solve every point of the input''s sweep and write one HDF5 file;'//newline// &
-      '      --force overwrites a file, --quiet shows nothing but errors'//newline// &
+      '      --force overwrites a file, --quiet shows nothing but errors;'//newline// &
+      '      --resume goes on with FILE.h5.partial if a run was stopped, --shard I/N solves'//newline// &
+      '      the part I of N into FILE.part-000I-of-000N.h5'//newline// &
+      '  adfric merge FILE.h5 PART.h5 ... [--virtual] [--force] [--quiet]'//newline// &
+      '      put the parts together to the file that one run would have written;'//newline// &
+      '      --virtual leaves the results in the parts and refers to them'//newline// &
       '  adfric check INPUT.nml'//newline// &
       '      read and validate only; print the resolved case and the number of points'//newline// &
       '  adfric help [TOPIC]'//newline// &
@@ -19,7 +25,8 @@ module adfric_command_help_pages
       '  adfric --version'//newline// &
       newline// &
       'Exit status: 0 every point is answered, 1 some points did not converge,'//newline// &
-      '2 bad command line or input, 3 file error. Threads as OMP_NUM_THREADS says.'//newline// &
+      '2 bad command line or input, 3 file error, 128 + N stopped by signal N (130 Ctrl-C,'//newline// &
+      '143 SIGTERM): --resume goes on. Threads as OMP_NUM_THREADS says.'//newline// &
       newline
 
    !> The form of an input.
@@ -53,7 +60,7 @@ module adfric_command_help_pages
       '  status [-]                      0 solved, 1 no_equilibrium, 2 not_converged'//newline// &
       '  error_estimate [-]              relative error of the main result, estimated'//newline// &
       '  attributes of the file          title, model, adfric_version, git_revision, compiler, created,'//newline// &
-      '                                  wall_seconds, input (the whole text); dataset_NAME and checksum_NAME'//newline// &
-      '                                  (64-bit FNV-1a of the values) for each dataset that the input names'//newline
+      '                                  wall_seconds, case_hash, input (the whole text); datasets, and dataset_NAME'//newline// &
+      '                                  and checksum_NAME (64-bit FNV-1a of the values) for each that the input names'//newline
 
 end module adfric_command_help_pages

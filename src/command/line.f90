@@ -2,15 +2,16 @@
 module adfric_command_line
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_input_suggestion, only: did_you_mean
+   use adfric_sweep_blocks, only: part_t
    implicit none (type, external)
    private
    public :: command_t, argument_t, get_arguments, parse_arguments
    public :: known_commands, known_options
 
    !> What the program can do.
-   character(*), parameter :: known_commands = 'run check help'
+   character(*), parameter :: known_commands = 'run merge check help'
    !> Options of all commands.
-   character(*), parameter :: known_options = '--output --force --quiet --help --version'
+   character(*), parameter :: known_options = '--output --force --resume --shard --virtual --quiet --help --version'
 
    !> A word of the command line.
    type :: argument_t
@@ -19,14 +20,22 @@ module adfric_command_line
 
    !> What the user wants.
    type :: command_t
-      !> 'run', 'check', 'help' or 'version'.
+      !> 'run', 'merge', 'check', 'help' or 'version'.
       character(:), allocatable :: name
-      !> Name of the input (run and check) or topic (help); empty if there is none.
+      !> Name of the input (run and check), of the results file (merge) or topic (help); empty if there is none.
       character(:), allocatable :: subject
+      !> Names of the parts (merge).
+      type(argument_t), allocatable :: others(:)
       !> Name of the results file; empty if the input says it.
       character(:), allocatable :: output
       !> May an existing results file be overwritten?
       logical :: overwrite = .false.
+      !> Go on with a run that was stopped?
+      logical :: resumes = .false.
+      !> Which part of the run is solved.
+      type(part_t) :: part
+      !> Refer to the parts instead of copying them?
+      logical :: is_virtual = .false.
       !> Show nothing but errors?
       logical :: is_quiet = .false.
    end type command_t
@@ -51,22 +60,25 @@ contains
       type(argument_t), intent(in) :: arguments(:)
       type(command_t), intent(out) :: command
       type(error_t), allocatable, intent(out) :: error
-      integer :: i
+      integer :: i, n_others
 
       command%name = ''
       command%subject = ''
       command%output = ''
+      allocate (command%others(size(arguments)))
+      n_others = 0
       i = 0
       do while (i < size(arguments))
          i = i + 1
          if (is_option(arguments(i)%text)) then
             call parse_option(arguments, i, command, error)
          else
-            call parse_word(arguments(i)%text, command, error)
+            call parse_word(arguments(i)%text, command, n_others, error)
          end if
          if (allocated(error)) return
          if (command%name == 'version') return
       end do
+      command%others = command%others(:n_others)
       call check_complete(command, error)
    end subroutine parse_arguments
 
@@ -77,42 +89,48 @@ contains
       is_option = len(text) > 1 .and. index(text, '-') == 1
    end function is_option
 
-   !> Understand an option, and its value in the next word.
+   !> Understand an option, and its value behind a = or in the next word.
    subroutine parse_option(arguments, i, command, error)
       type(argument_t), intent(in) :: arguments(:)
       !> Place of the option; moved on to its value.
       integer, intent(inout) :: i
       type(command_t), intent(inout) :: command
       type(error_t), allocatable, intent(out) :: error
-      character(*), parameter :: output_is = '--output='
+      character(:), allocatable :: name, value
+      integer :: equals
 
-      associate (text => arguments(i)%text)
-         if (index(text, output_is) == 1) then
-            call set_output(text(len(output_is) + 1:), command, error)
-            return
-         end if
-         select case (text)
-         case ('--output')
-            i = i + 1
-            if (i > size(arguments)) then
-               call set_error(error, input_failure, 'adfric: --output: the name of a file is missing')
-            else
-               call set_output(arguments(i)%text, command, error)
-            end if
-         case ('--force')
-            command%overwrite = .true.
-         case ('--quiet')
-            command%is_quiet = .true.
-         case ('--help', '-h')
-            if (command%name /= 'help') command%subject = command%name
-            command%name = 'help'
-         case ('--version')
-            command%name = 'version'
-         case default
-            call set_error(error, input_failure, 'adfric: unknown option, given '//text//', allowed: ' &
-               //known_options//did_you_mean(text, known_options))
-         end select
-      end associate
+      name = arguments(i)%text
+      value = ''
+      equals = index(name, '=')
+      if (index(' --output= --shard= ', ' '//name(:max(equals, 1))//' ') > 0) then
+         value = name(equals + 1:)
+         name = name(:equals - 1)
+      else if ((name == '--output' .or. name == '--shard') .and. i < size(arguments)) then
+         i = i + 1
+         value = arguments(i)%text
+      end if
+      select case (name)
+      case ('--output')
+         call set_output(value, command, error)
+      case ('--shard')
+         call set_part(value, command, error)
+      case ('--force')
+         command%overwrite = .true.
+      case ('--resume')
+         command%resumes = .true.
+      case ('--virtual')
+         command%is_virtual = .true.
+      case ('--quiet')
+         command%is_quiet = .true.
+      case ('--help', '-h')
+         if (command%name /= 'help') command%subject = command%name
+         command%name = 'help'
+      case ('--version')
+         command%name = 'version'
+      case default
+         call set_error(error, input_failure, 'adfric: unknown option, given '//name//', allowed: ' &
+            //known_options//did_you_mean(name, known_options))
+      end select
    end subroutine parse_option
 
    !> Set the name of the results file.
@@ -131,10 +149,39 @@ contains
       end if
    end subroutine set_output
 
-   !> Understand a word that is no option: the command, or what it is about.
-   subroutine parse_word(text, command, error)
+   !> Set which part of the run is solved.
+   subroutine set_part(text, command, error)
       character(*), intent(in) :: text
       type(command_t), intent(inout) :: command
+      type(error_t), allocatable, intent(out) :: error
+      character(*), parameter :: digits = '0123456789'
+      !> Digits that an integer surely holds.
+      integer, parameter :: most_digits = 9
+      integer :: slash, number, of
+
+      slash = index(text, '/')
+      number = 0
+      of = 0
+      if (slash > 1 .and. slash <= most_digits + 1 .and. len(text) > slash .and. len(text) <= slash + most_digits) then
+         if (verify(text(:slash - 1)//text(slash + 1:), digits) == 0) then
+            read (text(:slash - 1), *) number
+            read (text(slash + 1:), *) of
+         end if
+      end if
+      if (number < 1 .or. number > of) then
+         call set_error(error, input_failure, 'adfric: --shard: no part of a run, given '''//text &
+            //''', allowed: I/N with 1 <= I <= N, such as 3/16')
+      else
+         command%part = part_t(number, of, .true.)
+      end if
+   end subroutine set_part
+
+   !> Understand a word that is no option: the command, or what it is about.
+   subroutine parse_word(text, command, n_others, error)
+      character(*), intent(in) :: text
+      type(command_t), intent(inout) :: command
+      !> Number of parts so far (merge).
+      integer, intent(inout) :: n_others
       type(error_t), allocatable, intent(out) :: error
 
       if (len(command%name) == 0) then
@@ -146,6 +193,9 @@ contains
          end if
       else if (len(command%subject) == 0) then
          command%subject = text
+      else if (command%name == 'merge') then
+         n_others = n_others + 1
+         command%others(n_others)%text = text
       else if (command%name /= 'help') then
          ! A call for help counts wherever it stands: adfric run --help INPUT.nml.
          call set_error(error, input_failure, 'adfric: '//command%name//': one input is allowed, given ' &
@@ -161,14 +211,32 @@ contains
       if (len(command%name) == 0) then
          call set_error(error, input_failure, 'adfric: no command given, allowed: '//known_commands &
             //'; adfric --help says more')
+      else if (command%name == 'merge' .and. size(command%others) == 0) then
+         call set_error(error, input_failure, 'adfric: merge: no parts given, needed: adfric merge OUT.h5 PART.h5 ...')
       else if (command%name /= 'help' .and. len(command%subject) == 0) then
          call set_error(error, input_failure, 'adfric: '//command%name &
             //': no input given, needed: adfric '//command%name//' INPUT.nml')
-      else if (command%name /= 'run' .and. len(command%output) > 0) then
-         call set_error(error, input_failure, 'adfric: '//command%name//': --output is an option of run alone')
-      else if (command%name /= 'run' .and. command%overwrite) then
-         call set_error(error, input_failure, 'adfric: '//command%name//': --force is an option of run alone')
+      else
+         call check_option('--output', len(command%output) > 0, 'run', command, error)
+         call check_option('--resume', command%resumes, 'run', command, error)
+         call check_option('--shard', .not. command%part%is_whole(), 'run', command, error)
+         call check_option('--virtual', command%is_virtual, 'merge', command, error)
+         call check_option('--force', command%overwrite, 'run and merge', command, error)
       end if
    end subroutine check_complete
+
+   !> Does an option belong to the command?
+   subroutine check_option(option, is_given, owners, command, error)
+      character(*), intent(in) :: option
+      logical, intent(in) :: is_given
+      !> Commands that have it.
+      character(*), intent(in) :: owners
+      type(command_t), intent(in) :: command
+      !> Kept if there is one.
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (.not. is_given .or. allocated(error) .or. index(owners, command%name) > 0) return
+      call set_error(error, input_failure, 'adfric: '//command%name//': '//option//' is an option of '//owners//' alone')
+   end subroutine check_option
 
 end module adfric_command_line

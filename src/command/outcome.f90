@@ -5,14 +5,14 @@ module adfric_command_outcome
    use adfric_input_text, only: newline
    implicit none (type, external)
    private
-   public :: outcome_t, exit_success, exit_not_converged, exit_input, exit_file
+   public :: outcome_t, exit_success, exit_not_converged, exit_input, exit_file, exit_signal
 
-   !> Exit status of the program.
-   integer, parameter :: exit_success = 0, exit_not_converged = 1, exit_input = 2, exit_file = 3
+   !> Exit status of the program; to the last one the number of the signal is added, as shells do.
+   integer, parameter :: exit_success = 0, exit_not_converged = 1, exit_input = 2, exit_file = 3, exit_signal = 128
 
    !> The end of a command.
    type :: outcome_t
-      !> One of `exit_...`.
+      !> One of `exit_...`, or `exit_signal` and the number of a signal.
       integer :: exit_status = exit_success
       !> Lines for the standard output, each with its line end.
       character(:), allocatable :: output

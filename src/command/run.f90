@@ -4,15 +4,23 @@ module adfric_command_run
    use adfric_base_model, only: model_t, status_not_converged
    use adfric_command_case, only: open_case
    use adfric_command_line, only: command_t
-   use adfric_command_outcome, only: outcome_t, exit_success, exit_not_converged
+   use adfric_command_outcome, only: outcome_t, exit_success, exit_not_converged, exit_signal
    use adfric_input_run, only: run_input_t
-   use adfric_output_names, only: check_output_name, would_replace
-   use adfric_output_resources, only: check_resources
-   use adfric_output_results_file, only: results_file_t, note_t
+   use adfric_input_text, only: newline, show_count
+   use adfric_output_done_points, only: read_done_points
+   use adfric_output_heading, only: heading_t, new_heading
+   use adfric_output_layout, only: layout_t, new_layout
+   use adfric_output_names, only: check_output_name, check_partial_name, partial_name, part_name, would_replace
+   use adfric_output_operating_system, only: kind_of_path, path_file, id_of_file, is_same, remove_file
+   use adfric_output_resources, only: check_resources, check_memory
+   use adfric_output_results_file, only: results_file_t
    use adfric_output_run_table, only: new_run_table
+   use adfric_sweep_block_source, only: block_list_t, new_block_list
+   use adfric_sweep_blocks, only: blocks_t, new_blocks
+   use adfric_sweep_interruption, only: catch_signals, signal_name
    use adfric_sweep_progress, only: progress_t
    use adfric_sweep_runner, only: run_sweep
-   use adfric_sweep_summary, only: run_summary_t
+   use adfric_sweep_summary, only: run_summary_t, new_summary
    implicit none (type, external)
    private
    public :: run_case
@@ -28,20 +36,64 @@ contains
       type(run_input_t) :: run
       type(run_summary_t) :: summary
       type(error_t), allocatable :: error
+      logical :: is_complete
 
       call open_case(command%subject, model, run, outcome)
       if (outcome%exit_status /= exit_success) return
       if (len(command%output) > 0) run%output = command%output
-      call check_output(command, model, run, error)
-      if (.not. allocated(error)) call solve_case(command, model, run, progress, summary, error)
+      run%output = part_name(run%output, command%part)
+      call find_complete(command, model, run, is_complete, summary, error)
+      if (.not. (allocated(error) .or. is_complete)) call check_output(command, model, run, error)
+      if (.not. (allocated(error) .or. is_complete)) call solve_case(command, model, run, progress, summary, error)
       if (allocated(error)) then
          call outcome%fail(error)
-         return
+      else if (summary%signal /= 0) then
+         call set_error(error, exit_signal + summary%signal, say_stopped(command, run, summary))
+         call outcome%fail(error)
+      else
+         if (summary%by_status(status_not_converged) > 0) outcome%exit_status = exit_not_converged
+         if (command%is_quiet) return
+         call outcome%say(new_run_table(summary, model%describe_results(run%plan%base), run%output))
+         if (is_complete) call outcome%say('this run was complete already'//newline)
       end if
-      if (summary%by_status(status_not_converged) > 0) outcome%exit_status = exit_not_converged
-      if (command%is_quiet) return
-      call outcome%say(new_run_table(summary, model%describe_results(run%plan%base), run%output))
    end subroutine run_case
+
+   !> Is the run that is to be resumed complete already? A file of another run is left to `check_output`.
+   subroutine find_complete(command, model, run, is_complete, summary, error)
+      type(command_t), intent(in) :: command
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(in) :: run
+      logical, intent(out) :: is_complete
+      !> Of the whole run if it is.
+      type(run_summary_t), intent(out) :: summary
+      type(error_t), allocatable, intent(out) :: error
+      type(layout_t) :: layout
+      type(heading_t) :: heading
+      type(block_list_t) :: list
+      type(error_t), allocatable :: mismatch
+      character(:), allocatable :: partial
+
+      is_complete = .false.
+      if (.not. command%resumes) return
+      if (kind_of_path(run%output) /= path_file) return
+      if (would_replace(run%output, command%subject)) return
+      partial = partial_name(run%output)
+      if (kind_of_path(partial) == path_file) then
+         if (.not. is_same(id_of_file(partial), id_of_file(run%output))) return
+         ! the run was stopped while it gave the file its name
+         call remove_file(partial, error)
+         if (allocated(error)) return
+      end if
+      call new_layout(layout, model, run%plan, command%part)
+      call new_heading(heading, model, run%plan, run%title, run%text)
+      call read_done_points(run%output, layout, heading, model, run%plan, list, summary, mismatch)
+      is_complete = .not. allocated(mismatch)
+      if (is_complete) is_complete = list%n_left == 0
+      if (is_complete .or. command%overwrite) return
+      if (.not. allocated(mismatch)) call set_error(mismatch, file_failure, run%output//': not every point is solved')
+      mismatch%message = mismatch%message//'; --force overwrites it, --output writes another file'
+      call move_alloc(mismatch, error)
+   end subroutine find_complete
 
    !> Can the results be written? Asked before anything is solved.
    subroutine check_output(command, model, run, error)
@@ -62,31 +114,26 @@ contains
          return
       end do
       call check_output_name(run%output, command%overwrite, error)
+      if (.not. allocated(error)) call check_partial_name(run%output, command%overwrite .or. command%resumes, error)
       if (allocated(error)) return
-      call check_resources(model, run%plan, run%output, error)
+      if (is_begun(command, run)) then
+         call check_memory(model, run%plan, error)
+      else
+         call check_resources(model, run%plan, run%output, error, command%part)
+      end if
       if (allocated(error)) error%message = command%subject//': '//error%message
    end subroutine check_output
 
-   !> Names and checksums of the datasets that the input names.
-   function notes_on_datasets(model, run) result(notes)
-      class(model_t), intent(in) :: model
+   !> Is there a file to go on with?
+   logical function is_begun(command, run)
+      type(command_t), intent(in) :: command
       type(run_input_t), intent(in) :: run
-      type(note_t), allocatable :: notes(:)
-      integer :: k, n
 
-      allocate (notes(2*count(run%datasets%is_given())))
-      n = 0
-      do k = 1, size(run%datasets)
-         if (.not. run%datasets(k)%is_given()) cycle
-         notes(n + 1)%name = 'dataset_'//model%variables(k)%name
-         notes(n + 1)%text = run%datasets(k)%text
-         notes(n + 2)%name = 'checksum_'//model%variables(k)%name
-         notes(n + 2)%text = run%datasets(k)%checksum
-         n = n + 2
-      end do
-   end function notes_on_datasets
+      is_begun = .false.
+      if (command%resumes) is_begun = kind_of_path(partial_name(run%output)) == path_file
+   end function is_begun
 
-   !> Solve every point and write the results.
+   !> Solve every point that is not solved yet, and write the results.
    subroutine solve_case(command, model, run, progress, summary, error)
       type(command_t), intent(in) :: command
       class(model_t), intent(in) :: model
@@ -95,21 +142,49 @@ contains
       type(run_summary_t), intent(out) :: summary
       type(error_t), allocatable, intent(out) :: error
       type(results_file_t) :: results
+      type(run_summary_t) :: before
+      type(block_list_t) :: list
+      type(blocks_t) :: blocks
 
-      call results%create(run%output, command%overwrite, model, run%plan, run%title, run%text, error, &
-         notes_on_datasets(model, run))
+      call catch_signals()
+      if (is_begun(command, run)) then
+         call results%resume(run%output, command%overwrite, model, run%plan, list, before, error, command%part)
+      else
+         call new_blocks(blocks, run%plan%n_points(), command%part)
+         call new_block_list(list, blocks)
+         call new_summary(before, model%results)
+         call results%create(run%output, command%overwrite, model, run%plan, run%title, run%text, error, command%part)
+      end if
       if (allocated(error)) return
-      call run_sweep(model, run%plan, results, progress, summary, error)
+      call run_sweep(model, run%plan, results, progress, summary, error, list)
       if (allocated(error)) then
-         ! What could be written may be the work of hours.
-         if (error%code == file_failure) then
-            call results%abandon(error)
-         else
-            call results%discard()
-         end if
+         call results%abandon(error)
          return
       end if
-      call results%finish(summary%wall_seconds, summary%attributes, error)
+      if (summary%signal /= 0) then
+         call results%stop(summary%wall_seconds, error)
+      else
+         call results%finish(summary%wall_seconds, error)
+      end if
+      call summary%merge(before)
+      summary%wall_seconds = summary%wall_seconds + before%wall_seconds
    end subroutine solve_case
+
+   !> What a run says that was asked to end, and how it goes on.
+   function say_stopped(command, run, summary) result(text)
+      type(command_t), intent(in) :: command
+      type(run_input_t), intent(in) :: run
+      type(run_summary_t), intent(in) :: summary
+      character(:), allocatable :: text
+      type(blocks_t) :: blocks
+
+      call new_blocks(blocks, run%plan%n_points(), command%part)
+      text = command%subject//': stopped by '//signal_name(summary%signal)//', '//show_count(summary%n_points)//' of ' &
+         //show_count(blocks%n_points())//' points are in '//partial_name(run%output)//'; adfric run --resume'
+      if (.not. command%part%is_whole()) &
+         text = text//' --shard '//show_count(command%part%number)//'/'//show_count(command%part%of)
+      if (len(command%output) > 0) text = text//' --output '//command%output
+      text = text//' '//command%subject//' goes on'
+   end function say_stopped
 
 end module adfric_command_run

@@ -7,7 +7,7 @@ module adfric_input_dataset
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_text, only: show_count, show_number
-   use adfric_output_hdf5_layer_reading, only: read_numbers
+   use adfric_output_hdf5_layer_samples, only: read_numbers
    implicit none (type, external)
    private
    public :: dataset_t, read_dataset_name, load_dataset
@@ -107,7 +107,7 @@ contains
       end do
       dataset%lowest = minval(values)
       dataset%highest = maxval(values)
-      dataset%checksum = checksum%as_text()
+      dataset%checksum = checksum%to_text()
       if (dataset%lowest < variable%lower) flaw = show_outlier(dataset%lowest, '>= ', variable%lower)
       if (dataset%highest > variable%upper) flaw = show_outlier(dataset%highest, '<= ', variable%upper)
    end subroutine load_dataset

@@ -8,7 +8,7 @@ module adfric_input_run
    use adfric_input_case, only: case_t, read_groups
    use adfric_input_consistency, only: check_consistency
    use adfric_input_dataset, only: dataset_t
-   use adfric_input_dataset_loading, only: load_datasets
+   use adfric_input_dataset_loading, only: load_datasets, list_sources
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file
@@ -92,6 +92,7 @@ contains
       call move_alloc(input%is_given, run%is_given)
       call move_alloc(input%is_swept, run%is_swept)
       call move_alloc(input%datasets, run%datasets)
+      call list_sources(run%datasets, run%plan%sources)
    end subroutine read_case
 
    !> The name of the input, without folder and with `.h5` for its extension.

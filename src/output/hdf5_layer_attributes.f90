@@ -2,22 +2,24 @@
 module adfric_output_hdf5_layer_attributes
    use, intrinsic :: iso_c_binding, only: c_char, c_loc, c_null_char, c_ptr
    use, intrinsic :: iso_fortran_env, only: int8
-   use hdf5, only: hid_t, hsize_t, h5screate_f, h5screate_simple_f, h5acreate_f, h5awrite_f, &
+   use hdf5, only: hid_t, hsize_t, h5screate_f, h5screate_simple_f, h5acreate_f, h5aopen_f, h5awrite_f, &
       h5tcopy_f, h5tset_cset_f, h5kind_to_type, &
-      H5S_SCALAR_F, H5T_STRING, H5T_CSET_UTF8_F, H5T_IEEE_F64LE, H5T_STD_I8LE, H5T_NATIVE_DOUBLE, H5_INTEGER_KIND
-   use adfric_base_kinds, only: dp
+      H5S_SCALAR_F, H5T_STRING, H5T_CSET_UTF8_F, H5T_IEEE_F64LE, H5T_STD_I8LE, H5T_STD_I64LE, H5T_NATIVE_DOUBLE, &
+      H5_INTEGER_KIND
+   use adfric_base_kinds, only: dp, i8
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    implicit none (type, external)
    private
-   public :: write_attribute
+   public :: write_attribute, replace_attribute
 
    !> Length of a scalar attribute.
    integer, parameter :: no_length = 0
 
-   !> Write an attribute of a file or a dataset: a text, a number, or a row of small integers.
+   !> Write an attribute of a file or a dataset: a text, a number, an integer, or a row of small integers.
    interface write_attribute
       module procedure write_text
       module procedure write_real
+      module procedure write_integer
       module procedure write_small_integers
    end interface write_attribute
 
@@ -62,6 +64,42 @@ contains
       buffer = number
       call write_any(calls, place, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, no_length, c_loc(buffer))
    end subroutine write_real
+
+   !> Write an integer.
+   subroutine write_integer(calls, place, name, number)
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the file or the dataset.
+      integer(hid_t), intent(in) :: place
+      character(*), intent(in) :: name
+      integer(i8), intent(in) :: number
+      integer(i8), target :: buffer
+
+      buffer = number
+      call write_any(calls, place, name, H5T_STD_I64LE, h5kind_to_type(i8, H5_INTEGER_KIND), no_length, c_loc(buffer))
+   end subroutine write_integer
+
+   !> Write a number over that of an attribute that exists: the file keeps its form.
+   subroutine replace_attribute(calls, place, name, number)
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the file or the dataset.
+      integer(hid_t), intent(in) :: place
+      character(*), intent(in) :: name
+      real(dp), intent(in) :: number
+      real(dp), target :: buffer
+      integer(hid_t) :: attribute
+
+      buffer = number
+      attribute = no_id
+      if (calls%is_good()) then
+         call h5aopen_f(place, name, attribute, calls%status)
+         call calls%check()
+      end if
+      if (calls%is_good()) then
+         call h5awrite_f(attribute, H5T_NATIVE_DOUBLE, c_loc(buffer), calls%status)
+         call calls%check()
+      end if
+      call calls%close_id(attribute)
+   end subroutine replace_attribute
 
    !> Write a row of small integers.
    subroutine write_small_integers(calls, place, name, numbers)

@@ -31,6 +31,7 @@ module adfric_output_hdf5_layer_calls
       character(:), allocatable, private :: reason
    contains
       procedure :: open_library
+      procedure :: silence
       procedure :: check
       procedure :: is_good
       procedure :: close_id
@@ -77,9 +78,16 @@ contains
       call h5iis_valid_f(H5T_NATIVE_DOUBLE, is_open, self%status)
       if (.not. is_open) call h5open_f(self%status)
       call self%check()
+      call self%silence()
+   end subroutine open_library
+
+   !> Make HDF5 silent in this thread; its thread-safe builds ask each of them.
+   subroutine silence(self)
+      class(hdf5_calls_t), intent(inout) :: self
+
       if (self%is_good()) call h5eset_auto_f(0, self%status)
       call self%check()
-   end subroutine open_library
+   end subroutine silence
 
    !> Take note of the status of the last call.
    subroutine check(self)

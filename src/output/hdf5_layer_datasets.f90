@@ -8,15 +8,15 @@ module adfric_output_hdf5_layer_datasets
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
    use hdf5, only: hid_t, hsize_t, h5screate_f, h5screate_simple_f, h5sselect_hyperslab_f, h5dcreate_f, h5dwrite_f, &
       h5dclose_f, h5pcreate_f, h5pset_layout_f, h5pset_alloc_time_f, h5pset_fill_time_f, h5pset_fill_value_f, &
-      h5kind_to_type, H5S_SCALAR_F, H5S_SELECT_SET_F, H5P_DATASET_CREATE_F, H5D_CONTIGUOUS_F, &
+      h5kind_to_type, h5gcreate_f, H5S_SCALAR_F, H5S_SELECT_SET_F, H5P_DATASET_CREATE_F, H5D_CONTIGUOUS_F, &
       H5D_ALLOC_TIME_EARLY_F, H5D_FILL_TIME_ALLOC_F, H5T_IEEE_F64LE, H5T_STD_I8LE, H5T_NATIVE_DOUBLE, H5_INTEGER_KIND
    use h5ds, only: h5dsset_scale_f, h5dsattach_scale_f
    use adfric_base_kinds, only: dp, i8
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    implicit none (type, external)
    private
-   public :: create_space, select_box, create_real_dataset, create_state_dataset, write_values, close_dataset
-   public :: make_scale, attach_scale, no_state
+   public :: create_group, create_space, select_box, create_real_dataset, create_state_dataset, write_values, close_dataset
+   public :: make_scale, attach_scale, no_state, to_fortran
 
    !> What stands in a dataset of states where there is none.
    integer(int8), parameter :: no_state = -1
@@ -28,6 +28,19 @@ module adfric_output_hdf5_layer_datasets
    end interface write_values
 
 contains
+
+   !> Create a group.
+   subroutine create_group(calls, file, name, group)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      character(*), intent(in) :: name
+      integer(hid_t), intent(out) :: group
+
+      group = no_id
+      if (.not. calls%is_good()) return
+      call h5gcreate_f(file, name, group, calls%status)
+      call calls%check()
+   end subroutine create_group
 
    !> Create a space of a shape.
    subroutine create_space(calls, shape, space)

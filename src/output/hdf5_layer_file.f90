@@ -1,11 +1,11 @@
 !> HDF5 files as a whole.
 module adfric_output_hdf5_layer_file
-   use hdf5, only: hid_t, h5fcreate_f, h5fflush_f, h5fclose_f, h5pcreate_f, h5pset_fclose_degree_f, &
-      H5F_ACC_EXCL_F, H5F_SCOPE_GLOBAL_F, H5F_CLOSE_SEMI_F, H5P_FILE_ACCESS_F
+   use hdf5, only: hid_t, h5fcreate_f, h5fopen_f, h5fflush_f, h5fclose_f, h5pcreate_f, h5pset_fclose_degree_f, &
+      H5F_ACC_EXCL_F, H5F_ACC_RDONLY_F, H5F_ACC_RDWR_F, H5F_SCOPE_GLOBAL_F, H5F_CLOSE_SEMI_F, H5P_FILE_ACCESS_F
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    implicit none (type, external)
    private
-   public :: create_file, flush_file, close_file
+   public :: create_file, open_file, flush_file, close_file
 
 contains
 
@@ -17,23 +17,46 @@ contains
       integer(hid_t) :: list
 
       file = no_id
-      list = no_id
-      call calls%open_library()
-      if (calls%is_good()) then
-         call h5pcreate_f(H5P_FILE_ACCESS_F, list, calls%status)
-         call calls%check()
-      end if
-      if (calls%is_good()) then
-         ! Closing the file fails as long as anything in it is open.
-         call h5pset_fclose_degree_f(list, H5F_CLOSE_SEMI_F, calls%status)
-         call calls%check()
-      end if
+      call create_access(calls, list)
       if (calls%is_good()) then
          call h5fcreate_f(path, H5F_ACC_EXCL_F, file, calls%status, access_prp=list)
          call calls%check()
       end if
       call calls%close_id(list)
    end subroutine create_file
+
+   !> Open a file.
+   subroutine open_file(calls, path, is_written, file)
+      type(hdf5_calls_t), intent(inout) :: calls
+      character(*), intent(in) :: path
+      !> To write, or only to read?
+      logical, intent(in) :: is_written
+      integer(hid_t), intent(out) :: file
+      integer(hid_t) :: list
+
+      file = no_id
+      call create_access(calls, list)
+      if (calls%is_good()) then
+         call h5fopen_f(path, merge(H5F_ACC_RDWR_F, H5F_ACC_RDONLY_F, is_written), file, calls%status, access_prp=list)
+         call calls%check()
+      end if
+      call calls%close_id(list)
+   end subroutine open_file
+
+   !> Make the library ready, and a list of properties: closing a file fails as long as anything in it is open.
+   subroutine create_access(calls, list)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(out) :: list
+
+      list = no_id
+      call calls%open_library()
+      if (.not. calls%is_good()) return
+      call h5pcreate_f(H5P_FILE_ACCESS_F, list, calls%status)
+      call calls%check()
+      if (.not. calls%is_good()) return
+      call h5pset_fclose_degree_f(list, H5F_CLOSE_SEMI_F, calls%status)
+      call calls%check()
+   end subroutine create_access
 
    !> Hand everything written so far to the operating system.
    subroutine flush_file(calls, file)

@@ -1,156 +1,229 @@
-!> Numbers from HDF5 files that others have written.
+!> Read attributes and parts of datasets.
 module adfric_output_hdf5_layer_reading
-   use, intrinsic :: iso_c_binding, only: c_loc, c_ptr
-   use hdf5, only: hid_t, hsize_t, h5fis_hdf5_f, h5fopen_f, h5dopen_f, h5dget_type_f, h5dget_space_f, h5dread_f, h5tget_class_f, &
-      h5sget_simple_extent_type_f, h5sget_simple_extent_ndims_f, h5sget_simple_extent_dims_f, &
-      H5F_ACC_RDONLY_F, H5S_NULL_F, H5T_FLOAT_F, H5T_INTEGER_F, H5T_NATIVE_DOUBLE
-   use adfric_base_error, only: error_t
+   use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_loc, c_ptr, c_size_t
+   use, intrinsic :: iso_fortran_env, only: int8
+   use hdf5, only: hid_t, hsize_t, h5aopen_f, h5aread_f, h5aexists_f, h5aget_type_f, h5aget_space_f, h5dvlen_reclaim_f, &
+      h5dopen_f, h5dread_f, h5dget_space_f, h5sget_simple_extent_npoints_f, h5kind_to_type, &
+      H5T_NATIVE_DOUBLE, H5_INTEGER_KIND, H5P_DEFAULT_F
    use adfric_base_kinds, only: dp, i8
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
-   use adfric_output_hdf5_layer_datasets, only: close_dataset
-   use adfric_output_hdf5_layer_file, only: close_file
-   use adfric_output_operating_system, only: kind_of_path, path_free, path_file, free_memory
    implicit none (type, external)
    private
-   public :: read_numbers
+   public :: has_attribute, read_attribute, open_dataset, n_values_of, read_values
 
-   !> Most dimensions that HDF5 knows.
-   integer, parameter :: most_dimensions = 32
-   integer, parameter :: real_bytes = 8
+   !> Read an attribute: a text of variable length, a number, an integer, or as many small integers as there is room for.
+   interface read_attribute
+      module procedure read_text
+      module procedure read_real
+      module procedure read_integer
+      module procedure read_small_integers
+   end interface read_attribute
+
+   !> Read values of a part of a dataset.
+   interface read_values
+      module procedure read_reals
+      module procedure read_states
+   end interface read_values
+
+   interface
+      integer(c_size_t) function strlen(text) bind(c)
+         import :: c_ptr, c_size_t
+         implicit none (type, external)
+         type(c_ptr), intent(in), value :: text
+      end function strlen
+   end interface
 
 contains
 
-   !> Read a dataset of integers or real numbers of any size, of one or two dimensions.
-   subroutine read_numbers(file, path, largest_rank, values, counts, flaw)
-      !> Name of the file, and of the dataset within it.
-      character(*), intent(in) :: file, path
-      !> 1 or 2.
-      integer, intent(in) :: largest_rank
-      !> In the order of Fortran: the last dimension of the file first. Shape `(n, 1)` for one dimension.
-      real(dp), allocatable, intent(out) :: values(:, :)
-      !> Number of values along each dimension, the slowest first.
-      integer(i8), allocatable, intent(out) :: counts(:)
-      !> What is wrong; empty if nothing is.
-      character(:), allocatable, intent(out) :: flaw
-      type(hdf5_calls_t) :: calls
-      type(error_t), allocatable :: error
-      integer(hid_t) :: file_id, dataset
+   !> Is there an attribute of this name?
+   logical function has_attribute(calls, place, name)
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the file or the dataset.
+      integer(hid_t), intent(in) :: place
+      character(*), intent(in) :: name
 
-      flaw = ''
-      file_id = no_id
-      dataset = no_id
-      call calls%open_library()
-      call open_file(calls, file, file_id, flaw)
-      if (len(flaw) == 0 .and. calls%is_good()) then
-         call h5dopen_f(file_id, path, dataset, calls%status)
-         if (calls%status < 0) then
-            dataset = no_id
-            flaw = 'there is no such dataset in the file'
-         end if
+      has_attribute = .false.
+      if (.not. calls%is_good()) return
+      call h5aexists_f(place, name, has_attribute, calls%status)
+      call calls%check()
+   end function has_attribute
+
+   !> Open an attribute.
+   subroutine open_attribute(calls, place, name, attribute)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: place
+      character(*), intent(in) :: name
+      integer(hid_t), intent(out) :: attribute
+
+      attribute = no_id
+      if (.not. calls%is_good()) return
+      call h5aopen_f(place, name, attribute, calls%status)
+      call calls%check()
+   end subroutine open_attribute
+
+   !> Read an attribute of any type.
+   subroutine read_any(calls, place, name, memory_type, address)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: place
+      character(*), intent(in) :: name
+      integer(hid_t), intent(in) :: memory_type
+      type(c_ptr), intent(in) :: address
+      type(c_ptr) :: copy
+      integer(hid_t) :: attribute
+
+      copy = address
+      call open_attribute(calls, place, name, attribute)
+      if (calls%is_good()) then
+         call h5aread_f(attribute, memory_type, copy, calls%status)
+         call calls%check()
       end if
-      if (len(flaw) == 0) call get_extent(calls, dataset, largest_rank, counts, flaw)
-      if (len(flaw) == 0) call read_values(calls, dataset, counts, values, flaw)
-      call close_dataset(calls, dataset)
-      call close_file(calls, file_id)
-      if (len(flaw) > 0) return
-      call calls%get_error('cannot be read', error)
-      if (allocated(error)) flaw = error%message
-   end subroutine read_numbers
+      call calls%close_id(attribute)
+   end subroutine read_any
 
-   !> Open a file to read from it.
-   subroutine open_file(calls, file, file_id, flaw)
+   !> Read a text; empty if there is none.
+   subroutine read_text(calls, place, name, text)
       type(hdf5_calls_t), intent(inout) :: calls
-      character(*), intent(in) :: file
-      integer(hid_t), intent(inout) :: file_id
-      character(:), allocatable, intent(inout) :: flaw
-      logical :: is_hdf5
+      integer(hid_t), intent(in) :: place
+      character(*), intent(in) :: name
+      character(:), allocatable, intent(out) :: text
+      type(c_ptr), target :: pointer_to_text(1)
+      character(kind=c_char), pointer :: letters(:)
+      type(c_ptr) :: address
+      integer(hid_t) :: attribute, type_id, space
+      integer :: i
 
-      select case (kind_of_path(file))
-      case (path_free)
-         flaw = 'there is no such file'
-      case (path_file)
-         if (.not. calls%is_good()) return
-         call h5fis_hdf5_f(file, is_hdf5, calls%status)
-         call calls%check()
-         if (.not. calls%is_good()) return
-         if (.not. is_hdf5) then
-            flaw = 'the file is no HDF5 file'
-            return
-         end if
-         call h5fopen_f(file, H5F_ACC_RDONLY_F, file_id, calls%status)
-         call calls%check()
-         if (.not. calls%is_good()) file_id = no_id
-      case default
-         flaw = 'this is no regular file'
-      end select
-   end subroutine open_file
-
-   !> Number of values along each dimension, of a dataset of numbers that has one or two.
-   subroutine get_extent(calls, dataset, largest_rank, counts, flaw)
-      type(hdf5_calls_t), intent(inout) :: calls
-      integer(hid_t), intent(in) :: dataset
-      integer, intent(in) :: largest_rank
-      integer(i8), allocatable, intent(out) :: counts(:)
-      character(:), allocatable, intent(inout) :: flaw
-      integer(hsize_t) :: extents(most_dimensions), limits(most_dimensions)
-      integer(hid_t) :: type_id, space
-      integer :: type_class, space_class, rank
-      character(2) :: number
-
+      text = ''
       type_id = no_id
       space = no_id
-      rank = 0
-      if (calls%is_good()) call h5dget_type_f(dataset, type_id, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5tget_class_f(type_id, type_class, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5dget_space_f(dataset, space, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5sget_simple_extent_type_f(space, space_class, calls%status)
-      call calls%check()
-      if (calls%is_good()) call h5sget_simple_extent_ndims_f(space, rank, calls%status)
-      call calls%check()
-      if (calls%is_good() .and. rank > 0) call h5sget_simple_extent_dims_f(space, extents(:rank), limits(:rank), calls%status)
-      call calls%check()
-      counts = int(extents(rank:1:-1), i8)
+      call open_attribute(calls, place, name, attribute)
       if (calls%is_good()) then
-         write (number, '(i0)') rank
-         if (.not. any(type_class == [H5T_FLOAT_F, H5T_INTEGER_F])) then
-            flaw = 'the dataset has no numbers'
-         else if (space_class == H5S_NULL_F .or. any(counts == 0)) then
-            flaw = 'the dataset is empty'
-         else if (rank < 1 .or. rank > largest_rank) then
-            flaw = 'the dataset has '//trim(number)//' dimensions'
-         end if
+         call h5aget_type_f(attribute, type_id, calls%status)
+         call calls%check()
+      end if
+      if (calls%is_good()) then
+         call h5aget_space_f(attribute, space, calls%status)
+         call calls%check()
+      end if
+      address = c_loc(pointer_to_text)
+      if (calls%is_good()) then
+         call h5aread_f(attribute, type_id, address, calls%status)
+         call calls%check()
+      end if
+      if (calls%is_good()) then
+         call c_f_pointer(pointer_to_text(1), letters, [strlen(pointer_to_text(1))])
+         deallocate (text)
+         allocate (character(size(letters)) :: text)
+         do i = 1, size(letters)
+            text(i:i) = letters(i)
+         end do
+         call h5dvlen_reclaim_f(type_id, space, H5P_DEFAULT_F, address, calls%status)
+         call calls%check()
       end if
       call calls%close_id(space)
       call calls%close_id(type_id)
-   end subroutine get_extent
+      call calls%close_id(attribute)
+   end subroutine read_text
 
-   !> The values themselves.
-   subroutine read_values(calls, dataset, counts, values, flaw)
+   !> Read a number.
+   subroutine read_real(calls, place, name, number)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: place
+      character(*), intent(in) :: name
+      real(dp), intent(out) :: number
+      real(dp), target :: buffer
+
+      buffer = 0
+      call read_any(calls, place, name, H5T_NATIVE_DOUBLE, c_loc(buffer))
+      number = buffer
+   end subroutine read_real
+
+   !> Read an integer.
+   subroutine read_integer(calls, place, name, number)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: place
+      character(*), intent(in) :: name
+      integer(i8), intent(out) :: number
+      integer(i8), target :: buffer
+
+      buffer = 0
+      call read_any(calls, place, name, h5kind_to_type(i8, H5_INTEGER_KIND), c_loc(buffer))
+      number = buffer
+   end subroutine read_integer
+
+   !> Read small integers.
+   subroutine read_small_integers(calls, place, name, numbers)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: place
+      character(*), intent(in) :: name
+      !> Of as many as the attribute has.
+      integer(int8), intent(out) :: numbers(:)
+      integer(int8), target :: buffer(size(numbers))
+
+      buffer = 0
+      call read_any(calls, place, name, h5kind_to_type(int8, H5_INTEGER_KIND), c_loc(buffer))
+      numbers = buffer
+   end subroutine read_small_integers
+
+   !> Open a dataset.
+   subroutine open_dataset(calls, file, name, dataset)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      character(*), intent(in) :: name
+      integer(hid_t), intent(out) :: dataset
+
+      dataset = no_id
+      if (.not. calls%is_good()) return
+      call h5dopen_f(file, name, dataset, calls%status)
+      call calls%check()
+   end subroutine open_dataset
+
+   !> Number of values of a dataset; 0 if a call has failed.
+   integer(i8) function n_values_of(calls, dataset)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: dataset
-      integer(i8), intent(in) :: counts(:)
-      real(dp), allocatable, target, intent(out) :: values(:, :)
-      character(:), allocatable, intent(inout) :: flaw
+      integer(hid_t) :: space
+      integer(hsize_t) :: n
+
+      n_values_of = 0
+      if (.not. calls%is_good()) return
+      call h5dget_space_f(dataset, space, calls%status)
+      call calls%check()
+      if (.not. calls%is_good()) return
+      call h5sget_simple_extent_npoints_f(space, n, calls%status)
+      ! it gives 0, or -1
+      call calls%check()
+      call calls%close_id(space)
+      if (calls%is_good()) n_values_of = int(n, i8)
+   end function n_values_of
+
+   !> Read real numbers.
+   subroutine read_reals(calls, dataset, memory_space, file_space, values)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: dataset
+      !> Space of as many values, and a space of the dataset's shape with the part selected.
+      integer(hid_t), intent(in) :: memory_space, file_space
+      real(dp), intent(inout), contiguous, target :: values(:)
       type(c_ptr) :: address
-      integer(i8) :: n_slow
-      integer :: status
 
       if (.not. calls%is_good()) return
-      n_slow = 1
-      if (size(counts) == 2) n_slow = counts(1)
-      status = 1
-      if (product(real(counts, dp))*real_bytes < free_memory() .and. all(counts <= huge(1))) &
-         allocate (values(counts(size(counts)), n_slow), stat=status)
-      if (status /= 0) then
-         flaw = 'the dataset is too large for the memory'
-         return
-      end if
       address = c_loc(values)
-      call h5dread_f(dataset, H5T_NATIVE_DOUBLE, address, calls%status)
+      call h5dread_f(dataset, H5T_NATIVE_DOUBLE, address, calls%status, memory_space, file_space)
       call calls%check()
-   end subroutine read_values
+   end subroutine read_reals
+
+   !> Read states.
+   subroutine read_states(calls, dataset, memory_space, file_space, values)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: dataset
+      !> Space of as many values, and a space of the dataset's shape with the part selected.
+      integer(hid_t), intent(in) :: memory_space, file_space
+      integer(int8), intent(inout), contiguous, target :: values(:)
+      type(c_ptr) :: address
+
+      if (.not. calls%is_good()) return
+      address = c_loc(values)
+      call h5dread_f(dataset, h5kind_to_type(int8, H5_INTEGER_KIND), address, calls%status, memory_space, file_space)
+      call calls%check()
+   end subroutine read_states
 
 end module adfric_output_hdf5_layer_reading

@@ -1,12 +1,14 @@
 !> Which datasets a results file has, of what shape and size.
 module adfric_output_layout
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: model_t, result_t, profile_t, status_meanings
+   use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, status_meanings
    use adfric_base_words, only: count_words
+   use adfric_sweep_blocks, only: blocks_t, part_t, new_blocks
+   use adfric_sweep_counts, only: find_counts
    use adfric_sweep_plan, only: plan_t
    implicit none (type, external)
    private
-   public :: layout_t, new_layout, scale_t, field_t
+   public :: layout_t, new_layout, scale_t, field_t, set_status_fields
 
    !> Meaning of the state `no_state` of a result.
    character(*), parameter :: no_state_meaning = 'no_value'
@@ -35,8 +37,11 @@ module adfric_output_layout
       integer :: column = 0
    end type field_t
 
-   !> The datasets of a results file.
+   !> The datasets of a results file. That of a whole run has the points in the shape of the sweep; that of a part has
+   !> its points in a row.
    type :: layout_t
+      !> The points of the file.
+      type(blocks_t) :: blocks
       !> Swept variables, the slowest first.
       type(scale_t), allocatable :: axes(:)
       !> Axes of a profile, the slowest first, without those of size 1.
@@ -45,8 +50,12 @@ module adfric_output_layout
       type(field_t), allocatable :: fields(:)
       !> Profiles.
       type(field_t), allocatable :: profiles(:)
+      !> Names of what the model counts in each block.
+      type(field_t), allocatable :: counts(:)
    contains
       procedure :: point_shape
+      procedure :: row_shape
+      procedure :: row_of
       procedure :: profile_shape
       procedure :: n_bytes
    end type layout_t
@@ -54,11 +63,15 @@ module adfric_output_layout
 contains
 
    !> Find the datasets of a run.
-   subroutine new_layout(self, model, plan)
+   subroutine new_layout(self, model, plan, part)
       type(layout_t), intent(out) :: self
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
+      !> The whole run if absent.
+      type(part_t), intent(in), optional :: part
       type(result_t), allocatable :: results(:)
+      type(attribute_t), allocatable :: counts(:)
+      integer :: i
 
       results = model%describe_results(plan%base)
       call find_axes(model, plan, self%axes)
@@ -69,6 +82,12 @@ contains
       else
          allocate (self%profile_axes(0), self%profiles(0))
       end if
+      call new_blocks(self%blocks, plan%n_points(), part)
+      call find_counts(model, counts)
+      allocate (self%counts(size(counts)))
+      do i = 1, size(counts)
+         call set_field(self%counts(i), counts(i)%name, '-', 'sum over the points of a block, for the attribute of this name')
+      end do
    end subroutine new_layout
 
    !> Name the swept variables: by their own names or, where two of them share it, with the group before it.
@@ -114,11 +133,18 @@ contains
          fields(n)%flag_meanings = no_state_meaning//' '//results(i)%flag_meanings
          fields(n)%first_flag = -1
       end do outer
-      call set_field(fields(n + 1), 'error_estimate', '-', 'relative error of the main result, estimated')
-      call set_field(fields(n + 2), 'status', '-', 'whether the point was solved')
-      fields(n + 2)%flag_meanings = status_meanings
+      call set_status_fields(fields(n + 1:n + 2))
       fields = fields(:n + 2)
    end subroutine find_fields
+
+   !> The last fields of every layout.
+   pure subroutine set_status_fields(fields)
+      type(field_t), intent(inout) :: fields(2)
+
+      call set_field(fields(1), 'error_estimate', '-', 'relative error of the main result, estimated')
+      call set_field(fields(2), 'status', '-', 'whether the point was solved')
+      fields(2)%flag_meanings = status_meanings
+   end subroutine set_status_fields
 
    !> Set what is written beside a dataset of real numbers.
    pure subroutine set_field(field, name, unit, long_name)
@@ -173,6 +199,28 @@ contains
       counts = [(size(self%axes(k)%values, kind=i8), k=1, size(self%axes))]
    end function point_shape
 
+   !> Shape of the points of the file: that of the sweep, or one row for a part.
+   pure function row_shape(self) result(counts)
+      class(layout_t), intent(in) :: self
+      integer(i8), allocatable :: counts(:)
+
+      if (self%blocks%part%is_whole()) then
+         counts = self%point_shape()
+      else
+         counts = [self%blocks%n_points()]
+      end if
+   end function row_shape
+
+   !> Place of a point in the file, from 1.
+   pure integer(i8) function row_of(self, point)
+      class(layout_t), intent(in) :: self
+      !> Number of the point in the run, from 1.
+      integer(i8), intent(in) :: point
+
+      row_of = point
+      if (.not. self%blocks%part%is_whole()) row_of = self%blocks%row_of(point)
+   end function row_of
+
    !> Shape of a profile, the slowest axis first.
    pure function profile_shape(self) result(counts)
       class(layout_t), intent(in) :: self
@@ -190,13 +238,15 @@ contains
       integer :: i
 
       n_points = product(real(self%point_shape(), dp))
+      if (.not. self%blocks%part%is_whole()) n_points = real(self%blocks%n_points(), dp)
       per_point = real_bytes*size(self%profiles)*product(real(self%profile_shape(), dp))
       do i = 1, size(self%fields)
          per_point = per_point + merge(state_bytes, real_bytes, len(self%fields(i)%flag_meanings) > 0)
       end do
+      per_point = per_point + real(real_bytes*size(self%counts), dp)/self%blocks%size
       n_bytes = n_points*per_point + real_bytes*(sum(real(self%point_shape(), dp)) &
          + sum(real(self%profile_shape(), dp))) + bytes_per_dataset &
-         *(size(self%axes) + size(self%profile_axes) + size(self%fields) + size(self%profiles))
+         *(size(self%axes) + size(self%profile_axes) + size(self%fields) + size(self%profiles) + size(self%counts))
    end function n_bytes
 
 end module adfric_output_layout

@@ -1,12 +1,15 @@
 /* What neither Fortran nor HDF5 says about files: kinds, locks, free space, and a move that overwrites nothing. */
 
 #define _DEFAULT_SOURCE
+#define _XOPEN_SOURCE 700
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -38,15 +41,52 @@ void adfric_identify(const char *path, int64_t id[2])
    id[1] = is_there ? (int64_t)entry.st_ino : 0;
 }
 
-/* Does another process, or another part of this one, hold the lock that HDF5 takes on files it writes? */
+/* A lock is a lock of the whole of a file of its own: it ends with the process that holds it, however that ends. */
+
+/* Does another process, or another part of this one, hold a lock? */
 int adfric_is_locked(const char *path)
 {
    /* without waiting for whoever opens the other end of a pipe */
-   const int file = open(path, O_RDONLY | O_NONBLOCK);
+   const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
    if (file < 0) return 0;
    const int is_locked = flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
    close(file);
    return is_locked;
+}
+
+/* Take a lock. 0, -1 if another one holds it, or an error number. Where the file system has no locks, the lock
+   has the number -1 and protects nothing. */
+int adfric_take_lock(const char *path, int *lock)
+{
+   *lock = -1;
+   for (;;) {
+      const int file = open(path, O_RDWR | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0666);
+      struct stat held, named;
+      if (file < 0) return errno;
+      if (flock(file, LOCK_EX | LOCK_NB) != 0) {
+         const int number = errno;
+         close(file);
+         if (number == EWOULDBLOCK) return -1;
+         unlink(path);
+         return 0;
+      }
+      /* whoever held it before may have removed the file after we opened it */
+      if (fstat(file, &held) == 0 && stat(path, &named) == 0 && held.st_dev == named.st_dev
+          && held.st_ino == named.st_ino) {
+         *lock = file;
+         return 0;
+      }
+      close(file);
+   }
+}
+
+/* Give a lock back. */
+void adfric_release_lock(const char *path, int lock)
+{
+   if (lock < 0) return;
+   /* in this order: nobody gets a file that is about to go */
+   unlink(path);
+   close(lock);
 }
 
 /* Bytes that this user may still write into a folder; negative if it cannot be said. */
@@ -57,8 +97,21 @@ double adfric_free_space(const char *folder)
    return (double)system.f_bavail * (double)system.f_frsize;
 }
 
+/* Path of a file as seen from the folder of another one: relative if it is in that folder or below it, else absolute.
+   0 or an error number; both folders must exist. */
+int adfric_path_from(const char *folder, const char *path, char *text, size_t size)
+{
+   char from[PATH_MAX], to[PATH_MAX];
+   if (realpath(folder, from) == NULL || realpath(path, to) == NULL) return errno;
+   const size_t n = strcmp(from, "/") == 0 ? 0 : strlen(from);
+   const char *result = strncmp(from, to, n) == 0 && to[n] == '/' ? to + n + 1 : to;
+   if (strlen(result) >= size) return ENAMETOOLONG;
+   copy_text(text, size, result);
+   return 0;
+}
+
 /* Bring a file to the disk itself. 0 or an error number. */
-static int synchronise(const char *path)
+int adfric_synchronise(const char *path)
 {
    const int file = open(path, O_RDONLY | O_NONBLOCK);
    if (file < 0) return errno;
@@ -72,7 +125,7 @@ static int synchronise(const char *path)
 int adfric_move_file(const char *from, const char *to, int overwrite)
 {
    /* the old results go only when the new ones are safe */
-   const int number = synchronise(from);
+   const int number = adfric_synchronise(from);
    if (number != 0) return number;
    if (!overwrite) {
       if (link(from, to) == 0) return unlink(from) == 0 ? 0 : errno;
@@ -80,6 +133,12 @@ int adfric_move_file(const char *from, const char *to, int overwrite)
       /* A file system without hard links. */
       if (adfric_kind_of_path(to) != 0) return EEXIST;
    }
+   return rename(from, to) == 0 ? 0 : errno;
+}
+
+/* Rename a file, whatever stands at the new name. 0 or an error number. */
+int adfric_rename_file(const char *from, const char *to)
+{
    return rename(from, to) == 0 ? 0 : errno;
 }
 

@@ -7,13 +7,14 @@ module adfric_output_operating_system
    private
    public :: kind_of_path, path_free, path_file, path_other
    public :: file_id_t, id_of_file, is_same
-   public :: folder_of, is_locked, free_space, free_memory, utc_time
-   public :: move_file, remove_file, ignore_file_size_signal
+   public :: folder_of, path_from, free_space, free_memory, utc_time
+   public :: lock_t, take_lock, is_locked
+   public :: move_file, rename_file, remove_file, synchronise, ignore_file_size_signal
 
    !> What can stand at a path: nothing, a regular file, anything else.
    integer, parameter :: path_free = 0, path_file = 1, path_other = 2
-   !> Room for a text that C gives back.
-   integer, parameter :: text_length = 256
+   !> Room for a text that C gives back, and for a path.
+   integer, parameter :: text_length = 256, path_length = 4096
 
    !> Which file it is, whatever its names.
    type :: file_id_t
@@ -21,6 +22,15 @@ module adfric_output_operating_system
       !> Device and inode; 0 for no file.
       integer(c_int64_t) :: numbers(2) = 0
    end type file_id_t
+
+   !> A lock that keeps other runs, on this machine or on others that share the folder, from the same files.
+   type :: lock_t
+      private
+      character(:), allocatable :: path
+      integer(c_int) :: number = -1
+   contains
+      procedure :: release
+   end type lock_t
 
    interface
 
@@ -43,6 +53,34 @@ module adfric_output_operating_system
          character(kind=c_char), intent(in) :: path(*)
       end function c_is_locked
 
+      integer(c_int) function c_take_lock(path, lock) bind(c, name='adfric_take_lock')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int), intent(out) :: lock
+      end function c_take_lock
+
+      subroutine c_release_lock(path, lock) bind(c, name='adfric_release_lock')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int), intent(in), value :: lock
+      end subroutine c_release_lock
+
+      integer(c_int) function c_path_from(folder, path, text, size) bind(c, name='adfric_path_from')
+         import :: c_char, c_int, c_size_t
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: folder(*), path(*)
+         character(kind=c_char), intent(out) :: text(*)
+         integer(c_size_t), intent(in), value :: size
+      end function c_path_from
+
+      integer(c_int) function c_synchronise(path) bind(c, name='adfric_synchronise')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end function c_synchronise
+
       real(c_double) function c_free_space(folder) bind(c, name='adfric_free_space')
          import :: c_char, c_double
          implicit none (type, external)
@@ -55,6 +93,12 @@ module adfric_output_operating_system
          character(kind=c_char), intent(in) :: from(*), to(*)
          integer(c_int), intent(in), value :: overwrite
       end function c_move_file
+
+      integer(c_int) function c_rename_file(from, to) bind(c, name='adfric_rename_file')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: from(*), to(*)
+      end function c_rename_file
 
       integer(c_int) function c_remove_file(path) bind(c, name='adfric_remove_file')
          import :: c_char, c_int
@@ -102,7 +146,7 @@ contains
    end function id_of_file
 
    !> Are these the same file? Two that do not exist are not.
-   pure logical function is_same(one, other)
+   elemental logical function is_same(one, other)
       type(file_id_t), intent(in) :: one, other
 
       is_same = all(one%numbers == other%numbers) .and. any(one%numbers /= 0)
@@ -124,7 +168,45 @@ contains
       end if
    end function folder_of
 
-   !> Is a file being written by another run?
+   !> Path of a file as seen from a folder: relative if the file is in it or below it, else absolute.
+   subroutine path_from(folder, path, text, error)
+      character(*), intent(in) :: folder, path
+      character(:), allocatable, intent(out) :: text
+      type(error_t), allocatable, intent(out) :: error
+      character(kind=c_char) :: buffer(path_length)
+      integer(c_int) :: number
+
+      buffer = c_null_char
+      number = c_path_from(folder//c_null_char, path//c_null_char, buffer, size(buffer, kind=c_size_t))
+      text = text_of(buffer)
+      if (number /= 0) call set_error(error, file_failure, path//': cannot find this file: '//error_text(number))
+   end subroutine path_from
+
+   !> Take a lock.
+   subroutine take_lock(path, lock, is_held_by_others, error)
+      !> Name of the file that stands for it; it is removed with the lock.
+      character(*), intent(in) :: path
+      type(lock_t), intent(inout) :: lock
+      logical, intent(out) :: is_held_by_others
+      !> The file cannot be made.
+      type(error_t), allocatable, intent(out) :: error
+      integer(c_int) :: number
+
+      lock%path = path
+      number = c_take_lock(path//c_null_char, lock%number)
+      is_held_by_others = number < 0
+      if (number > 0) call set_error(error, file_failure, error_text(number))
+   end subroutine take_lock
+
+   !> Give a lock back.
+   subroutine release(self)
+      class(lock_t), intent(inout) :: self
+
+      if (self%number >= 0) call c_release_lock(self%path//c_null_char, self%number)
+      self%number = -1
+   end subroutine release
+
+   !> Does another run hold a lock?
    logical function is_locked(path)
       character(*), intent(in) :: path
 
@@ -168,7 +250,20 @@ contains
       text = text_of(buffer)
    end function utc_time
 
-   !> Rename a file within its folder, in one step.
+   !> Rename a file within its folder, in one step, without waiting for the disk.
+   subroutine rename_file(from, to, error)
+      character(*), intent(in) :: from
+      !> What stands at this name is replaced.
+      character(*), intent(in) :: to
+      type(error_t), allocatable, intent(out) :: error
+      integer(c_int) :: number
+
+      number = c_rename_file(from//c_null_char, to//c_null_char)
+      if (number /= 0) call set_error(error, file_failure, &
+         to//': cannot rename '//from//' to this name: '//error_text(number))
+   end subroutine rename_file
+
+   !> Rename a file within its folder, in one step, when it is safe on the disk.
    subroutine move_file(from, to, overwrite, error)
       character(*), intent(in) :: from, to
       !> May a file of the new name be replaced?
@@ -180,6 +275,16 @@ contains
       if (number /= 0) call set_error(error, file_failure, &
          to//': cannot rename '//from//' to this name: '//error_text(number))
    end subroutine move_file
+
+   !> Bring a file to the disk itself.
+   subroutine synchronise(path, error)
+      character(*), intent(in) :: path
+      type(error_t), allocatable, intent(out) :: error
+      integer(c_int) :: number
+
+      number = c_synchronise(path//c_null_char)
+      if (number /= 0) call set_error(error, file_failure, path//': cannot bring to the disk: '//error_text(number))
+   end subroutine synchronise
 
    !> Remove a file.
    subroutine remove_file(path, error)

@@ -5,40 +5,63 @@ module adfric_output_resources
    use adfric_base_model, only: model_t
    use adfric_output_layout, only: layout_t, new_layout
    use adfric_output_operating_system, only: folder_of, free_memory, free_space
+   use adfric_sweep_blocks, only: part_t
    use adfric_sweep_plan, only: plan_t
    use adfric_sweep_runner, only: memory_needed
    implicit none (type, external)
    private
-   public :: check_resources, file_size_of, show_bytes
+   public :: check_resources, check_disk, check_memory, file_size_of, show_bytes
 
 contains
 
    !> Refuse a run that is too large for the disk or the memory.
-   subroutine check_resources(model, plan, path, error)
+   subroutine check_resources(model, plan, path, error, part)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       !> Name of the results file.
       character(*), intent(in) :: path
       type(error_t), allocatable, intent(out) :: error
+      !> The whole run if absent.
+      type(part_t), intent(in), optional :: part
+
+      call check_disk(file_size_of(model, plan, part), path, error)
+      if (.not. allocated(error)) call check_memory(model, plan, error)
+   end subroutine check_resources
+
+   !> Refuse a results file that is too large for the disk.
+   subroutine check_disk(n_bytes, path, error)
+      !> Size of the file [bytes].
+      real(dp), intent(in) :: n_bytes
+      !> Name of the file.
+      character(*), intent(in) :: path
+      type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: folder
 
       folder = folder_of(path)
-      if (file_size_of(model, plan) > free_space(folder)) then
-         call set_error(error, input_failure, 'the sweep is too large for the disk, needed: ' &
-            //show_bytes(file_size_of(model, plan))//', free in '//folder//': '//show_bytes(free_space(folder)))
-      else if (memory_needed(model, plan) > free_memory()) then
-         call set_error(error, input_failure, 'the run is too large for the memory, needed: ' &
-            //show_bytes(memory_needed(model, plan))//', free: '//show_bytes(free_memory()))
-      end if
-   end subroutine check_resources
+      if (n_bytes > free_space(folder)) call set_error(error, input_failure, 'the sweep is too large for the disk, needed: ' &
+         //show_bytes(n_bytes)//', free in '//folder//': '//show_bytes(free_space(folder)))
+   end subroutine check_disk
 
-   !> Size of the results file [bytes].
-   real(dp) function file_size_of(model, plan)
+   !> Refuse a run that is too large for the memory.
+   subroutine check_memory(model, plan, error)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
+      type(error_t), allocatable, intent(out) :: error
+
+      if (memory_needed(model, plan) > free_memory()) call set_error(error, input_failure, &
+         'the run is too large for the memory, needed: '//show_bytes(memory_needed(model, plan))//', free: ' &
+         //show_bytes(free_memory()))
+   end subroutine check_memory
+
+   !> Size of the results file [bytes].
+   real(dp) function file_size_of(model, plan, part)
+      class(model_t), intent(in) :: model
+      type(plan_t), intent(in) :: plan
+      !> The whole run if absent.
+      type(part_t), intent(in), optional :: part
       type(layout_t) :: layout
 
-      call new_layout(layout, model, plan)
+      call new_layout(layout, model, plan, part)
       file_size_of = layout%n_bytes()
    end function file_size_of
 

@@ -3,7 +3,7 @@ module adfric_sweep_plan
    use adfric_base_kinds, only: dp, i8
    implicit none (type, external)
    private
-   public :: axis_t, plan_t
+   public :: axis_t, source_t, plan_t
 
    !> One swept variable.
    type :: axis_t
@@ -13,12 +13,24 @@ module adfric_sweep_plan
       real(dp), allocatable :: values(:)
    end type axis_t
 
+   !> A dataset that a variable takes its values from.
+   type :: source_t
+      !> Place in the variables of the model.
+      integer :: variable = 0
+      !> FILE:/DATASET, as the user gave it.
+      character(:), allocatable :: name
+      !> Of the values.
+      character(:), allocatable :: checksum
+   end type source_t
+
    !> Every point of a run. Points are numbered from 1; the last axis varies fastest.
    type :: plan_t
       !> Values of all variables of the model where nothing is swept; shape `(n_variables)`.
       real(dp), allocatable :: base(:)
       !> Swept variables, the slowest first; size 0 for a single point.
       type(axis_t), allocatable :: axes(:)
+      !> Datasets that the case names; not allocated if there are none.
+      type(source_t), allocatable :: sources(:)
    contains
       procedure :: n_points
       procedure :: shape => plan_shape

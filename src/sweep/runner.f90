@@ -1,39 +1,43 @@
-!> Solve every point of a plan with all threads and hand the results to a sink.
+!> Solve the blocks that a source gives, with all threads, and hand the results to a sink.
 !>
-!> The points are cut into blocks of neighbours, whose size depends on the plan alone, so that the results are
-!> the same for any number of threads. Many blocks make a slab. Whoever solves the last block of a slab puts
-!> it into the sink while the others go on with the next one; nobody waits as long as the sink keeps up, and the
-!> memory does not grow with the plan.
+!> Each thread takes a few neighbouring blocks, solves them one by one and puts their results into the sink, again and
+!> again. Blocks may be taken and put in any order: the results do not depend on it. Batches are small where points
+!> take long, so that little is lost when a run is killed, and large where points take next to no time, so that
+!> few calls of the sink are needed. Memory does not grow with the number of points.
 module adfric_sweep_runner
-   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
+   use omp_lib, only: omp_get_max_threads, omp_get_num_threads, omp_get_thread_num
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_base_model, only: model_t, status_solved
+   use adfric_base_error, only: error_t
+   use adfric_base_model, only: model_t, attribute_t, status_solved
    use adfric_base_words, only: count_words
+   use adfric_sweep_batch, only: batch_t, new_batch, batch_bytes
+   use adfric_sweep_blocks, only: blocks_t, new_blocks, block_size_of
+   use adfric_sweep_block_source, only: block_source_t, block_list_t, new_block_list
    use adfric_sweep_clock, only: wall_clock
+   use adfric_sweep_counts, only: find_counts, pick_counts
+   use adfric_sweep_interruption, only: caught_signal
    use adfric_sweep_plan, only: plan_t
    use adfric_sweep_progress, only: progress_t
-   use adfric_sweep_ring, only: ring_t, new_ring, n_slabs
    use adfric_sweep_sink, only: sink_t
-   use adfric_sweep_slab, only: slab_t, slab_bytes
-   use adfric_sweep_summary, only: run_summary_t, new_summary, add_attributes
-   use adfric_sweep_threads, only: let_others_run
+   use adfric_sweep_summary, only: run_summary_t, new_summary
    implicit none (type, external)
    private
-   public :: run_sweep, block_size_of, memory_needed
+   public :: run_sweep, memory_needed
 
-   !> Smallest and largest number of points of a block, and the number of blocks that a plan between them has.
-   integer, parameter :: smallest_block = 16, largest_block = 256, blocks_of_small_plan = 32
-   !> Least number of slabs of a plan, so that a run that is stopped has most of its results in the sink.
-   integer, parameter :: slabs_per_plan = 8
-   !> Largest number of blocks of a slab, but for many threads: each has a block in every slab.
-   integer, parameter :: largest_slab = 64
+   !> Largest number of blocks of a batch.
+   integer, parameter :: largest_batch = 16
+   !> A batch that is solved faster is followed by a larger one, one that takes longer by a smaller one [s].
+   real(dp), parameter :: short_batch = 0.02_dp, long_batch = 0.1_dp
+   !> Results of whole blocks wait no longer than this for the rest of their batch [s].
+   real(dp), parameter :: longest_wait = 0.2_dp
 
    !> What the threads share.
    type :: sweep_t
-      type(ring_t) :: ring
+      integer(i8) :: n_solved = 0
       !> Shape of the profiles of a point; (0, 0, 0) if there are none.
       integer :: profile_shape(3) = 0
+      !> What the model counts.
+      type(attribute_t), allocatable :: counts(:)
       type(run_summary_t) :: summary
       type(error_t), allocatable :: error
    end type sweep_t
@@ -46,65 +50,78 @@ module adfric_sweep_runner
       real(dp), allocatable :: results(:, :)
       !> Profiles of a point.
       real(dp), allocatable :: profiles(:, :, :)
+      type(batch_t) :: batch
+      !> Number of blocks that it takes next.
+      integer :: n_wanted = 1
       type(run_summary_t) :: summary
    end type worker_t
 
 contains
 
-   !> Solve every point.
-   subroutine run_sweep(model, plan, sink, progress, summary, error)
+   !> Solve every block of the source. The run ends before that when a signal asks for it; `summary%signal` says so.
+   subroutine run_sweep(model, plan, sink, progress, summary, error, source)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       class(sink_t), intent(inout) :: sink
       class(progress_t), intent(inout) :: progress
       type(run_summary_t), intent(out) :: summary
       type(error_t), allocatable, intent(out) :: error
+      !> If absent, every block of the plan is solved.
+      class(block_source_t), intent(inout), optional :: source
+      type(block_list_t) :: every_block
+      type(blocks_t) :: blocks
+
+      if (present(source)) then
+         call run_source(model, plan, sink, progress, summary, error, source)
+      else
+         call new_blocks(blocks, plan%n_points())
+         call new_block_list(every_block, blocks)
+         call run_source(model, plan, sink, progress, summary, error, every_block)
+      end if
+   end subroutine run_sweep
+
+   !> Solve every block of a source.
+   subroutine run_source(model, plan, sink, progress, summary, error, source)
+      class(model_t), intent(in) :: model
+      type(plan_t), intent(in) :: plan
+      class(sink_t), intent(inout) :: sink
+      class(progress_t), intent(inout) :: progress
+      type(run_summary_t), intent(out) :: summary
+      type(error_t), allocatable, intent(out) :: error
+      class(block_source_t), intent(inout) :: source
       type(sweep_t) :: sweep
       real(dp) :: start
 
       start = wall_clock()
-      call prepare(model, plan, sweep)
-      if (.not. allocated(sweep%error)) then
-         !$omp parallel default(none) shared(model, plan, sink, progress, sweep)
-         call work(model, plan, sink, progress, sweep)
-         !$omp end parallel
-      end if
+      if (model%wants_profiles(plan%base)) sweep%profile_shape = profile_shape_of(model, plan)
+      call find_counts(model, sweep%counts)
+      call new_summary(sweep%summary, model%results)
+      sweep%n_solved = source%n_points_before
+      call progress%report(sweep%n_solved, source%blocks%n_points())
+      !$omp parallel default(none) shared(model, plan, sink, progress, source, sweep)
+      call work(model, plan, sink, progress, source, sweep)
+      !$omp end parallel
       if (allocated(sweep%error)) call move_alloc(sweep%error, error)
       summary = sweep%summary
+      if (sweep%n_solved < source%blocks%n_points()) summary%signal = int(caught_signal())
       summary%wall_seconds = wall_clock() - start
-   end subroutine run_sweep
-
-   !> Number of points of the blocks of a plan.
-   pure integer function block_size_of(n_points)
-      integer(i8), intent(in) :: n_points
-
-      block_size_of = int(min(int(largest_block, i8), max(int(smallest_block, i8), n_points/blocks_of_small_plan)))
-   end function block_size_of
+   end subroutine run_source
 
    !> Memory that a run needs beside that of its plan [bytes].
    real(dp) function memory_needed(model, plan)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       integer, parameter :: real_bytes = 8
-      integer :: n_results, n_threads
+      real(dp) :: per_thread
+      integer :: block_size
 
-      n_results = size(model%results)
-      n_threads = omp_get_max_threads()
-      memory_needed = n_slabs*slab_bytes(n_results, blocks_per_slab(plan%n_points())*block_size_of(plan%n_points())) &
-         + real(real_bytes, dp)*n_threads*largest_block*(size(model%variables) + n_results)
-      if (model%wants_profiles(plan%base)) memory_needed = memory_needed &
-         + real_bytes*n_threads*product(real(profile_shape_of(model, plan), dp))
+      block_size = block_size_of(plan%n_points())
+      per_thread = batch_bytes(size(model%results), largest_batch*block_size) &
+         + real(real_bytes, dp)*block_size*(size(model%variables) + size(model%results))
+      if (model%wants_profiles(plan%base)) per_thread = per_thread &
+         + real_bytes*product(real(profile_shape_of(model, plan), dp))
+      memory_needed = per_thread*omp_get_max_threads()
    end function memory_needed
-
-   !> Number of blocks of a slab.
-   integer function blocks_per_slab(n_points)
-      integer(i8), intent(in) :: n_points
-      integer(i8) :: n_blocks
-
-      n_blocks = 1 + (n_points - 1)/block_size_of(n_points)
-      blocks_per_slab = int(min(n_blocks, max(min(n_blocks/slabs_per_plan, int(largest_slab, i8)), &
-         int(omp_get_max_threads(), i8))))
-   end function blocks_per_slab
 
    !> Shape of the profiles of a point: the axis that runs fastest first.
    function profile_shape_of(model, plan) result(counts)
@@ -120,120 +137,157 @@ contains
       end do
    end function profile_shape_of
 
-   !> Make ready what the threads share.
-   subroutine prepare(model, plan, sweep)
-      class(model_t), intent(in) :: model
-      type(plan_t), intent(in) :: plan
-      type(sweep_t), intent(out) :: sweep
-      logical :: is_ready
-
-      associate (n => plan%n_points())
-         call new_ring(sweep%ring, n, size(model%results), block_size_of(n), blocks_per_slab(n), is_ready)
-      end associate
-      if (.not. is_ready) call set_error(sweep%error, input_failure, 'no memory for the results')
-      if (model%wants_profiles(plan%base)) sweep%profile_shape = profile_shape_of(model, plan)
-      call new_summary(sweep%summary, model%results)
-   end subroutine prepare
-
    !> What each thread does.
-   subroutine work(model, plan, sink, progress, sweep)
+   subroutine work(model, plan, sink, progress, source, sweep)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       class(sink_t), intent(inout) :: sink
       class(progress_t), intent(inout) :: progress
+      class(block_source_t), intent(inout) :: source
       type(sweep_t), intent(inout) :: sweep
       type(worker_t) :: worker
-      integer(i8) :: n_solved
-      integer :: slab, block
-      logical :: is_last
+      integer(i8) :: first, n_solved
+      real(dp) :: start, waiting, waiting_since
+      integer :: n, i
 
-      call new_worker(worker, model, sweep)
+      call new_worker(worker, model, source%blocks, sweep)
       do
-         !$omp critical (adfric_sweep_ring)
-         call sweep%ring%take_block(slab, block, is_last)
-         is_last = is_last .or. allocated(sweep%error)
-         !$omp end critical (adfric_sweep_ring)
-         if (is_last) exit
-         if (slab == 0) then
-            call let_others_run()
-            cycle
-         end if
-         call solve_one_block(model, plan, block, sweep%ring%slabs(slab), worker)
-         if (size(worker%profiles) > 0) then
-            call solve_block_profiles(model, plan, sink, block, sweep%ring%slabs(slab), worker, sweep%error)
-         end if
-         !$omp critical (adfric_sweep_ring)
-         call sweep%ring%finish_block(slab, block)
-         n_solved = sweep%ring%n_solved
-         !$omp end critical (adfric_sweep_ring)
-         if (omp_get_thread_num() == 0) call progress%report(n_solved, sweep%ring%n_points)
-         call put_slabs(sink, sweep)
+         call take_blocks(source, sweep, worker%n_wanted, first, n)
+         if (n == 0) exit
+         worker%batch%first = source%blocks%first_point(first)
+         start = wall_clock()
+         waiting_since = start
+         do i = 0, n - 1
+            call solve_one_block(model, plan, source%blocks, first + i, sweep%counts, worker)
+            if (size(worker%profiles) > 0) call solve_block_profiles(model, plan, sink, worker, sweep%error)
+            waiting = wall_clock() - waiting_since
+            if (i == n - 1 .or. waiting > longest_wait) then
+               call put_batch(sink, worker%batch, sweep)
+               waiting_since = wall_clock()
+            end if
+            !$omp critical (adfric_sweep_shared)
+            sweep%n_solved = sweep%n_solved + source%blocks%n_points_of(first + i)
+            n_solved = sweep%n_solved
+            !$omp end critical (adfric_sweep_shared)
+            if (omp_get_thread_num() == 0) call progress%report(n_solved, source%blocks%n_points())
+            if (must_end(sweep)) exit
+         end do
+         if (worker%batch%n_blocks > 0) call put_batch(sink, worker%batch, sweep)
+         call choose_batch_size(wall_clock() - start, worker%n_wanted)
       end do
-      !$omp critical (adfric_sweep_ring)
+      !$omp critical (adfric_sweep_shared)
       call sweep%summary%merge(worker%summary)
-      !$omp end critical (adfric_sweep_ring)
+      !$omp end critical (adfric_sweep_shared)
    end subroutine work
 
    !> Make ready what a thread has for itself.
-   subroutine new_worker(self, model, sweep)
+   subroutine new_worker(self, model, blocks, sweep)
       type(worker_t), intent(out) :: self
       class(model_t), intent(in) :: model
+      type(blocks_t), intent(in) :: blocks
       type(sweep_t), intent(in) :: sweep
 
-      associate (n => sweep%ring%slabs(1)%block_size, shape => sweep%profile_shape)
+      associate (n => blocks%size, shape => sweep%profile_shape)
          allocate (self%values(size(model%variables), n), self%results(size(model%results), n))
          allocate (self%profiles(shape(1), shape(2), shape(3)))
+         call new_batch(self%batch, size(model%results), size(sweep%counts), n, largest_batch)
       end associate
       call new_summary(self%summary, model%results)
    end subroutine new_worker
 
-   !> Solve a block.
-   subroutine solve_one_block(model, plan, block, slab, worker)
+   !> Take the next blocks: less of them towards the end of the run, so that all threads end at about the same time.
+   subroutine take_blocks(source, sweep, n_wanted, first, n)
+      class(block_source_t), intent(inout) :: source
+      type(sweep_t), intent(in) :: sweep
+      integer, intent(in) :: n_wanted
+      !> Number of the first block in the run.
+      integer(i8), intent(out) :: first
+      !> 0: no block is left, or the run must end.
+      integer, intent(out) :: n
+      integer(i8) :: share
+
+      n = 0
+      if (must_end(sweep)) return
+      !$omp critical (adfric_sweep_shared)
+      share = source%n_left/(2*omp_get_num_threads())
+      call source%take_blocks(int(max(1_i8, min(share, int(n_wanted, i8)))), first, n)
+      !$omp end critical (adfric_sweep_shared)
+   end subroutine take_blocks
+
+   !> Has something failed, or does the user want the run to end?
+   logical function must_end(sweep)
+      type(sweep_t), intent(in) :: sweep
+
+      !$omp critical (adfric_sweep_shared)
+      must_end = allocated(sweep%error)
+      !$omp end critical (adfric_sweep_shared)
+      if (.not. must_end) must_end = caught_signal() /= 0
+   end function must_end
+
+   !> Number of blocks of the next batch.
+   pure subroutine choose_batch_size(duration, n)
+      !> Of the last one [s].
+      real(dp), intent(in) :: duration
+      integer, intent(inout) :: n
+
+      if (duration < short_batch) n = min(2*n, largest_batch)
+      if (duration > long_batch) n = max(n/2, 1)
+   end subroutine choose_batch_size
+
+   !> Solve a block and add it to the batch.
+   subroutine solve_one_block(model, plan, blocks, block, counts, worker)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
-      integer, intent(in) :: block
-      !> Each block has its own part of the slab.
-      type(slab_t), intent(inout) :: slab
+      type(blocks_t), intent(in) :: blocks
+      !> Its number in the run.
+      integer(i8), intent(in) :: block
+      type(attribute_t), intent(in) :: counts(:)
       type(worker_t), intent(inout) :: worker
+      type(attribute_t), allocatable :: found(:)
       real(dp) :: start
       integer :: offset, n, i
 
       start = wall_clock()
-      call slab%get_block(block, offset, n)
-      call plan%get_values(slab%first + offset, worker%values(:, :n))
-      associate (error_estimate => slab%error_estimate(offset + 1:offset + n), &
-                 status => slab%status(offset + 1:offset + n), results => worker%results(:, :n))
-         call model%solve_block(worker%values(:, :n), results, error_estimate, status, slab%attributes(block)%items)
-         call worker%summary%add_points(results, status)
+      n = blocks%n_points_of(block)
+      call plan%get_values(blocks%first_point(block), worker%values(:, :n))
+      associate (batch => worker%batch, results => worker%results(:, :n))
+         offset = batch%n_points
+         call model%solve_block(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
+            batch%status(offset + 1:offset + n), found)
+         call worker%summary%add_points(results, batch%status(offset + 1:offset + n))
          do i = 1, size(results, 1)
-            slab%results(offset + 1:offset + n, i) = results(i, :)
+            batch%results(offset + 1:offset + n, i) = results(i, :)
          end do
+         batch%n_points = offset + n
+         batch%n_blocks = batch%n_blocks + 1
+         batch%counts(batch%n_blocks, :) = pick_counts(counts, found)
       end associate
       worker%summary%solver_seconds = worker%summary%solver_seconds + wall_clock() - start
    end subroutine solve_one_block
 
-   !> Solve the profiles of the solved points of a block; each goes to the sink at once.
-   subroutine solve_block_profiles(model, plan, sink, block, slab, worker, error)
+   !> Solve the profiles of the solved points of the last block of the batch; each goes to the sink at once.
+   subroutine solve_block_profiles(model, plan, sink, worker, error)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       class(sink_t), intent(inout) :: sink
-      integer, intent(in) :: block
-      type(slab_t), intent(in) :: slab
       type(worker_t), intent(inout) :: worker
       !> Shared by the threads.
       type(error_t), allocatable, intent(inout) :: error
       type(error_t), allocatable :: own_error
+      integer(i8) :: point
       integer :: offset, n, i
       logical :: has_failed
 
-      call slab%get_block(block, offset, n)
-      call plan%get_values(slab%first + offset, worker%values(:, :n))
+      n = 1 + mod(worker%batch%n_points - 1, size(worker%values, 2))
+      offset = worker%batch%n_points - n
       do i = 1, n
-         if (slab%status(offset + i) /= status_solved) cycle
-         call model%solve_profiles(worker%values(:, i), slab%results(offset + i, :), worker%profiles)
+         if (worker%batch%status(offset + i) /= status_solved) cycle
+         point = worker%batch%first + offset + i - 1
+         call plan%get_values(point, worker%values(:, :1))
+         call model%solve_profiles(worker%values(:, 1), worker%batch%results(offset + i, :), worker%profiles)
          !$omp critical (adfric_sweep_sink)
          if (.not. allocated(error)) then
-            call sink%put_profiles(slab%first + offset + i - 1, worker%profiles, own_error)
+            call sink%put_profiles(point, worker%profiles, own_error)
             call keep_error(own_error, error)
          end if
          has_failed = allocated(error)
@@ -242,48 +296,23 @@ contains
       end do
    end subroutine solve_block_profiles
 
-   !> Put the slabs that are complete into the sink, unless another thread is about it.
-   subroutine put_slabs(sink, sweep)
+   !> Put a batch into the sink.
+   subroutine put_batch(sink, batch, sweep)
       class(sink_t), intent(inout) :: sink
+      type(batch_t), intent(inout) :: batch
       type(sweep_t), intent(inout) :: sweep
       type(error_t), allocatable :: own_error
-      integer :: slab
-
-      do
-         !$omp critical (adfric_sweep_ring)
-         call sweep%ring%take_slab(slab)
-         !$omp end critical (adfric_sweep_ring)
-         if (slab == 0) return
-         !$omp critical (adfric_sweep_sink)
-         if (.not. allocated(sweep%error)) then
-            call put_slab(sink, sweep%ring%slabs(slab), sweep%summary, own_error)
-            call keep_error(own_error, sweep%error)
-         end if
-         !$omp end critical (adfric_sweep_sink)
-         !$omp critical (adfric_sweep_ring)
-         call sweep%ring%release_slab()
-         !$omp end critical (adfric_sweep_ring)
-      end do
-   end subroutine put_slabs
-
-   !> Put a slab into the sink; the sums are taken in the order of the blocks.
-   subroutine put_slab(sink, slab, summary, error)
-      class(sink_t), intent(inout) :: sink
-      type(slab_t), intent(in) :: slab
-      type(run_summary_t), intent(inout) :: summary
-      type(error_t), allocatable, intent(out) :: error
       real(dp) :: start
-      integer :: block
 
+      !$omp critical (adfric_sweep_sink)
       start = wall_clock()
-      do block = 1, slab%n_blocks
-         call add_attributes(summary%attributes, slab%attributes(block)%items)
-      end do
-      associate (n => slab%n_points)
-         call sink%put(slab%first, slab%results(:n, :), slab%error_estimate(:n), slab%status(:n), error)
-      end associate
-      summary%output_seconds = summary%output_seconds + wall_clock() - start
-   end subroutine put_slab
+      if (.not. allocated(sweep%error)) then
+         call batch%put_into(sink, own_error)
+         call keep_error(own_error, sweep%error)
+      end if
+      sweep%summary%output_seconds = sweep%summary%output_seconds + wall_clock() - start
+      !$omp end critical (adfric_sweep_sink)
+   end subroutine put_batch
 
    !> Keep an error for all threads to see: by it they end, and nothing more goes to the sink.
    subroutine keep_error(own_error, error)
@@ -291,9 +320,9 @@ contains
       type(error_t), allocatable, intent(inout) :: error
 
       if (.not. allocated(own_error)) return
-      !$omp critical (adfric_sweep_ring)
+      !$omp critical (adfric_sweep_shared)
       allocate (error, source=own_error)
-      !$omp end critical (adfric_sweep_ring)
+      !$omp end critical (adfric_sweep_shared)
    end subroutine keep_error
 
 end module adfric_sweep_runner

@@ -6,7 +6,7 @@ module adfric_sweep_sink
    private
    public :: sink_t
 
-   !> A place that takes results by the number of their first point.
+   !> A place that takes results by the number of their first point, in any order.
    type, abstract :: sink_t
    contains
       procedure(put_i), deferred :: put
@@ -15,12 +15,12 @@ module adfric_sweep_sink
 
    abstract interface
 
-      !> Take the results of the points `first`, `first + 1`, ...
-      subroutine put_i(self, first, results, error_estimate, status, error)
+      !> Take the results of the points `first`, `first + 1`, ... These points are done then.
+      subroutine put_i(self, first, results, error_estimate, status, counts, error)
          import :: sink_t, dp, i8, error_t
          implicit none (type, external)
          class(sink_t), intent(inout) :: self
-         !> Number of the first point, from 1.
+         !> Number of the first point in the run, from 1; the first one of a block.
          integer(i8), intent(in) :: first
          !> Shape `(n_points, n_results)`: each result contiguous, as it is written.
          real(dp), intent(in) :: results(:, :)
@@ -28,10 +28,12 @@ module adfric_sweep_sink
          real(dp), intent(in) :: error_estimate(:)
          !> Shape `(n_points)`.
          integer, intent(in) :: status(:)
+         !> What the model counted in each block; shape `(n_blocks, n_counts)`.
+         real(dp), intent(in) :: counts(:, :)
          type(error_t), allocatable, intent(out) :: error
       end subroutine put_i
 
-      !> Take the profiles of one point.
+      !> Take the profiles of one point, before its other results.
       subroutine put_profiles_i(self, point, profiles, error)
          import :: sink_t, dp, i8, error_t
          implicit none (type, external)

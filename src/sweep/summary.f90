@@ -2,10 +2,10 @@
 module adfric_sweep_summary
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: attribute_t, result_t, n_status, status_solved
+   use adfric_base_model, only: result_t, n_status, status_solved
    implicit none (type, external)
    private
-   public :: run_summary_t, new_summary, add_attributes
+   public :: run_summary_t, new_summary
 
    !> Counts and ranges over the points of a run, or of a part of it.
    type :: run_summary_t
@@ -17,10 +17,10 @@ module adfric_sweep_summary
       !> Range of each main result over the solved points, empty (lowest > highest) if there is none; shape
       !> `(n_results)`.
       real(dp), allocatable :: lowest(:), highest(:)
-      !> Sums over all points of what the model counts.
-      type(attribute_t), allocatable :: attributes(:)
       !> Duration of the run [s].
       real(dp) :: wall_seconds = 0
+      !> The signal that ended the run before its time; 0 if none did.
+      integer :: signal = 0
       !> Time in the solver, summed over the threads, and time in the output [s].
       real(dp) :: solver_seconds = 0, output_seconds = 0
       !> Places of the enumerated and of the main results.
@@ -38,7 +38,7 @@ contains
       type(result_t), intent(in) :: results(:)
       integer :: i, n_states
 
-      allocate (self%enumerated(0), self%main(0), self%attributes(0))
+      allocate (self%enumerated(0), self%main(0))
       n_states = 0
       do i = 1, size(results)
          n_states = max(n_states, results(i)%n_states())
@@ -94,21 +94,5 @@ contains
       self%highest = max(self%highest, other%highest)
       self%solver_seconds = self%solver_seconds + other%solver_seconds
    end subroutine merge_summary
-
-   !> Add what a model counted to sums by name.
-   pure subroutine add_attributes(sums, attributes)
-      type(attribute_t), allocatable, intent(inout) :: sums(:)
-      type(attribute_t), intent(in) :: attributes(:)
-      integer :: i, k
-
-      outer: do i = 1, size(attributes)
-         do k = 1, size(sums)
-            if (sums(k)%name /= attributes(i)%name) cycle
-            sums(k)%value = sums(k)%value + attributes(i)%value
-            cycle outer
-         end do
-         sums = [sums, attributes(i)]
-      end do outer
-   end subroutine add_attributes
 
 end module adfric_sweep_summary

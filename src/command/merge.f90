@@ -1,0 +1,75 @@
+!> `adfric merge`: put the parts of a run together.
+module adfric_command_merge
+   use adfric_base_kinds, only: i8
+   use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_model, only: status_meanings, status_not_converged, n_status
+   use adfric_base_words, only: get_word, pad
+   use adfric_command_line, only: command_t
+   use adfric_command_outcome, only: outcome_t, exit_not_converged
+   use adfric_input_text, only: newline, show_count
+   use adfric_output_heading, only: heading_t
+   use adfric_output_layout, only: layout_t
+   use adfric_output_merging, only: write_merged
+   use adfric_output_names, only: check_output_name, would_replace
+   use adfric_output_part_files, only: part_file_t, check_parts
+   use adfric_output_resources, only: check_disk
+   implicit none (type, external)
+   private
+   public :: merge_parts
+
+   !> Width of the first column.
+   integer, parameter :: name_width = 38
+
+contains
+
+   !> Carry out the command.
+   subroutine merge_parts(command, outcome)
+      type(command_t), intent(in) :: command
+      type(outcome_t), intent(inout) :: outcome
+      type(part_file_t) :: parts(size(command%others))
+      type(layout_t) :: layout
+      type(heading_t) :: heading
+      type(error_t), allocatable :: error
+      integer(i8) :: by_status(0:n_status - 1)
+      integer :: i
+
+      do i = 1, size(parts)
+         parts(i)%path = command%others(i)%text
+      end do
+      call check_names(command, parts, error)
+      if (.not. allocated(error)) call check_parts(parts, layout, heading, by_status, error)
+      if (.not. allocated(error) .and. .not. command%is_virtual) call check_disk(layout%n_bytes()*size(parts), &
+         command%subject, error)
+      if (.not. allocated(error)) &
+         call write_merged(parts, layout, heading, command%subject, command%overwrite, command%is_virtual, error)
+      if (allocated(error)) then
+         call outcome%fail(error)
+         return
+      end if
+      if (by_status(status_not_converged) > 0) outcome%exit_status = exit_not_converged
+      if (command%is_quiet) return
+      call outcome%say(pad('parts', name_width)//show_count(size(parts))//newline)
+      call outcome%say(pad('points', name_width)//show_count(sum(by_status))//newline)
+      do i = 0, n_status - 1
+         if (by_status(i) > 0) call outcome%say(pad('  '//get_word(status_meanings, i + 1), name_width) &
+            //show_count(by_status(i))//newline)
+      end do
+      call outcome%say(pad('file', 6)//command%subject//newline)
+   end subroutine merge_parts
+
+   !> May the file be written, and is it none of the parts?
+   subroutine check_names(command, parts, error)
+      type(command_t), intent(in) :: command
+      type(part_file_t), intent(in) :: parts(:)
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i
+
+      do i = 1, size(parts)
+         if (.not. would_replace(command%subject, parts(i)%path)) cycle
+         call set_error(error, input_failure, command%subject//': the results would replace the part '//parts(i)%path)
+         return
+      end do
+      call check_output_name(command%subject, command%overwrite, error)
+   end subroutine check_names
+
+end module adfric_command_merge

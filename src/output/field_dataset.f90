@@ -1,0 +1,97 @@
+!> A new dataset of a results file with all that describes it.
+module adfric_output_field_dataset
+   use, intrinsic :: iso_fortran_env, only: int8
+   use hdf5, only: hid_t
+   use adfric_base_kinds, only: i8
+   use adfric_base_words, only: count_words
+   use adfric_output_hdf5_layer_attributes, only: write_attribute
+   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
+   use adfric_output_hdf5_layer_datasets, only: create_group, create_space, create_real_dataset, create_state_dataset, &
+      write_values, make_scale, attach_scale
+   use adfric_output_layout, only: scale_t, field_t
+   use adfric_output_virtual_parts, only: virtual_parts_t
+   implicit none (type, external)
+   private
+   public :: create_scale, create_field, create_counts, count_group
+
+   !> Group of what the model counts in each block.
+   character(*), parameter :: count_group = 'blocks'
+
+contains
+
+   !> Create a scale with its values.
+   subroutine create_scale(calls, file, scale, dataset)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      type(scale_t), intent(in) :: scale
+      integer(hid_t), intent(out) :: dataset
+      integer(hid_t) :: space
+
+      call create_space(calls, [size(scale%values, kind=i8)], space)
+      call create_real_dataset(calls, file, scale%name, space, dataset)
+      call write_attribute(calls, dataset, 'units', scale%unit)
+      call write_attribute(calls, dataset, 'long_name', scale%long_name)
+      call write_values(calls, dataset, space, space, scale%values)
+      call make_scale(calls, dataset, scale%name)
+      call calls%close_id(space)
+   end subroutine create_scale
+
+   !> Create a dataset of a result or a profile.
+   subroutine create_field(calls, file, field, space, scales, first, dataset, parts, is_profile)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      type(field_t), intent(in) :: field
+      integer(hid_t), intent(in) :: space
+      !> Scales of its dimensions, from dimension `first` on.
+      integer(hid_t), intent(in) :: scales(:)
+      integer, intent(in) :: first
+      integer(hid_t), intent(out) :: dataset
+      !> Files in which the values are; if absent they are in this one.
+      type(virtual_parts_t), intent(in), optional :: parts
+      logical, intent(in), optional :: is_profile
+      integer(int8), allocatable :: flags(:)
+      logical :: is_real
+      integer :: k
+
+      is_real = len(field%flag_meanings) == 0
+      if (present(parts)) then
+         call parts%create_dataset(calls, file, field%name, is_real, present(is_profile), space, dataset)
+      else if (is_real) then
+         call create_real_dataset(calls, file, field%name, space, dataset)
+      else
+         call create_state_dataset(calls, file, field%name, space, dataset)
+      end if
+      if (.not. is_real) then
+         flags = [(int(field%first_flag + k, int8), k=0, count_words(field%flag_meanings) - 1)]
+         call write_attribute(calls, dataset, 'flag_values', flags)
+         call write_attribute(calls, dataset, 'flag_meanings', field%flag_meanings)
+      end if
+      call write_attribute(calls, dataset, 'units', field%unit)
+      call write_attribute(calls, dataset, 'long_name', field%long_name)
+      do k = 1, size(scales)
+         call attach_scale(calls, dataset, scales(k), first + k - 1)
+      end do
+   end subroutine create_field
+
+   !> Create the datasets of what the model counts, in a group of their own.
+   subroutine create_counts(calls, file, counts, space, datasets)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      type(field_t), intent(in) :: counts(:)
+      !> Of all blocks.
+      integer(hid_t), intent(in) :: space
+      integer(hid_t), intent(inout) :: datasets(:)
+      integer(hid_t) :: group
+      integer :: i
+
+      if (size(counts) == 0) return
+      call create_group(calls, file, count_group, group)
+      do i = 1, size(counts)
+         call create_real_dataset(calls, group, counts(i)%name, space, datasets(i))
+         call write_attribute(calls, datasets(i), 'units', counts(i)%unit)
+         call write_attribute(calls, datasets(i), 'long_name', counts(i)%long_name)
+      end do
+      call calls%close_id(group)
+   end subroutine create_counts
+
+end module adfric_output_field_dataset

@@ -1,0 +1,170 @@
+!> What a results file says of its run as a whole.
+module adfric_output_heading
+   use, intrinsic :: iso_fortran_env, only: compiler_version
+   use hdf5, only: hid_t
+   use adfric_base_model, only: model_t
+   use adfric_base_version, only: program_version, git_revision
+   use adfric_base_words, only: count_words, get_word
+   use adfric_output_hdf5_layer_attributes, only: write_attribute
+   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
+   use adfric_output_hdf5_layer_reading, only: has_attribute, read_attribute
+   use adfric_output_operating_system, only: utc_time
+   use adfric_sweep_case_hash, only: case_hash
+   use adfric_sweep_plan, only: plan_t
+   implicit none (type, external)
+   private
+   public :: heading_t, new_heading, write_heading, read_heading, say_difference
+
+   !> What is said of a dataset that the input names.
+   type :: data_note_t
+      !> FILE:/DATASET, and the checksum of its values.
+      character(:), allocatable :: name, checksum
+   end type data_note_t
+
+   !> The texts at the root of the file.
+   type :: heading_t
+      character(:), allocatable :: title
+      character(:), allocatable :: model
+      !> Version and revision of the program, and its compiler.
+      character(:), allocatable :: version
+      character(:), allocatable :: revision
+      character(:), allocatable :: compiler
+      !> Whole text of the input.
+      character(:), allocatable :: input
+      !> Variables that name a dataset, separated by a blank.
+      character(:), allocatable :: data_names
+      !> Name and checksum of the dataset of each of these.
+      type(data_note_t), allocatable :: data(:)
+      !> Hash of the case; empty in a file that adfric has not made.
+      character(:), allocatable :: hash
+   end type heading_t
+
+contains
+
+   !> The heading of a run of this program.
+   subroutine new_heading(self, model, plan, title, input)
+      type(heading_t), intent(out) :: self
+      class(model_t), intent(in) :: model
+      type(plan_t), intent(in) :: plan
+      !> Title of the run, and whole text of its input.
+      character(*), intent(in) :: title, input
+
+      self%title = title
+      self%model = model%name
+      self%version = program_version
+      self%revision = git_revision
+      self%compiler = compiler_version()
+      self%input = input
+      self%hash = case_hash(model, plan)
+      call set_data(self, model, plan)
+   end subroutine new_heading
+
+   !> What is said of the datasets that the input names.
+   subroutine set_data(self, model, plan)
+      type(heading_t), intent(inout) :: self
+      class(model_t), intent(in) :: model
+      type(plan_t), intent(in) :: plan
+      integer :: i, n
+
+      n = 0
+      if (allocated(plan%sources)) n = size(plan%sources)
+      allocate (self%data(n))
+      self%data_names = ''
+      do i = 1, n
+         self%data_names = trim(self%data_names//' '//model%variables(plan%sources(i)%variable)%name)
+         self%data(i)%name = plan%sources(i)%name
+         self%data(i)%checksum = plan%sources(i)%checksum
+      end do
+      self%data_names = trim(adjustl(self%data_names))
+   end subroutine set_data
+
+   !> Write the heading of a new file.
+   subroutine write_heading(calls, file, heading)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      type(heading_t), intent(in) :: heading
+      character(:), allocatable :: name
+      integer :: i
+
+      call write_attribute(calls, file, 'title', heading%title)
+      call write_attribute(calls, file, 'model', heading%model)
+      call write_attribute(calls, file, 'adfric_version', heading%version)
+      call write_attribute(calls, file, 'git_revision', heading%revision)
+      call write_attribute(calls, file, 'compiler', heading%compiler)
+      call write_attribute(calls, file, 'created', utc_time())
+      call write_attribute(calls, file, 'input', heading%input)
+      call write_attribute(calls, file, 'case_hash', heading%hash)
+      if (size(heading%data) > 0) call write_attribute(calls, file, 'datasets', heading%data_names)
+      do i = 1, size(heading%data)
+         name = get_word(heading%data_names, i)
+         call write_attribute(calls, file, 'dataset_'//name, heading%data(i)%name)
+         call write_attribute(calls, file, 'checksum_'//name, heading%data(i)%checksum)
+      end do
+   end subroutine write_heading
+
+   !> Read the heading of a file.
+   subroutine read_heading(calls, file, heading)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      type(heading_t), intent(out) :: heading
+      character(:), allocatable :: name
+      integer :: i
+
+      heading%hash = ''
+      heading%data_names = ''
+      allocate (heading%data(0))
+      if (.not. has_attribute(calls, file, 'case_hash')) return
+      call read_attribute(calls, file, 'title', heading%title)
+      call read_attribute(calls, file, 'model', heading%model)
+      call read_attribute(calls, file, 'adfric_version', heading%version)
+      call read_attribute(calls, file, 'git_revision', heading%revision)
+      call read_attribute(calls, file, 'compiler', heading%compiler)
+      call read_attribute(calls, file, 'input', heading%input)
+      call read_attribute(calls, file, 'case_hash', heading%hash)
+      if (has_attribute(calls, file, 'datasets')) call read_attribute(calls, file, 'datasets', heading%data_names)
+      deallocate (heading%data)
+      allocate (heading%data(count_words(heading%data_names)))
+      do i = 1, size(heading%data)
+         name = get_word(heading%data_names, i)
+         call read_attribute(calls, file, 'dataset_'//name, heading%data(i)%name)
+         call read_attribute(calls, file, 'checksum_'//name, heading%data(i)%checksum)
+      end do
+   end subroutine read_heading
+
+   !> Why a file does not belong to a run; empty if it does.
+   pure function say_difference(other, own) result(text)
+      !> Of the file, and of the run.
+      type(heading_t), intent(in) :: other, own
+      character(:), allocatable :: text
+
+      text = ''
+      if (other%hash == own%hash) return
+      if (len(other%hash) == 0) then
+         text = 'it is no results file of adfric'
+      else if (other%version /= own%version .or. other%revision /= own%revision) then
+         text = 'it was made by another program, adfric '//other%version//' ('//other%revision//'), not ' &
+            //own%version//' ('//own%revision//')'
+      else if (other%compiler /= own%compiler) then
+         text = 'it was made by a program of another compiler, '//other%compiler//', not '//own%compiler
+      else if (other%model /= own%model) then
+         text = 'it was made from another input, with model = '''//other%model//''''
+      else if (has_other_data(other, own)) then
+         text = 'it was made from other data, in '//own%data(1)%name
+      else
+         text = 'it was made from another input'
+      end if
+   end function say_difference
+
+   !> Do the datasets of two files have the same names, but not the same values?
+   pure logical function has_other_data(other, own)
+      type(heading_t), intent(in) :: other, own
+      integer :: i
+
+      has_other_data = .false.
+      if (size(own%data) == 0 .or. other%data_names /= own%data_names) return
+      do i = 1, size(own%data)
+         has_other_data = has_other_data .or. other%data(i)%checksum /= own%data(i)%checksum
+      end do
+   end function has_other_data
+
+end module adfric_output_heading

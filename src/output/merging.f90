@@ -1,0 +1,162 @@
+!> Put the files of the parts of a run together: the file that the run would have written as a whole.
+module adfric_output_merging
+   use hdf5, only: hid_t
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_error, only: error_t
+   use adfric_base_model, only: status_solved
+   use adfric_output_datasets, only: datasets_t
+   use adfric_output_heading, only: heading_t
+   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
+   use adfric_output_hdf5_layer_file, only: open_file, close_file
+   use adfric_output_layout, only: layout_t
+   use adfric_output_operating_system, only: folder_of, path_from
+   use adfric_output_part_files, only: part_file_t
+   use adfric_output_results_file, only: results_file_t
+   use adfric_output_virtual_parts, only: virtual_parts_t, new_virtual_parts
+   use adfric_sweep_blocks, only: new_blocks
+   implicit none (type, external)
+   private
+   public :: write_merged
+
+   !> Number of blocks that are copied at once.
+   integer, parameter :: blocks_at_once = 16
+
+contains
+
+   !> Write the file of the whole run.
+   subroutine write_merged(parts, layout, heading, path, overwrite, is_virtual, error)
+      !> All of them.
+      type(part_file_t), intent(in) :: parts(:)
+      !> Of any of them.
+      type(layout_t), intent(in) :: layout
+      type(heading_t), intent(in) :: heading
+      !> Name of the results file, and may a file of this name be replaced?
+      character(*), intent(in) :: path
+      logical, intent(in) :: overwrite
+      !> Leave the results where they are, and refer to them?
+      logical, intent(in) :: is_virtual
+      type(error_t), allocatable, intent(out) :: error
+      type(layout_t) :: whole
+      type(results_file_t) :: results
+      logical :: refers
+      integer :: i
+
+      whole = layout
+      call new_blocks(whole%blocks, layout%blocks%n_points_of_run)
+      ! HDF5 has no virtual scalars
+      refers = is_virtual .and. size(whole%axes) > 0
+      if (refers) then
+         call create_virtual(parts, whole, heading, path, overwrite, results, error)
+      else
+         call results%create_from(path, overwrite, whole, heading, error)
+      end if
+      if (allocated(error)) return
+      do i = 1, size(parts)
+         call copy_part(parts(i), layout, refers, results, error)
+         if (.not. allocated(error)) cycle
+         call results%discard()
+         return
+      end do
+      call results%finish(sum(parts%wall_seconds), error)
+   end subroutine write_merged
+
+   !> Create a file that refers to the parts.
+   subroutine create_virtual(parts, whole, heading, path, overwrite, results, error)
+      type(part_file_t), intent(in) :: parts(:)
+      !> Of the whole run.
+      type(layout_t), intent(in) :: whole
+      type(heading_t), intent(in) :: heading
+      character(*), intent(in) :: path
+      logical, intent(in) :: overwrite
+      type(results_file_t), intent(inout) :: results
+      type(error_t), allocatable, intent(out) :: error
+      type(hdf5_calls_t) :: calls
+      type(virtual_parts_t) :: virtual_parts
+      character(:), allocatable :: name
+      integer :: i
+
+      call new_virtual_parts(virtual_parts, size(parts))
+      call calls%open_library()
+      do i = 1, size(parts)
+         call path_from(folder_of(path), parts(i)%path, name, error)
+         if (allocated(error)) exit
+         call virtual_parts%add(calls, whole, parts(i)%blocks, name)
+      end do
+      if (.not. allocated(error)) call calls%get_error(path//': cannot refer to the parts', error)
+      if (.not. allocated(error)) &
+         call results%create_from(path, overwrite, whole, heading, error, virtual_parts)
+      call virtual_parts%close(calls)
+   end subroutine create_virtual
+
+   !> Copy the results of a part.
+   subroutine copy_part(part, layout, refers, results, error)
+      type(part_file_t), intent(in) :: part
+      !> Of any part.
+      type(layout_t), intent(in) :: layout
+      !> Only what the model counted is copied.
+      logical, intent(in) :: refers
+      type(results_file_t), intent(inout) :: results
+      type(error_t), allocatable, intent(out) :: error
+      type(layout_t) :: own
+      type(datasets_t) :: datasets
+      type(hdf5_calls_t) :: calls, closing
+      integer(hid_t) :: file
+      integer(i8) :: place
+      integer :: n
+
+      own = layout
+      own%blocks = part%blocks
+      call open_file(calls, part%path, .false., file)
+      call datasets%open(calls, file, own)
+      place = 1
+      do while (place <= own%blocks%n_blocks() .and. calls%is_good() .and. .not. allocated(error))
+         n = int(min(own%blocks%n_neighbours(place), int(blocks_at_once, i8)))
+         call copy_blocks(calls, datasets, own, place, n, refers, results, error)
+         place = place + n
+      end do
+      if (.not. allocated(error)) call calls%get_error(part%path//': cannot read', error)
+      call datasets%close(closing)
+      call close_file(closing, file)
+   end subroutine copy_part
+
+   !> Copy neighbouring blocks of a part.
+   subroutine copy_blocks(calls, datasets, layout, place, n_blocks, refers, results, error)
+      type(hdf5_calls_t), intent(inout) :: calls
+      type(datasets_t), intent(in) :: datasets
+      !> Of the part.
+      type(layout_t), intent(in) :: layout
+      integer(i8), intent(in) :: place
+      integer, intent(in) :: n_blocks
+      logical, intent(in) :: refers
+      type(results_file_t), intent(inout) :: results
+      type(error_t), allocatable, intent(out) :: error
+      real(dp), allocatable :: numbers(:, :), error_estimate(:), counts(:, :), profiles(:, :, :)
+      integer, allocatable :: status(:)
+      integer(i8) :: row, first
+      integer :: i, n
+
+      row = (place - 1)*layout%blocks%size + 1
+      first = layout%blocks%first_point(layout%blocks%block_at(place))
+      n = int(min(int(n_blocks, i8)*layout%blocks%size, layout%blocks%n_points() - row + 1))
+      allocate (counts(n_blocks, size(layout%counts)))
+      call datasets%read_counts(calls, place, counts)
+      if (refers) then
+         if (calls%is_good()) call results%put_counts(first, counts, error)
+         return
+      end if
+      allocate (numbers(n, size(layout%fields) - 2), error_estimate(n), status(n))
+      call datasets%read_results(calls, layout, row, numbers, error_estimate)
+      call datasets%read_status(calls, layout, row, status)
+      if (size(layout%profiles) > 0) then
+         allocate (profiles(product(layout%profile_shape()), 1, size(layout%profiles)))
+         do i = 1, n
+            if (status(i) /= status_solved .or. .not. calls%is_good()) cycle
+            call datasets%read_profiles(calls, layout, row + i - 1, profiles)
+            if (calls%is_good()) call results%put_profiles(first + i - 1, profiles, error)
+            if (allocated(error)) return
+         end do
+      end if
+      if (calls%is_good()) call results%put(first, numbers, error_estimate, status, counts, error)
+   end subroutine copy_blocks
+
+end module adfric_output_merging

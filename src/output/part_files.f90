@@ -1,0 +1,171 @@
+!> The files of the parts of a run: do they belong together?
+module adfric_output_part_files
+   use hdf5, only: hid_t
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_error, only: error_t, set_error, file_failure, input_failure
+   use adfric_base_model, only: n_status
+   use adfric_input_text, only: show_count
+   use adfric_output_datasets, only: datasets_t
+   use adfric_output_heading, only: heading_t, read_heading, say_difference
+   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
+   use adfric_output_hdf5_layer_file, only: open_file, close_file
+   use adfric_output_hdf5_layer_reading, only: read_attribute
+   use adfric_output_layout, only: layout_t
+   use adfric_output_part_layout, only: read_part_layout
+   use adfric_sweep_blocks, only: blocks_t
+   implicit none (type, external)
+   private
+   public :: part_file_t, check_parts
+
+   !> Number of points whose states are read at once.
+   integer, parameter :: points_at_once = 2**16
+
+   !> The file of a part.
+   type :: part_file_t
+      character(:), allocatable :: path
+      type(blocks_t) :: blocks
+      !> How long its run took [s].
+      real(dp) :: wall_seconds = 0
+   end type part_file_t
+
+contains
+
+   !> Check that the files are complete, belong to one run, and are all of it.
+   subroutine check_parts(parts, layout, heading, by_status, error)
+      !> Given with their paths.
+      type(part_file_t), intent(inout) :: parts(:)
+      !> Of one of them.
+      type(layout_t), intent(out) :: layout
+      !> Of the run.
+      type(heading_t), intent(out) :: heading
+      !> Points by status; shape `(0:n_status - 1)`.
+      integer(i8), intent(out) :: by_status(0:)
+      type(error_t), allocatable, intent(out) :: error
+      type(layout_t) :: other
+      type(heading_t) :: other_heading
+      integer, allocatable :: place_of(:)
+      integer :: i
+
+      by_status = 0
+      allocate (place_of(0))
+      do i = 1, size(parts)
+         if (i == 1) then
+            call check_part(parts(i), layout, heading, by_status, error)
+         else
+            call check_part(parts(i), other, other_heading, by_status, error)
+            if (.not. allocated(error)) call compare(parts(i), parts(1), other_heading, heading, error)
+         end if
+         if (allocated(error)) return
+         associate (part => parts(i)%blocks%part)
+            if (i == 1) place_of = spread(0, 1, part%of)
+            if (place_of(part%number) > 0) then
+               call set_error(error, input_failure, parts(i)%path//': part '//show_count(part%number)//' of '//show_count(part%of) &
+                  //' is given twice, also as '//parts(place_of(part%number))%path)
+               return
+            end if
+            place_of(part%number) = i
+         end associate
+      end do
+      if (any(place_of == 0)) call set_error(error, input_failure, parts(1)%path//': '//show_count(count(place_of == 0)) &
+         //' of '//show_count(size(place_of))//' parts are missing: '//list_missing(place_of))
+   end subroutine check_parts
+
+   !> Check one file: is it a part, and complete?
+   subroutine check_part(part, layout, heading, by_status, error)
+      type(part_file_t), intent(inout) :: part
+      type(layout_t), intent(out) :: layout
+      type(heading_t), intent(out) :: heading
+      !> Its points are added.
+      integer(i8), intent(inout) :: by_status(0:)
+      type(error_t), allocatable, intent(out) :: error
+      type(hdf5_calls_t) :: calls
+      integer(hid_t) :: file
+      integer(i8) :: n_missing
+
+      n_missing = 0
+      call open_file(calls, part%path, .false., file)
+      call read_heading(calls, file, heading)
+      if (calls%is_good() .and. len(heading%hash) > 0) call read_part_layout(calls, file, layout)
+      part%blocks = layout%blocks
+      if (.not. layout%blocks%part%is_whole()) then
+         call read_attribute(calls, file, 'wall_seconds', part%wall_seconds)
+         call count_points(calls, file, layout, by_status, n_missing)
+      end if
+      call close_file(calls, file)
+      call calls%get_error(part%path//': cannot read', error)
+      if (allocated(error)) return
+      if (layout%blocks%part%is_whole()) then
+         call set_error(error, input_failure, part%path//': this is no part of a run, as adfric run --shard makes them')
+      else if (n_missing > 0) then
+         call set_error(error, input_failure, part%path//': this part is not complete, '//show_count(n_missing)//' of its ' &
+            //show_count(layout%blocks%n_points())//' points are missing; adfric run --resume --shard ' &
+            //show_count(layout%blocks%part%number)//'/'//show_count(layout%blocks%part%of)//' goes on with it')
+      end if
+   end subroutine check_part
+
+   !> Count the points of a part by their states.
+   subroutine count_points(calls, file, layout, by_status, n_missing)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      type(layout_t), intent(in) :: layout
+      integer(i8), intent(inout) :: by_status(0:)
+      !> Points that are not solved.
+      integer(i8), intent(out) :: n_missing
+      type(datasets_t) :: datasets
+      integer, allocatable :: status(:)
+      integer(i8) :: row, n_points
+      integer :: k
+
+      n_missing = 0
+      n_points = layout%blocks%n_points()
+      call datasets%open(calls, file, layout)
+      do row = 1, n_points, points_at_once
+         allocate (status(min(int(points_at_once, i8), n_points - row + 1)))
+         call datasets%read_status(calls, layout, row, status)
+         do k = 0, n_status - 1
+            by_status(k) = by_status(k) + count(status == k)
+         end do
+         n_missing = n_missing + count(status < 0)
+         deallocate (status)
+      end do
+      call datasets%close(calls)
+   end subroutine count_points
+
+   !> Do two files belong to one run?
+   subroutine compare(part, first, heading, first_heading, error)
+      type(part_file_t), intent(in) :: part, first
+      type(heading_t), intent(in) :: heading, first_heading
+      type(error_t), allocatable, intent(out) :: error
+
+      if (len(say_difference(heading, first_heading)) > 0) then
+         call set_error(error, input_failure, part%path//': does not belong to the run of '//first%path//': ' &
+            //say_difference(heading, first_heading))
+      else if (part%blocks%part%of /= first%blocks%part%of) then
+         call set_error(error, input_failure, part%path//': one of '//show_count(part%blocks%part%of)//' parts, but ' &
+            //first%path//' is one of '//show_count(first%blocks%part%of))
+      end if
+   end subroutine compare
+
+   !> Numbers of the missing parts, as far as they fit on a line.
+   function list_missing(place_of) result(text)
+      !> 0 where a part is missing.
+      integer, intent(in) :: place_of(:)
+      character(:), allocatable :: text
+      integer, parameter :: most = 100
+      integer :: i, n
+
+      text = ''
+      n = 0
+      do i = 1, size(place_of)
+         if (place_of(i) > 0) cycle
+         n = n + 1
+         if (n > most) then
+            text = text//', ...'
+            return
+         end if
+         if (n > 1) text = text//', '
+         text = text//show_count(i)
+      end do
+   end function list_missing
+
+end module adfric_output_part_files

@@ -1,0 +1,63 @@
+!> A batch: results of neighbouring blocks that go to the sink together.
+module adfric_sweep_batch
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_error, only: error_t
+   use adfric_sweep_sink, only: sink_t
+   implicit none (type, external)
+   private
+   public :: batch_t, new_batch, batch_bytes
+
+   !> Results of some points from `first` on, kept as they are written.
+   type :: batch_t
+      !> Number of the first point in the run, from 1.
+      integer(i8) :: first = 1
+      integer :: n_points = 0, n_blocks = 0
+      !> Shape `(n_points, n_results)`, with room for more.
+      real(dp), allocatable :: results(:, :)
+      !> Shape `(n_points)`, with room for more.
+      real(dp), allocatable :: error_estimate(:)
+      integer, allocatable :: status(:)
+      !> What the model counted; shape `(n_blocks, n_counts)`, with room for more.
+      real(dp), allocatable :: counts(:, :)
+   contains
+      procedure :: put_into
+   end type batch_t
+
+contains
+
+   !> Make room for a batch; it is empty.
+   subroutine new_batch(self, n_results, n_counts, block_size, max_blocks)
+      type(batch_t), intent(out) :: self
+      integer, intent(in) :: n_results, n_counts
+      !> Number of points of a block, and of blocks.
+      integer, intent(in) :: block_size, max_blocks
+
+      allocate (self%results(block_size*max_blocks, n_results), self%counts(max_blocks, n_counts))
+      allocate (self%error_estimate(block_size*max_blocks), self%status(block_size*max_blocks))
+   end subroutine new_batch
+
+   !> Memory of a batch [bytes].
+   pure real(dp) function batch_bytes(n_results, n_points)
+      integer, intent(in) :: n_results
+      integer, intent(in) :: n_points
+      integer, parameter :: real_bytes = 8, integer_bytes = 4
+
+      batch_bytes = real(n_points, dp)*(real_bytes*(n_results + 1) + integer_bytes)
+   end function batch_bytes
+
+   !> Hand the results to a sink; the batch is empty then, and goes on with the next block.
+   subroutine put_into(self, sink, error)
+      class(batch_t), intent(inout) :: self
+      class(sink_t), intent(inout) :: sink
+      type(error_t), allocatable, intent(out) :: error
+
+      associate (n => self%n_points)
+         call sink%put(self%first, self%results(:n, :), self%error_estimate(:n), self%status(:n), &
+            self%counts(:self%n_blocks, :), error)
+      end associate
+      self%first = self%first + self%n_points
+      self%n_points = 0
+      self%n_blocks = 0
+   end subroutine put_into
+
+end module adfric_sweep_batch

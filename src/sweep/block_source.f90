@@ -1,0 +1,106 @@
+!> Who says which blocks are solved next.
+module adfric_sweep_block_source
+   use, intrinsic :: iso_fortran_env, only: int8
+   use adfric_base_kinds, only: i8
+   use adfric_sweep_blocks, only: blocks_t
+   implicit none (type, external)
+   private
+   public :: block_source_t, block_list_t, new_block_list
+
+   !> A source of blocks. Nothing here knows of threads: the caller lets only one of them at a time into `take_blocks`.
+   type, abstract :: block_source_t
+      !> The blocks that there are.
+      type(blocks_t) :: blocks
+      !> Blocks that have not been taken yet.
+      integer(i8) :: n_left = 0
+      !> Points that were solved before this run.
+      integer(i8) :: n_points_before = 0
+   contains
+      procedure(take_blocks_i), deferred :: take_blocks
+   end type block_source_t
+
+   abstract interface
+      !> Take the next blocks, which stand side by side in the run.
+      subroutine take_blocks_i(self, most, first, n)
+         import :: block_source_t, i8
+         implicit none (type, external)
+         class(block_source_t), intent(inout) :: self
+         !> Largest number of blocks to take.
+         integer, intent(in) :: most
+         !> Number of the first of them in the run.
+         integer(i8), intent(out) :: first
+         !> How many they are; 0: none is left.
+         integer, intent(out) :: n
+      end subroutine take_blocks_i
+   end interface
+
+   !> The blocks of a part of a run in their order, but for those that have been solved before.
+   type, extends(block_source_t) :: block_list_t
+      private
+      !> Place of the next block.
+      integer(i8) :: next = 1
+      !> Is the block at a place solved (1) or not (0)? Not allocated if none is; a byte for up to 256 points.
+      integer(int8), allocatable :: is_done(:)
+   contains
+      procedure :: take_blocks => take_from_list
+      procedure :: mark_done
+   end type block_list_t
+
+contains
+
+   !> All blocks of a part of a run.
+   subroutine new_block_list(self, blocks)
+      type(block_list_t), intent(out) :: self
+      type(blocks_t), intent(in) :: blocks
+
+      self%blocks = blocks
+      self%n_left = blocks%n_blocks()
+   end subroutine new_block_list
+
+   !> Leave a block out, since it is solved.
+   subroutine mark_done(self, place)
+      class(block_list_t), intent(inout) :: self
+      !> Its place in the part.
+      integer(i8), intent(in) :: place
+
+      if (.not. allocated(self%is_done)) allocate (self%is_done(self%blocks%n_blocks()), source=0_int8)
+      if (self%is_done(place) == 1) return
+      self%is_done(place) = 1
+      self%n_left = self%n_left - 1
+      self%n_points_before = self%n_points_before + self%blocks%n_points_of(self%blocks%block_at(place))
+   end subroutine mark_done
+
+   !> See `block_source_t`.
+   subroutine take_from_list(self, most, first, n)
+      class(block_list_t), intent(inout) :: self
+      integer, intent(in) :: most
+      integer(i8), intent(out) :: first
+      integer, intent(out) :: n
+      integer :: most_here
+
+      first = 0
+      n = 0
+      if (self%n_left == 0) return
+      do while (is_solved(self, self%next))
+         self%next = self%next + 1
+      end do
+      first = self%blocks%block_at(self%next)
+      most_here = int(min(int(most, i8), self%blocks%n_neighbours(self%next)))
+      do while (n < most_here)
+         if (is_solved(self, self%next)) exit
+         n = n + 1
+         self%next = self%next + 1
+      end do
+      self%n_left = self%n_left - n
+   end subroutine take_from_list
+
+   !> Is the block at a place solved?
+   pure logical function is_solved(self, place)
+      type(block_list_t), intent(in) :: self
+      integer(i8), intent(in) :: place
+
+      is_solved = .false.
+      if (allocated(self%is_done)) is_solved = self%is_done(place) == 1
+   end function is_solved
+
+end module adfric_sweep_block_source

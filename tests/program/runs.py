@@ -1,0 +1,115 @@
+"""Small runs of the program for tests, and their files compared bit by bit."""
+
+import os
+import signal
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+PROGRAM = os.environ["ADFRIC_PROGRAM"]
+# exit status: all points are answered, or some did not converge
+IN_ORDER = (0, 1)
+# attributes that tell one run from another of the same case
+OF_THE_RUN = {"created", "wall_seconds"}
+
+# Warm starts from point to point. Some of these sweeps have a point that does not converge: it belongs to the results.
+LOADS = """
+&job model = 'wavy_sliding', title = 'loads', output = 'run.h5' /
+&surface kind = 'wave_3d', period = 1e-2, height = 1e-4 /
+&foundation stiffness = 1e8, relaxation_time = 1e-3, retardation_ratio = 10 /
+&adhesion range = 1e-5 /
+&operating velocity = 0.5 /
+&numerics strips = {strips} /
+&sweep variable = 'stress', values = 0, 1e3, 2e3 /
+&sweep variable = 'load', from = -0.1, to = 0.6, count = {count} /
+"""
+PROFILES = LOADS + "&output profiles = .true., n_x = 9, n_y = 5 /\n"
+
+
+class Runs(unittest.TestCase):
+    """A folder of its own for each test."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def write(self, text, name="run.nml"):
+        (self.folder / name).write_text(text)
+
+    def start(self, *arguments, threads=2, **options):
+        """A process that has just begun."""
+        environment = dict(os.environ, OMP_NUM_THREADS=str(threads))
+        return subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, env=environment, text=True,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+
+    def run_program(self, *arguments, threads=2, status=None, **options):
+        """Standard output and standard error of a run that ends as expected, by default in order."""
+        process = self.start(*arguments, threads=threads, **options)
+        output, errors = process.communicate(timeout=120)
+        if status is None:
+            self.assertIn(process.returncode, IN_ORDER, errors)
+            self.assertEqual(errors, "")
+        else:
+            self.assertEqual(process.returncode, status, errors)
+            self.assertEqual(output, "")
+            self.assertEqual(errors.count("\n"), 1, errors)
+        return output, errors
+
+    def names(self):
+        return sorted(path.name for path in self.folder.iterdir())
+
+    def snapshot(self, name):
+        """Every dataset as bytes, with its type, shape and attributes."""
+        contents = {}
+
+        def visit(path, item):
+            if isinstance(item, h5py.Dataset):
+                attributes = {key: value for key, value in item.attrs.items()
+                              if key not in ("DIMENSION_LIST", "REFERENCE_LIST")}
+                scales = [[scale.name for scale in dimension.values()] for dimension in item.dims]
+                contents[path] = (item.dtype.str, item.shape, item[()].tobytes(), plain(attributes), scales)
+
+        with h5py.File(self.folder / name, "r") as file:
+            file.visititems(visit)
+            contents["/"] = plain({key: value for key, value in file.attrs.items() if key not in OF_THE_RUN})
+        return contents
+
+    def assert_same(self, first, second):
+        """The same datasets, bit by bit, and the same attributes."""
+        self.assertEqual(first.keys(), second.keys())
+        for key, value in first.items():
+            self.assertTrue(value == second[key], f"{key} differs")
+
+    def status_of(self, name):
+        with h5py.File(self.folder / name, "r") as file:
+            return file["status"][()]
+
+    def check_truth(self, name, reference):
+        """A point that is said to be done has the results of the whole run; number of these points."""
+        with h5py.File(self.folder / name, "r") as file, h5py.File(self.folder / reference, "r") as whole:
+            done = file["status"][()] >= 0
+            for key, item in whole.items():
+                if isinstance(item, h5py.Dataset) and item.shape[:done.ndim] == done.shape:
+                    self.assertEqual(file[key][()][done].tobytes(), item[()][done].tobytes(), key)
+            return int(done.sum())
+
+
+def plain(attributes):
+    """Attributes as things that can be compared."""
+    return {key: (value.dtype.str, value.tobytes()) if isinstance(value, np.ndarray | np.generic) else value
+            for key, value in attributes.items()}
+
+
+def limit_file_size(n_bytes):
+    """For a process that is about to start: no file may become larger."""
+    def limit():
+        import resource
+        # Python ignores the signal, and the process would inherit that
+        signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (n_bytes, n_bytes))
+    return limit
