@@ -8,39 +8,18 @@ program strip_methods
    use adfric_sweep_clock, only: wall_clock
    use adfric_wavy_balance, only: balance_t, get_balance
    use adfric_wavy_steady_state, only: find_steady_state
-   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_adhesion_zones, regime_saturated
+   use adfric_wavy_strip, only: steady_state_t, regime_saturated
    use gsl_multiroot, only: solver_t, new_solver, free_solver, solve_edges
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
-   use plain_edges, only: edges_t, new_edges, get_residuals, edges_of, elastic_edges, state_of_edges, is_possible
+   use plain_edges, only: get_residuals
+   use strip_cases, only: case_t, snap, names, elsewhere, from_lengths, from_rest, start_names, collect_cases, start_of, error_of, &
+      error_of_edges, load_scale, friction_scale
    use time_march, only: march_forces
-   use random_dice, only: dice_t, new_dice
-   use trial_strips, only: trial_t, draw_trial, make_strip
    implicit none (type, external)
 
    integer, parameter :: n_strips = 300, n_repeats = 9, n_calls = 50
-   !> Regimes as in the strip, and adhesion zones with a snap into contact.
-   integer, parameter :: snap = regime_saturated + 1
-   character(*), parameter :: names(0:snap) = [character(32) :: 'free', 'adhesion without contact', &
-      'contact without adhesion', 'saturated adhesion', 'adhesion zones', 'saturated contact', 'adhesion zones with snap']
-   !> Starts of GSL's solver: the answer's zones with other lengths, its edges at other phases, or a surface at rest.
-   integer, parameter :: from_lengths = 1, from_phases = 2, from_rest = 3
-   character(*), parameter :: gsl_names(3) = [character(16) :: 'gsl from lengths', 'gsl from phases', 'gsl from rest']
-   !> Distance of the start of GSL's solver from the answer, and of the neighbour from the strip [h].
-   real(dp), parameter :: start_error = 0.1_dp, neighbour = 1.0e-4_dp
-   !> A relative error of a force from which on the answer is another one.
-   real(dp), parameter :: elsewhere = 0.01_dp
    !> Steps that a regime is marched in all, for the time of a run.
    integer, parameter :: steps_in_all = 20000000
-
-   !> A strip and its answer.
-   type :: case_t
-      type(trial_t) :: trial
-      type(strip_t) :: strip
-      type(steady_state_t) :: neighbour, answer
-      type(balance_t) :: balance
-      type(edges_t) :: edges
-      real(dp) :: start(4) = 0
-   end type case_t
 
    !> What a method did on the strips of a regime.
    type :: outcome_t
@@ -66,7 +45,7 @@ program strip_methods
       if (regime /= 0 .and. regime /= regime_saturated) then
          do start = from_lengths, from_rest
             do k = 4, 12, 4
-               call report(regime, gsl_names(start), 10.0_dp**(-k), run_gsl(cases, 10.0_dp**(-k), start))
+               call report(regime, 'gsl from '//trim(start_names(start)), 10.0_dp**(-k), run_gsl(cases, 10.0_dp**(-k), start))
             end do
          end do
       end if
@@ -77,37 +56,6 @@ program strip_methods
    close (table)
 
 contains
-
-   !> Random strips whose answer is in a regime.
-   subroutine collect_cases(regime, cases)
-      integer, intent(in) :: regime
-      type(case_t), intent(out) :: cases(:)
-      type(dice_t) :: dice
-      type(strip_t) :: strip
-      integer :: k, j, found
-
-      call new_dice(dice, 1)
-      k = 1
-      do while (k <= size(cases))
-         associate (c => cases(k))
-            call draw_trial(dice, c%trial)
-            call make_strip(c%trial, 0.0_dp, c%strip)
-            call find_steady_state(c%strip, c%trial%branch, c%answer)
-            found = c%answer%regime
-            if (found == regime_adhesion_zones .and. c%answer%entry > 0) found = snap
-            ! adhesion in the whole gap has no edges, an elastic foundation no Maxwell arm to march
-            if (found /= regime .or. c%answer%half_width >= 3.14_dp .and. regime == 1 .or. c%trial%beta <= 1) cycle
-            call make_strip(c%trial, neighbour, strip)
-            call find_steady_state(strip, c%trial%branch, c%neighbour)
-            call get_balance(c%strip, c%answer, c%balance)
-            call new_edges(c%edges, c%strip, c%answer)
-            do j = 1, size(c%start)
-               call dice%between(-start_error, start_error, c%start(j))
-            end do
-         end associate
-         k = k + 1
-      end do
-   end subroutine collect_cases
 
    !> The project's solver; its error is what the balances leave over, or the difference from the cold answer.
    function run_own(cases, is_warm) result(outcome)
@@ -142,7 +90,7 @@ contains
             call get_balance(c%strip, state, balance)
             outcome%errors(k) = max(abs(balance%load_mismatch)/load_scale(c), &
                abs(balance%friction - balance%dissipation - balance%edge_loss)/friction_scale(c))
-            if (is_warm) call judge(c, balance%load, balance%friction, k, outcome)
+            if (is_warm) call keep(error_of(c, balance%load, balance%friction), k, outcome)
             if (.not. state%is_converged) outcome%n_failed = outcome%n_failed + 1
          end associate
       end do
@@ -155,10 +103,8 @@ contains
       integer, intent(in) :: kind_of_start
       type(outcome_t) :: outcome
       type(solver_t) :: solver
-      type(steady_state_t) :: state
-      type(balance_t) :: balance
-      real(dp) :: times(n_repeats), anchors(n_repeats), start, x(4)
-      logical :: is_converged
+      real(dp) :: times(n_repeats), anchors(n_repeats), start, x(4), error
+      logical :: is_converged, is_admissible
       integer :: r, k
 
       call new_solver(solver, cases(1)%edges%n)
@@ -178,36 +124,19 @@ contains
          associate (c => cases(k), n => cases(k)%edges%n)
             x(:n) = start_of(c, kind_of_start)
             call solve_edges(solver, c%edges, tolerance, x(:n), is_converged)
-            state = state_of_edges(c%edges, x(:n))
+            call error_of_edges(c, x(:n), error, is_admissible)
             if (.not. is_converged) then
                outcome%n_failed = outcome%n_failed + 1
-            else if (.not. is_possible(c%edges, state)) then
+            else if (.not. is_admissible) then
                outcome%n_impossible = outcome%n_impossible + 1
             else
-               call get_balance(c%strip, state, balance)
                outcome%n = outcome%n + 1
-               call judge(c, balance%load, balance%friction, outcome%n, outcome)
+               call keep(error, outcome%n, outcome)
             end if
          end associate
       end do
       call free_solver(solver)
    end function run_gsl
-
-   !> A start of GSL's solver.
-   pure function start_of(c, kind_of_start) result(x)
-      type(case_t), intent(in) :: c
-      integer, intent(in) :: kind_of_start
-      real(dp) :: x(c%edges%n)
-
-      select case (kind_of_start)
-      case (from_lengths)
-         x = edges_of(c%edges, c%answer, c%start)
-      case (from_phases)
-         x = edges_of(c%edges, c%answer, spread(0.0_dp, 1, 4))*(1 + c%start(:c%edges%n))
-      case default
-         x = elastic_edges(c%edges)
-      end select
-   end function start_of
 
    !> One period in steps of time, from the answer's own column: less than any march from rest needs.
    function run_march(cases, steps) result(outcome)
@@ -223,7 +152,7 @@ contains
          start = wall_clock()
          do k = 1, n
             call march_forces(cases(k)%strip, cases(k)%answer, steps, load, friction)
-            if (r == 1) call judge(cases(k), load, friction, k, outcome)
+            if (r == 1) call keep(error_of(cases(k), load, friction), k, outcome)
          end do
          times(r) = (wall_clock() - start)/n
       end do
@@ -263,30 +192,15 @@ contains
       outcome%share = spread_of(times/anchors)
    end subroutine set_times
 
-   !> The error of forces; a large one is another answer.
-   subroutine judge(c, load, friction, place, outcome)
-      type(case_t), intent(in) :: c
-      real(dp), intent(in) :: load, friction
+   !> Note an error; a large one is another answer.
+   subroutine keep(error, place, outcome)
+      real(dp), intent(in) :: error
       integer, intent(in) :: place
       type(outcome_t), intent(inout) :: outcome
 
-      outcome%errors(place) = max(abs(load - c%balance%load)/load_scale(c), &
-         abs(friction - c%balance%friction)/friction_scale(c))
-      if (.not. outcome%errors(place) < elsewhere) outcome%n_elsewhere = outcome%n_elsewhere + 1
-   end subroutine judge
-
-   pure real(dp) function load_scale(c)
-      type(case_t), intent(in) :: c
-
-      load_scale = max(c%balance%load_scale, tiny(1.0_dp))
-   end function load_scale
-
-   pure real(dp) function friction_scale(c)
-      type(case_t), intent(in) :: c
-
-      friction_scale = max(c%balance%friction_scale + c%balance%dissipation + abs(c%balance%edge_loss), &
-         1.0e-5_dp*load_scale(c))
-   end function friction_scale
+      outcome%errors(place) = error
+      if (.not. error < elsewhere) outcome%n_elsewhere = outcome%n_elsewhere + 1
+   end subroutine keep
 
    subroutine report(regime, method, setting, outcome)
       integer, intent(in) :: regime

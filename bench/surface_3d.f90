@@ -7,9 +7,14 @@ program surface_3d
    use adfric_base_kinds, only: dp, i8
    use adfric_base_model, only: attribute_t, status_solved, status_no_equilibrium, status_not_converged
    use adfric_base_unset, only: unset
+   use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_sweep_clock, only: wall_clock
    use adfric_sweep_blocks, only: block_size_of
+   use adfric_wavy_foundation, only: new_foundation
    use adfric_wavy_model, only: wavy_model_t, new_wavy_model
+   use adfric_wavy_steady_state, only: find_steady_state
+   use adfric_wavy_strip, only: strip_t, steady_state_t
+   use adfric_wavy_surface, only: surface_t, totals_t, new_surface_strip, add_strip, share_at
    use adfric_wavy_variables
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    implicit none (type, external)
@@ -31,7 +36,9 @@ program surface_3d
 
    !> What a run gave.
    type :: run_t
-      real(dp), allocatable :: load(:), friction(:), error_estimate(:)
+      !> Shape `(n_wavy_results, n_points)`.
+      real(dp), allocatable :: results(:, :)
+      real(dp), allocatable :: error_estimate(:)
       integer, allocatable :: status(:)
       real(dp) :: strips_per_point = 0
       type(spread_t) :: time
@@ -47,7 +54,7 @@ program surface_3d
    points = open_table(text_argument(1, 'surface_3d_points.csv'), 'case,points,solved,no_equilibrium,not_converged,'// &
       'error_estimate_worst,strips_per_point,us,us_least,us_most,us_no_equilibrium')
    strips = open_table(text_argument(2, 'surface_3d_strips.csv'), 'case,rule,strips_or_tolerance,strips,us,us_least,'// &
-      'us_most,load_error,friction_error,error_estimate')
+      'us_most,load_error,friction_error,mu_error,contact_error,adhesion_error,error_estimate')
    do k = 1, size(cases)
       print '(/, a)', trim(cases(k)%name)
       call report_points(points, cases(k))
@@ -101,27 +108,24 @@ contains
       real(dp), intent(in) :: values(:, :)
       type(run_t), intent(out) :: result
       type(attribute_t), allocatable :: attributes(:)
-      real(dp), allocatable :: results(:, :)
       real(dp) :: times(n_repeats), start
       integer :: n, r, block, first, last
 
       n = size(values, 2)
       block = block_size_of(int(n, i8))
-      allocate (results(n_wavy_results, n), result%error_estimate(n), result%status(n))
+      allocate (result%results(n_wavy_results, n), result%error_estimate(n), result%status(n))
       do r = 1, n_repeats
          result%strips_per_point = 0
          start = wall_clock()
          do first = 1, n, block
             last = min(n, first + block - 1)
-            call model%solve_block(values(:, first:last), results(:, first:last), result%error_estimate(first:last), &
-               result%status(first:last), attributes)
+            call model%solve_block(values(:, first:last), result%results(:, first:last), &
+               result%error_estimate(first:last), result%status(first:last), attributes)
             result%strips_per_point = result%strips_per_point + attributes(1)%value/n
          end do
          times(r) = 1.0e6_dp*(wall_clock() - start)/n
       end do
       result%time = spread_of(times)
-      result%load = results(r_load, :)
-      result%friction = results(r_friction_force, :)
    end subroutine run
 
    !> Time of points under load, those that have an equilibrium and those that have none.
@@ -151,16 +155,16 @@ contains
             counts(3), ' not converged; worst estimate ', worst, ', strips per point ', result%strips_per_point
          print '(3(a, f0.1), a)', 'us per point with equilibrium ', t%median, ' (', t%least, ' to ', t%most, ')'
          if (k > 0) print '(a, f0.1)', 'us per point without ', beyond%time%median
-         write (table, '(a, 4(",", i0), ",", es8.2, 5(",", g0.5))') trim(c%name), n_points, counts, worst, &
+         write (table, '(3a, 4(",", i0), ",", es8.2, 5(",", g0.5))') '"', trim(c%name), '"', n_points, counts, worst, &
             result%strips_per_point, t%median, t%least, t%most, beyond%time%median
       end associate
    end subroutine report_points
 
-   !> Error against number of strips, the paper's equal ones and the rule's.
+   !> Error against number of strips: the paper's equal ones, Gauss's rule on equal panels, and the program's rule.
    subroutine report_strips(table, c)
       integer, intent(in) :: table
       type(case_t), intent(in) :: c
-      type(run_t) :: reference
+      type(run_t) :: reference, result
       real(dp) :: values(v_n_y, 1)
       integer :: k
 
@@ -169,36 +173,84 @@ contains
       values(v_relative_tolerance, 1) = reference_tolerance
       call run(values, reference)
       print '(a, f0.3, a)', 'at penetration ', c%penetration, ':'
-      print '(a10, a9, a9, a10, 3a10)', 'rule', 'n or tol', 'strips', 'us', 'err load', 'err fric', 'estimate'
+      print '(a10, a9, a9, a10, 6a10)', 'rule', 'n or tol', 'strips', 'us', 'err P', 'err T', 'err mu', 'contact', 'adhesion', &
+         'estimate'
       do k = 2, 12
          values(v_strips, 1) = 2**k
-         call report_rule(table, c, 'equal', real(2**k, dp), values, reference)
+         call run(values, result)
+         call report_rule(table, c, 'equal', real(2**k, dp), result, reference)
       end do
       values(v_strips, 1) = 0
+      do k = 0, 8
+         call run_gauss(c, 2**k, result)
+         call report_rule(table, c, 'gauss', real(2**k, dp), result, reference)
+      end do
       do k = 2, 11
          values(v_relative_tolerance, 1) = 10.0_dp**(-k)
-         call report_rule(table, c, 'adaptive', 10.0_dp**(-k), values, reference)
+         call run(values, result)
+         call report_rule(table, c, 'adaptive', 10.0_dp**(-k), result, reference)
       end do
    end subroutine report_strips
 
-   subroutine report_rule(table, c, rule, setting, values, reference)
+   !> Gauss's rule of 16 strips on each of a number of equal panels, wherever the regimes change.
+   subroutine run_gauss(c, n_panels, result)
+      type(case_t), intent(in) :: c
+      integer, intent(in) :: n_panels
+      type(run_t), intent(out) :: result
+      type(surface_t) :: surface
+      type(strip_t) :: strip
+      type(steady_state_t) :: state, last
+      type(totals_t) :: totals
+      real(dp) :: times(n_repeats), start, share, theta
+      integer :: r, panel, k
+
+      surface%is_3d = .true.
+      call new_foundation(surface%foundation, c%u, c%beta)
+      surface%stress = c%stress
+      surface%range = c%range
+      surface%edge = c%edge
+      surface%branch = c%branch
+      do r = 1, n_repeats
+         totals = totals_t()
+         last = steady_state_t()
+         start = wall_clock()
+         do panel = 1, n_panels
+            do k = 1, size(gauss_nodes)
+               theta = (panel - 0.5_dp + gauss_nodes(k)/2)/n_panels*two_pi/2
+               share = share_at(theta)
+               call new_surface_strip(surface, c%penetration, share, strip)
+               call find_steady_state(strip, surface%branch, state, last)
+               call add_strip(surface, strip, state, share, gauss_weights(k)/(2*n_panels), totals)
+               last = state
+            end do
+         end do
+         times(r) = 1.0e6_dp*(wall_clock() - start)
+      end do
+      result%time = spread_of(times)
+      result%strips_per_point = totals%n_strips
+      allocate (result%results(n_wavy_results, 1), source=0.0_dp)
+      allocate (result%error_estimate(1), source=0.0_dp)
+      result%results([r_load, r_friction_force, r_contact_area, r_adhesion_area], 1) = &
+         [totals%load, totals%friction, totals%contact, totals%adhesion]
+      result%results(r_friction_coefficient, 1) = totals%friction/totals%load
+   end subroutine run_gauss
+
+   subroutine report_rule(table, c, rule, setting, result, reference)
       integer, intent(in) :: table
       type(case_t), intent(in) :: c
       character(*), intent(in) :: rule
-      real(dp), intent(in) :: setting, values(:, :)
-      type(run_t), intent(in) :: reference
-      type(run_t) :: result
-      real(dp) :: errors(3)
+      real(dp), intent(in) :: setting
+      type(run_t), intent(in) :: result, reference
+      integer, parameter :: judged(*) = [r_load, r_friction_force, r_friction_coefficient, r_contact_area, r_adhesion_area]
+      real(dp) :: errors(size(judged) + 1)
 
-      call run(values, result)
-      errors = [relative(result%load(1), reference%load(1)), relative(result%friction(1), reference%friction(1)), &
-         result%error_estimate(1)]
-      print '(a10, es9.1, f9.0, f10.1, 3es10.1)', rule, setting, result%strips_per_point, result%time%median, errors
-      write (table, '(2(a, ","), es8.2, 4(",", g0.5), 3(",", es8.2))') trim(c%name), rule, setting, result%strips_per_point, &
-         result%time%median, result%time%least, result%time%most, errors
+      errors = [relative(result%results(judged, 1), reference%results(judged, 1)), result%error_estimate(1)]
+      print '(a10, es9.1, f9.0, f10.1, 6es10.1)', rule, setting, result%strips_per_point, result%time%median, errors
+      write (table, '(3a, ",", a, ",", es8.2, 4(",", g0.5), 6(",", es8.2))') '"', trim(c%name), '"', rule, setting, &
+         result%strips_per_point, result%time%median, result%time%least, result%time%most, errors
    end subroutine report_rule
 
-   pure real(dp) function relative(value, reference)
+   elemental real(dp) function relative(value, reference)
       real(dp), intent(in) :: value, reference
 
       relative = abs(value - reference)/max(abs(reference), tiny(1.0_dp))

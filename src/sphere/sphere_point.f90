@@ -44,6 +44,10 @@ module adfric_sphere_point
       !> The last pull-off load, and what it belongs to.
       real(dp) :: pull_off_load = 0, pull_off_ratio = -1
       integer :: pull_off_control = 0
+      !> The last events of the static phase, and the contact and friction they belong to.
+      logical :: has_events = .false.
+      type(sphere_case_t) :: events_case
+      type(friction_events_t) :: events
    end type sphere_memory_t
 
 contains
@@ -73,7 +77,7 @@ contains
       memory%theory%ratio = point%ratio
       call finish_contact(case, memory, point)
       if (point%status == status_solved .and. case%has_friction .and. .not. is_peeling(case)) call add_friction(case, point)
-      if (needs_events) call add_events(case, memory%theory, point)
+      if (needs_events) call add_events(case, memory, point)
    end subroutine solve_point
 
    !> Does static friction change the contact?
@@ -107,15 +111,29 @@ contains
       point%largest_slip = state%largest_slip
    end subroutine take_state
 
-   !> What happens between rest and sliding.
-   pure subroutine add_events(case, theory, point)
+   !> What happens between rest and sliding; a tangential force or displacement has no part in it.
+   pure subroutine add_events(case, memory, point)
       type(sphere_case_t), intent(in) :: case
-      class(theory_t), intent(in) :: theory
+      type(sphere_memory_t), intent(inout) :: memory
       type(sphere_point_t), intent(inout) :: point
 
-      call find_friction_events(theory, new_friction(case), case%control, case%value, case%branch, point%events)
+      if (.not. (memory%has_events .and. has_same_events(case, memory%events_case))) then
+         call find_friction_events(memory%theory, new_friction(case), case%control, case%value, case%branch, memory%events)
+         memory%events_case = case
+         memory%has_events = .true.
+      end if
+      point%events = memory%events
       if (point%events%is_found .and. .not. point%events%is_converged) point%status = status_not_converged
    end subroutine add_events
+
+   !> Have two points of one theory the same way from rest to sliding?
+   pure logical function has_same_events(one, two)
+      type(sphere_case_t), intent(in) :: one, two
+
+      has_same_events = one%control == two%control .and. one%branch == two%branch .and. .not. any(abs( &
+         & [one%value, one%strength, one%poisson, one%edge_fraction, one%interaction, one%slip_energy_ratio] &
+         & - [two%value, two%strength, two%poisson, two%edge_fraction, two%interaction, two%slip_energy_ratio]) > 0)
+   end function has_same_events
 
    !> The theory that is asked for, or the simplest one that will do.
    subroutine take_theory(case, needs_events, memory, point)
@@ -138,6 +156,7 @@ contains
       memory%lambda = case%lambda
       memory%contact = contact_t()
       memory%pull_off_ratio = -1
+      memory%has_events = .false.
    end subroutine take_theory
 
    !> What follows from the contact alone.
@@ -165,7 +184,7 @@ contains
          point%status = merge(status_no_equilibrium, status_not_converged, point%contact%is_converged)
          return
       end if
-      point%error_estimate = get_mismatch(memory%theory, point%contact) + point%theory_error
+      point%error_estimate = get_mismatch(memory%theory, point%theory, case%control, point%contact) + point%theory_error
       if (.not. point%contact%is_converged .or. .not. point%error_estimate < 1) then
          point%status = status_not_converged
          return

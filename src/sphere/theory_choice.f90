@@ -18,6 +18,8 @@ module adfric_sphere_theory_choice
 
    !> Relative errors are those of the larger of a value and this.
    real(dp), parameter :: least_value = 0.1_dp
+   !> What a term of an equation may be wrong by.
+   real(dp), parameter :: round_off = 2*epsilon(1.0_dp)
 
 contains
 
@@ -136,15 +138,21 @@ contains
 
    end subroutine prove
 
-   !> How far a contact is from fulfilling the equations of its theory: the largest relative difference of radius, load
-   !> and approach from those of the place where it was found.
-   pure real(dp) function get_mismatch(theory, contact) result(mismatch)
+   !> How well a contact is known: how far it is from fulfilling the equations of its theory at the place where it was found,
+   !> and what the round-off of what is held does to the place. The largest relative error of radius, load and approach.
+   pure real(dp) function get_mismatch(theory, number, control, contact) result(mismatch)
       class(theory_t), intent(in) :: theory
+      !> One of `theory_...`, and of `control_...`.
+      integer, intent(in) :: number, control
       type(contact_t), intent(in) :: contact
       type(contact_t) :: again
       type(point_t) :: point
+      real(dp), dimension(3) :: values, others, terms, slopes, sizes
+      real(dp) :: shift
+      integer :: held
 
       again = contact_t()
+      slopes = 0
       select type (theory)
       type is (maugis_t)
          if (contact%radius > 0) then
@@ -152,15 +160,30 @@ contains
             again%radius = point%radius
             again%load = point%load
             again%approach = point%approach
+            slopes = [point%radius_slope, point%load_slope, point%approach_slope]
          else
             call get_disc(theory%lambda, theory%ratio, contact%adhesion_radius, again%load, again%approach)
          end if
       class default
          call theory%of_radius(contact%radius, again)
+         if (contact%radius > 0) then
+            call get_slopes(number, theory%ratio, contact%radius, slopes(2), slopes(3))
+            slopes = [1.0_dp, slopes(2:3)]*contact%radius
+         end if
       end select
-      mismatch = epsilon(mismatch) + max(abs(again%radius - contact%radius)/max(contact%radius, tiny(mismatch)), &
-         & abs(again%load - contact%load)/max(abs(contact%load), least_value), &
-         & abs(again%approach - contact%approach)/max(abs(contact%approach), least_value))
+      values = [contact%radius, contact%load, contact%approach]
+      others = [again%radius, again%load, again%approach]
+      sizes = max(abs(values), [tiny(mismatch), least_value, least_value])
+      ! load and approach are differences of these
+      terms = [contact%radius, contact%radius**3 + abs(contact%load - contact%radius**3), &
+         & contact%radius**2 + abs(contact%approach - contact%radius**2)]
+      held = 1
+      if (control == control_load) held = 2
+      if (control == control_approach) held = 3
+      ! at the end of stability what is held has no slope, and the place is known to the root of its round-off
+      shift = sqrt(round_off)
+      if (round_off*terms(held) < shift*abs(slopes(held))) shift = round_off*terms(held)/abs(slopes(held))
+      mismatch = maxval((abs(others - values) + abs(slopes)*shift + round_off*terms)/sizes)
    end function get_mismatch
 
    !> Changes of load and approach with the radius.

@@ -75,10 +75,10 @@ contains
          if (memory%needs_slope) call add_load_slope(strip, crest, 1.0_dp, totals)
          totals%n_closed_form = merge(1, 0, crest%regime == regime_saturated .or. crest%regime == regime_free)
       else if (surface%n_strips > 0) then
-         call sum_equal_strips(surface, penetration, surface%n_strips, crest, totals)
-         ! what half as many strips would have given tells the error
-         call sum_equal_strips(surface, penetration, (surface%n_strips + 1)/2, crest, half)
-         error = abs([totals%load - half%load, totals%friction - half%friction])
+         call sum_equal_strips(surface, penetration, (surface%n_strips + 1)/2, crest, half, error)
+         call sum_equal_strips(surface, penetration, surface%n_strips, crest, totals, error)
+         ! what half as many strips would have given tells the error, but for that of jumps
+         error = error + abs([totals%load - half%load, totals%friction - half%friction])
          totals%n_strips = totals%n_strips + half%n_strips
       else
          call integrate_strips(surface, penetration, memory, totals, error)
@@ -104,30 +104,42 @@ contains
    end function next_crest
 
    !> GM's sum of 2N strips of equal width.
-   pure subroutine sum_equal_strips(surface, penetration, n_strips, guess, totals)
+   pure subroutine sum_equal_strips(surface, penetration, n_strips, crest, totals, jumps)
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: penetration
       !> On half a period.
       integer, intent(in) :: n_strips
-      type(steady_state_t), intent(in) :: guess
+      !> The strip of the crest line.
+      type(steady_state_t), intent(in) :: crest
       type(totals_t), intent(inout) :: totals
+      !> Half of what load and friction change by from strip to strip where the regime changes: the edge is in between.
+      real(dp), intent(out) :: jumps(2)
       type(strip_t) :: strip
       type(steady_state_t) :: last, state
-      real(dp) :: share, width
+      type(totals_t) :: one
+      real(dp) :: share, width, values(2), last_values(2)
       integer :: j
 
-      last = guess
+      last = crest
+      last_values = 0
+      jumps = 0
       width = 1.0_dp/n_strips
-      do j = 1, n_strips
-         share = share_at(pi*(j - 0.5_dp)*width)
+      do j = 0, n_strips
+         ! the crest line itself is looked at, but not summed
+         share = share_at(pi*max(j - 0.5_dp, 0.0_dp)*width)
          call new_surface_strip(surface, penetration, share, strip)
-         call find_steady_state(strip, surface%branch, state, last)
-         call add_strip(surface, strip, state, share, width, totals)
-         call add_load_slope(strip, state, width, totals)
-         if (state%regime == regime_saturated .or. state%regime == regime_free) then
-            totals%n_closed_form = totals%n_closed_form + 1
-         end if
+         state = crest
+         if (j > 0) call find_steady_state(strip, surface%branch, state, last)
+         one = totals_t()
+         call add_strip(surface, strip, state, share, width, one)
+         values = [one%load, one%friction]
+         if (state%regime /= last%regime) jumps = jumps + abs(values - last_values)/2
          last = state
+         last_values = values
+         if (j == 0) cycle
+         call add_load_slope(strip, state, width, one)
+         one%n_closed_form = merge(1, 0, state%regime == regime_saturated .or. state%regime == regime_free)
+         call add_totals(totals, one)
       end do
    end subroutine sum_equal_strips
 

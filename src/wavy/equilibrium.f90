@@ -77,14 +77,9 @@ contains
          call find_bracket(surface, load, memory, low, high, is_found)
          if (is_found) call close_bracket(surface, load, memory, low, high)
       end if
-      if (is_found) then
-         call finish(high, high%excess, equilibrium)
-      else
-         equilibrium%status = status_no_equilibrium
-         if (.not. (low%totals%is_converged .and. high%totals%is_converged)) then
-            equilibrium%status = status_not_converged
-         end if
-      end if
+      equilibrium%status = merge(status_no_equilibrium, status_not_converged, &
+         & low%totals%is_converged .and. high%totals%is_converged)
+      if (is_found) call finish(high, high%excess, equilibrium)
    end subroutine solve_load
 
    !> Load at a penetration.
@@ -361,9 +356,7 @@ contains
          if (mod(k, 3) > 0) then
             middle = high
             if (abs(low%excess) < abs(high%excess)) middle = low
-            if (middle%totals%load_slope > 0) then
-               penetration = middle%penetration - middle%excess/middle%totals%load_slope
-            end if
+            if (middle%totals%load_slope > 0) penetration = middle%penetration - middle%excess/middle%totals%load_slope
             if (penetration <= low%penetration .or. penetration >= high%penetration) then
                ! two loads that do not differ, as far as round-off can tell, have no chord
                penetration = low%penetration + width/2
@@ -390,10 +383,9 @@ contains
 
       equilibrium%penetration = trial%penetration
       equilibrium%totals = trial%totals
-      equilibrium%error_estimate = get_relative_error(trial%totals, trial%error + [abs(excess), 0.0_dp])
-      if (.not. trial%totals%is_converged .or. .not. equilibrium%error_estimate < 1) then
-         equilibrium%status = status_not_converged
-      end if
+      equilibrium%error_estimate = get_relative_error(trial%totals, trial%error, excess)
+      equilibrium%status = merge(status_solved, status_not_converged, &
+         & trial%totals%is_converged .and. equilibrium%error_estimate < 1)
    end subroutine finish
 
 end module adfric_wavy_equilibrium

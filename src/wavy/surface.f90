@@ -22,6 +22,8 @@ module adfric_wavy_surface
    real(dp), parameter :: negligible = 1.0e-7_dp
    !> Below this share of the sum of their terms, load and friction are as good as zero.
    real(dp), parameter :: share_of_scale = 0.01_dp
+   !> What the round-off of its terms grows to in friction, at most (`bench/error_estimates`).
+   real(dp), parameter :: most_amplified = 1000.0_dp
 
    !> A wavy surface on its foundation.
    type :: surface_t
@@ -166,10 +168,12 @@ contains
    end subroutine add_load_slope
 
    !> The larger of the relative errors of load and friction, 1 at most.
-   pure real(dp) function get_relative_error(totals, error) result(relative)
+   pure real(dp) function get_relative_error(totals, error, excess) result(relative)
       type(totals_t), intent(in) :: totals
       !> Errors of load and friction beside round-off and what the balances leave over.
       real(dp), intent(in) :: error(2)
+      !> By how much the load differs from one that is given.
+      real(dp), intent(in) :: excess
       real(dp) :: errors(2), sizes(2), scales(2), shares(2)
 
       scales = [totals%load_scale, totals%friction_scale]
@@ -177,6 +181,16 @@ contains
       ! a friction that is nothing beside the load has no digits of its own
       sizes(2) = max(sizes(2), negligible*sizes(1))
       errors = error + 8*epsilon(1.0_dp)*scales + abs([totals%load_mismatch, totals%energy_mismatch]) + [0.0_dp, totals%slope_error]
+      ! edges are known to the round-off of their phases, which shifts the load: that is friction, where there is any
+      if (max(totals%contact, totals%adhesion) < 1) errors(2) = errors(2) &
+         & + epsilon(1.0_dp)*min(4*totals%load_scale, most_amplified*totals%friction_scale)
+      ! towards pull-off friction changes several times as fast as the load
+      errors(1) = errors(1) + abs(excess)
+      if (abs(excess) < sizes(1)) then
+         errors(2) = errors(2) + 4*abs(excess)/sizes(1)*sizes(2)
+      else
+         errors(2) = errors(2) + 4*sizes(2)
+      end if
       ! an error as large as the number is known says no more than 1
       shares = merge(1.0_dp, 0.0_dp, errors > 0)
       where (errors < sizes) shares = errors/sizes

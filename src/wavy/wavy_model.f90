@@ -2,7 +2,7 @@
 module adfric_wavy_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi, pi
-   use adfric_base_model, only: model_t, result_t, attribute_t, status_solved
+   use adfric_base_model, only: model_t, result_t, attribute_t, status_solved, status_no_equilibrium
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: unset, is_set
@@ -12,8 +12,9 @@ module adfric_wavy_model
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_equilibrium, only: equilibrium_t, solve_penetration, solve_load, leads_to
    use adfric_wavy_profiles, only: get_profiles
+   use adfric_wavy_steady_state, only: branch_adhered
    use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only
-   use adfric_wavy_surface, only: negligible
+   use adfric_wavy_surface, only: negligible, is_same_surface
    use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
       & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, &
       & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_regime, v_kind, v_load, v_n_x, &
@@ -115,7 +116,7 @@ contains
       real(dp), intent(out) :: error_estimate(:)
       integer, intent(out) :: status(:)
       type(attribute_t), allocatable, intent(out) :: attributes(:)
-      type(wavy_case_t) :: point, last
+      type(wavy_case_t) :: point, last, hopeless
       type(equilibrium_t) :: equilibrium
       type(memory_t) :: memory
       real(dp) :: known(2), guess, n_strips, n_closed_form
@@ -142,7 +143,12 @@ contains
                end if
             end if
             if (.not. is_set(guess)) known(2) = unset
-            call solve_load(point%surface, point%load, guess, memory, equilibrium)
+            if (is_hopeless(hopeless, point)) then
+               equilibrium = equilibrium_t(status_no_equilibrium)
+            else
+               call solve_load(point%surface, point%load, guess, memory, equilibrium)
+            end if
+            if (equilibrium%status == status_no_equilibrium) hopeless = point
             known = [merge(equilibrium%penetration, unset, equilibrium%status == status_solved), known(1)]
             last = point
          else
@@ -159,6 +165,17 @@ contains
       attributes(1) = attribute_t('strips_per_point', n_strips)
       attributes(2) = attribute_t('closed_form_strips_per_point', n_closed_form)
    end subroutine solve_block
+
+   !> Is a load without equilibrium for sure, because a larger one had none on the same surface? On the adhered branch both are
+   !> below pull-off; the other one may jump over loads.
+   pure logical function is_hopeless(known, point)
+      !> A point without equilibrium, or a new one.
+      type(wavy_case_t), intent(in) :: known
+      type(wavy_case_t), intent(in) :: point
+
+      is_hopeless = known%is_load_given .and. point%surface%branch == branch_adhered .and. point%load <= known%load
+      if (is_hopeless) is_hopeless = is_same_surface(known%surface, point%surface)
+   end function is_hopeless
 
    !> Does a point lead to the one before it, and not the other way round?
    pure logical function leads_backwards(first, second)

@@ -1,0 +1,282 @@
+"""Tables of docs/accuracy.md and docs/scenes.md from those of the benchmarks.
+
+usage: tables.py [FOLDER [--write]]
+
+Prints every table that FOLDER (build/bench) has the numbers of; with --write it replaces, in the documents, what stands between
+`<!-- table NAME -->` and `<!-- end -->`. Times are the least of each range.
+"""
+
+import math
+import pathlib
+import re
+import sys
+
+from tools import read_table
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+DOCUMENTS = [ROOT / "docs" / "accuracy.md", ROOT / "docs" / "scenes.md"]
+
+
+def rows_of(folder, name, **wanted):
+    """Rows of a table, of those with the wanted texts."""
+    rows = read_table(folder / f"{name}.csv")[1]
+    return [row for row in rows if all(row[key].strip() == text for key, text in wanted.items())]
+
+
+def one(folder, name, **wanted):
+    """The one row with the wanted texts."""
+    return rows_of(folder, name, **wanted)[0]
+
+
+def time(text):
+    """A time with two digits."""
+    number = float(text)
+    if not number > 0:
+        return "0"
+    return f"{number:.{max(0, 1 - math.floor(math.log10(number)))}f}"
+
+
+def error(text):
+    """An error with one digit."""
+    number = float(text)
+    if number == 0:
+        return "0"
+    mantissa, exponent = f"{number:.0e}".split("e")
+    return f"{mantissa}e{int(exponent)}"
+
+
+def power(text):
+    """A power of ten."""
+    return f"{float(text):.0e}".replace("e-0", "e-").replace("e+0", "e")
+
+
+def table(head, body):
+    """A table in Markdown."""
+    lines = [head, ["---"] * len(head), *body]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def wrong(row):
+    """Answers that are no answers, or another state's."""
+    return sum(int(row[key]) for key in ("failed", "inadmissible", "elsewhere"))
+
+
+def strips(folder):
+    """One strip by several methods."""
+    regimes = ["adhesion without contact", "contact without adhesion", "saturated adhesion", "adhesion zones",
+               "adhesion zones with snap"]
+    body = []
+    for regime in regimes:
+        cells = [regime]
+        for method in ("cold", "warm"):
+            row = one(folder, "strip_methods", regime=regime, method=method)
+            cells.append(f"{time(row['us_least'])}, {error(row['error_median'])}, {wrong(row)}")
+        for name, library in (("strip_methods", "gsl"), ("strip_scipy", "scipy")):
+            for start in ("lengths", "rest"):
+                row = rows_of(folder, name, regime=regime, method=f"{library} from {start}")[-1]
+                us = row["us_least" if library == "gsl" else "us"]
+                cells.append(f"{time(us)}, {error(row['error_median'])}, {wrong(row)}")
+        for row in rows_of(folder, "strip_methods", regime=regime, method="time march")[2::2]:
+            cells.append(f"{time(row['us_least'])}, {error(row['error_median'])}, {row['elsewhere']} of {row['strips']}")
+        body.append(cells)
+    return table(["regime", "ours, cold", "ours, warm", "GSL, near", "GSL, from rest", "SciPy, near", "SciPy, from rest",
+                  "march, 1e4", "march, 1e6"], body)
+
+
+def random_strips(folder):
+    """Random strips."""
+    body = [[row["regime"], row["strips"], str(sum(int(row[key]) for key in ("not_converged", "not_steady", "not_first"))),
+             time(row["cold_us"]), time(row["warm_us"]), time(row["cold_worst_us"])]
+            for row in rows_of(folder, "random_strips")]
+    return table(["regime", "strips", "wrong or unsolved", "cold us", "warm us", "slowest us"], body)
+
+
+def surface_strips(folder):
+    """Error against number of strips."""
+    shown = [("equal", "16 equal strips", 2), ("equal", "128", 5), ("equal", "4096", 10),
+             ("gauss", "16 strips on each of 16 panels", 4), ("gauss", "256 panels", 8), ("adaptive", "our rule, 1e-4", 2), ("adaptive", "1e-8", 6)]
+    keys = ["load_error", "friction_error", "mu_error", "contact_error", "adhesion_error"]
+    body = []
+    for case in ("no adhesion", "release across the surface", "snap into contact"):
+        for rule, name, place in shown:
+            row = rows_of(folder, "surface_3d_strips", case=case, rule=rule)[place]
+            body.append([case if rule == "equal" and place == 2 else "", name, f"{float(row['strips']):.0f}", time(row["us_least"]),
+                         *(error(row[key]) for key in keys)])
+    return table(["case", "rule", "strips", "us", "P", "T", "mu", "contact", "adhesion"], body)
+
+
+def surface_points(folder):
+    """Points under load."""
+    body = [[row["case"], f"{time(row['us_least'])} to {time(row['us_most'])}", f"{float(row['strips_per_point']):.0f}",
+             time(row["us_no_equilibrium"]) if float(row["us_no_equilibrium"]) > 0 else ""]
+            for row in rows_of(folder, "surface_3d_points")]
+    return table(["2000 loads", "us per point with equilibrium", "strips", "us per point without"], body)
+
+
+def sphere(folder):
+    """Every method at given radii."""
+    names = ["ours", "m-form", "JKR", "DMT", "Adhesion"]
+    body = []
+    for lam in dict.fromkeys(row["lambda"] for row in rows_of(folder, "sphere_side_by_side")):
+        cells = [power(lam)]
+        for name in names:
+            row = one(folder, "sphere_side_by_side", **{"lambda": lam}, method=name)
+            text = f"{time(row['us'])}, {error(row['error'])}"
+            if row["proved"] and float(row["proved"]) > 0:
+                text += f" ({error(row['bound'])} for {100 * float(row['proved']):.0f} %)"
+            cells.append(text)
+        body.append(cells)
+    return table(["lambda", "ours", "textbook's form in m", "JKR", "DMT", "package Adhesion"], body)
+
+
+def sphere_held(folder):
+    """What is held, ours and the package."""
+    body = []
+    for row in rows_of(folder, "sphere_public"):
+        if row["held"] in ("load", "pull-off of load") and row["lambda"] in ("1e-03", "1e-01", "1e+00", "1e+01", "1e+03", "1e+06"):
+            body.append([row["held"], power(row["lambda"]), f"{time(row['our_us'])}, {error(row['our_error'])}",
+                         f"{time(row['us_least'])}, {error(row['error'])}"])
+    return table(["held", "lambda", "ours: us, error", "package: us, error"], sorted(body, key=lambda cells: cells[0]))
+
+
+def sphere_times(folder):
+    """Least and most of the medians over lambda."""
+    names = {"radius": "load and approach of a radius", "load": "radius of a load", "approach": "radius of an approach",
+             "load below -3/2": "radius of a load between pull-off and -3/2", "pull-off of load": "pull-off under load",
+             "pull-off of approach": "pull-off under approach"}
+    found = {}
+    for row in rows_of(folder, "sphere_times"):
+        found.setdefault(row["held"].strip(), {}).setdefault(row["order"].strip() or "cold", []).append(float(row["us"]))
+    body = [[name, *(f"{time(min(times[order]))} to {time(max(times[order]))}" if order in times else ""
+                     for order in ("swept", "shuffled", "cold"))] for held, name in names.items() for times in [found[held]]]
+    return table(["us", "swept", "shuffled", "cold"], body)
+
+
+def sphere_auto(folder):
+    """What `auto` saves."""
+    body = [["maugis_dugdale" if not float(row["tolerance"]) > 0 else error(row["tolerance"]),
+             f"{100 * float(row['share_of_limit_theories']):.0f} %", time(row["us_least"]), error(row["largest_error"])]
+            for row in rows_of(folder, "sphere_auto")]
+    return table(["tolerance", "limit theories", "us per point", "largest error"], body)
+
+
+def wave_2d(folder):
+    """Area, pressure and time against cells."""
+    finest = {row["load"]: row for row in rows_of(folder, "wave_2d", surface="quarter", cells="2048")}
+    body = []
+    for cells in ("128", "256", "512", "1024", "2048"):
+        quarter, general = (rows_of(folder, "wave_2d", surface=kind, cells=cells) for kind in ("quarter", "general"))
+        times = [f"{time(min(least))} to {time(max(least))}" if least else ""
+                 for least in [[float(row["ms_least"]) for row in found] for found in (quarter, general)]]
+        if cells == "2048":
+            body.append([cells, *times, "", error(max(float(row["area_error_estimate"]) for row in quarter)), ""])
+            continue
+        body.append([cells, *times,
+                     error(max(abs(float(row["area"]) - float(finest[row["load"]]["area"])) for row in quarter)),
+                     error(max(float(row["area_error_estimate"]) for row in quarter)),
+                     error(max(abs(float(row["peak_difference"])) for row in quarter))])
+    return table(["cells along a period", "quarter: ms, range over loads", "general: ms", "area against 2048 cells, largest",
+                  "its bound, largest", "largest pressure against 2048 cells [E*]"], body)
+
+
+def wave_2d_public(folder):
+    """Beside the public libraries."""
+    rows = rows_of(folder, "wave_2d_public")
+    solvers = [name for name in dict.fromkeys(row["solver"] for row in rows) if not name.startswith("adfric")]
+    body = []
+    for cells, load in dict.fromkeys((row["cells"], row["load"]) for row in rows):
+        line = [cells, load]
+        for solver in ("adfric, quarter", "adfric, general", *solvers):
+            found = [row for row in rows if (row["cells"], row["load"], row["solver"]) == (cells, load, solver)]
+            line.append(f"{time(found[0]['ms'])}, {error(found[0]['residual'])}, {time(found[0]['slower'])}" if found else "")
+        body.append(line)
+    return table(["cells", "p/p*", "quarter: ms, residual, ratio", "general", *solvers], body)
+
+
+def wave_1d(folder):
+    """Largest pressure against Westergaard."""
+    loads = list(dict.fromkeys(row["load"] for row in rows_of(folder, "wave_1d")))
+    body = []
+    for cells in ("64", "256", "1024", "4096", "16384"):
+        rows = rows_of(folder, "wave_1d", cells=cells)
+        body.append([cells, time(max(float(row["ms_least"]) for row in rows)), *(error(row["peak_error"]) for row in rows)])
+    return table(["cells", "ms", *(f"p/p* = {float(load):g}" for load in loads)], body)
+
+
+def whole_cases(folder):
+    """A million points."""
+    body = [[row["case"], f"{float(row['us_least']):.2f} to {float(row['us_most']):.2f}", f"{float(row['peak_mb']):.0f}",
+             f"{float(row['file_mb']):.0f}"] for row in rows_of(folder, "whole_program_cases")]
+    return table(["a million points, one thread", "us per point", "peak MB", "file MB"], body)
+
+
+def whole_points(folder):
+    """Points per second."""
+    body = []
+    for points in dict.fromkeys(row["points"] for row in rows_of(folder, "whole_program_points")):
+        line = [power(points)]
+        for threads in "12":
+            row = one(folder, "whole_program_points", points=points, threads=threads)
+            line += [f"{1e6 / float(row['us_least']):.0f}", f"{float(row['peak_mb']):.0f}"]
+        body.append(line)
+    return table(["points", "points/s, 1 thread", "peak MB", "points/s, 2 threads", "peak MB"], body)
+
+
+def whole_phases(folder):
+    """Where the time goes."""
+    keys = ["input", "creation", "solution", "writing", "closing", "share_least"]
+    body = [[row["case"], *(f"{100 * float(row[key]):.1f}" for key in keys)] for row in rows_of(folder, "whole_program_phases")]
+    return table(["% of the time, a million points", "input", "creation of the file", "solution", "writing", "closing",
+                  "input and output, least"], body)
+
+
+def error_estimates(folder):
+    """Estimates and true errors."""
+    body = []
+    for name in dict.fromkeys(row["cases"] for row in rows_of(folder, "error_estimates")):
+        found = {row["decade"]: float(row["count"]) for row in rows_of(folder, "error_estimates", cases=name)}
+        counts = [sum(n for decade, n in found.items() if decade.lstrip("-").isdigit() and low <= int(decade) < high)
+                  for low, high in ((-99, 0), (0, 1), (1, 2), (2, 3), (3, 99))]
+        body.append([name, f"{found['cases']:.0f}", *(f"{n:.0f}" for n in counts), f"{100 * found['share_held']:.1f}",
+                     f"{100 * found['share_within_100']:.1f}"])
+    return table(["estimate over true error", "cases", "below 1", "1 to 10", "10 to 100", "100 to 1000", "above",
+                  "% not below the error", "% within 100"], body)
+
+
+def scenes(folder):
+    """What each saving is worth."""
+    body = [[row["saving"], row["scene"], time(row["ratio"]), error(row["change"]), error(row["allowed"])]
+            for row in rows_of(folder, "scenes")]
+    return table(["saving", "scene", "time without over with", "change of the results", "allowed"], body)
+
+
+TABLES = {function.__name__: function for function in (
+    random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, wave_2d, wave_2d_public,
+    wave_1d, whole_cases, whole_points, whole_phases, error_estimates, scenes)}
+
+
+def main():
+    arguments = [argument for argument in sys.argv[1:] if argument != "--write"]
+    if arguments and arguments[0].startswith("-"):
+        sys.exit(__doc__)
+    folder = pathlib.Path(arguments[0]) if arguments else ROOT / "build" / "bench"
+    texts = {}
+    for name, function in TABLES.items():
+        try:
+            texts[name] = function(folder)
+        except (FileNotFoundError, IndexError) as problem:
+            print(f"tables: nothing for {name}: {problem}", file=sys.stderr)
+    if "--write" not in sys.argv:
+        for name, text in texts.items():
+            print(f"\n{name}\n\n{text}")
+        return
+    for path in DOCUMENTS:
+        document = path.read_text()
+        for name, text in texts.items():
+            document = re.sub(rf"(<!-- table {name} -->\n)(?:.*?\n)??(<!-- end -->)", lambda m: f"{m[1]}{text}\n{m[2]}", document,
+                              flags=re.DOTALL)
+        path.write_text(document)
+
+
+if __name__ == "__main__":
+    main()
