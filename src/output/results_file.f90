@@ -95,8 +95,10 @@ contains
       call check_partial_name(path, overwrite, error)
       if (.not. allocated(error)) call self%create_from(path, overwrite, layout, heading, error)
       if (allocated(error)) return
+      ! some file systems give room no earlier than this; and where it never came, zeros would look like results
+      call synchronise(self%path_now, error)
       ! nobody can have begun to write results in the meantime, since we have the lock
-      call rename_file(self%path_now, partial_name(path), error)
+      if (.not. allocated(error)) call rename_file(self%path_now, partial_name(path), error)
       if (allocated(error)) then
          call self%discard()
       else

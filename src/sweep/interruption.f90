@@ -1,4 +1,5 @@
-!> Has a run been asked to end, by SIGTERM (a batch system) or SIGINT (Ctrl-C)? A second signal ends it at once.
+!> Has a run been asked to end, by SIGTERM (a batch system) or SIGINT (Ctrl-C)? Another signal, more than a second later, ends
+!> it at once.
 module adfric_sweep_interruption
    use, intrinsic :: iso_c_binding, only: c_int
    implicit none (type, external)

@@ -3,7 +3,9 @@
 import os
 import signal
 import subprocess
+import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -13,6 +15,8 @@ import numpy as np
 PROGRAM = os.environ["ADFRIC_PROGRAM"]
 # exit status: all points are answered, or some did not converge
 IN_ORDER = (0, 1)
+# exit status of a file of tests that cannot be run here, see tests/CMakeLists.txt
+ALL_SKIPPED = 77
 # attributes that tell one run from another of the same case
 OF_THE_RUN = {"created", "wall_seconds"}
 
@@ -27,6 +31,8 @@ LOADS = """
 &sweep variable = 'stress', values = 0, 1e3, 2e3 /
 &sweep variable = 'load', from = -0.1, to = 0.6, count = {count} /
 """
+# points of about the same cost
+EVEN = LOADS.replace("from = -0.1", "from = 0.1").replace("{strips}", "16")
 PROFILES = LOADS + "&output profiles = .true., n_x = 9, n_y = 5 /\n"
 
 
@@ -44,8 +50,10 @@ class Runs(unittest.TestCase):
     def start(self, *arguments, threads=2, **options):
         """A process that has just begun."""
         environment = dict(os.environ, OMP_NUM_THREADS=str(threads))
-        return subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, env=environment, text=True,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+        process = subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, env=environment, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+        self.addCleanup(end, process)
+        return process
 
     def run_program(self, *arguments, threads=2, status=None, **options):
         """Standard output and standard error of a run that ends as expected, by default in order."""
@@ -85,6 +93,62 @@ class Runs(unittest.TestCase):
         for key, value in first.items():
             self.assertTrue(value == second[key], f"{key} differs")
 
+    def case_of(self, seconds):
+        """An input that takes so long on one thread, whatever the build and the machine; the name of its file is big.h5."""
+        text = EVEN.replace("run.h5", "big.h5")
+        took, count = 0.0, 250
+        while took < 0.5:
+            count *= 2
+            self.write(text.format(count=count), "trial.nml")
+            start = time.monotonic()
+            self.run_program("run", "--quiet", "--force", "trial.nml", "--output", "trial.h5", threads=1)
+            took = time.monotonic() - start
+        (self.folder / "trial.h5").unlink()
+        (self.folder / "trial.nml").unlink()
+        return text.format(count=int(count*seconds/took))
+
+    def wait_for_points(self, name, patience=60):
+        """Wait until some points of a run are on the disk, and see that others are not; their number."""
+        end = time.monotonic() + patience
+        copy = self.folder / "copy.h5"
+        while time.monotonic() < end:
+            time.sleep(0.02)
+            try:
+                copy.write_bytes((self.folder / name).read_bytes())
+                n_done = int((self.status_of("copy.h5") >= 0).sum())
+            except (OSError, KeyError):
+                # it is not there yet, or was copied while it changed
+                continue
+            finally:
+                copy.unlink(missing_ok=True)
+            if n_done > 0:
+                return n_done
+        self.fail(f"no points in {name}")
+
+    def meet(self, number, n_parts, seconds, patience=60):
+        """Wait until a part of big.h5 has been solved for so long; its process."""
+        partial = self.folder / f"big.part-{number:04}-of-{n_parts:04}.h5.partial"
+        end = time.monotonic() + patience
+        while not partial.exists():
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.01)
+        time.sleep(seconds)
+        process = self.process_of(f"{number}/{n_parts}")
+        self.assertIsNotNone(process, "this part has ended already")
+        return process
+
+    def process_of(self, part):
+        """Process that solves a part, as in 3/6, in our folder; None if there is none."""
+        for path in Path("/proc").glob("[0-9]*"):
+            try:
+                words = (path / "cmdline").read_text().split("\0")
+                if words[0] == PROGRAM and part in words and (path / "cwd").resolve() == self.folder.resolve():
+                    return int(path.name)
+            except OSError:
+                # it has ended in the meantime
+                continue
+        return None
+
     def status_of(self, name):
         with h5py.File(self.folder / name, "r") as file:
             return file["status"][()]
@@ -97,6 +161,13 @@ class Runs(unittest.TestCase):
                 if isinstance(item, h5py.Dataset) and item.shape[:done.ndim] == done.shape:
                     self.assertEqual(file[key][()][done].tobytes(), item[()][done].tobytes(), key)
             return int(done.sum())
+
+
+def end(process):
+    """End a process that a failed test has left."""
+    if process.returncode is None:
+        process.kill()
+        process.communicate()
 
 
 def plain(attributes):
@@ -113,3 +184,12 @@ def limit_file_size(n_bytes):
         signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
         resource.setrlimit(resource.RLIMIT_FSIZE, (n_bytes, n_bytes))
     return limit
+
+
+def main():
+    """Run the tests of a file; a special exit status tells ctest that they were all skipped, and the output why."""
+    program = unittest.main(verbosity=2, exit=False)
+    result = program.result
+    if not result.wasSuccessful():
+        sys.exit(1)
+    sys.exit(ALL_SKIPPED if result.skipped and len(result.skipped) >= result.testsRun else 0)

@@ -5,7 +5,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 import unittest
 from pathlib import Path
 
@@ -79,9 +78,7 @@ class Shards(Runs):
         self.run_parts(2)
         (self.folder / self.part(2, 2)).unlink()
         process = self.start("run", "--quiet", "run.nml", "--shard", "2/2", threads=1)
-        while not (self.folder / (self.part(2, 2) + ".partial")).exists():
-            time.sleep(0.01)
-        time.sleep(0.2)
+        self.wait_for_points(self.part(2, 2) + ".partial")
         process.send_signal(signal.SIGTERM)
         _, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 143)
@@ -214,9 +211,7 @@ class Shards(Runs):
         self.write(LOADS.format(strips=16, count=8000))
         task = ("--solve", PROGRAM, "run.nml", "2", "run.h5")
         process = self.script(*task, task=1)
-        while not (self.folder / (self.part(1, 2) + ".partial")).exists():
-            time.sleep(0.01)
-        time.sleep(0.3)
+        self.wait_for_points(self.part(1, 2) + ".partial")
         process.send_signal(signal.SIGTERM)
         _, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 143)
