@@ -12,7 +12,10 @@ program main
    use adfric_command_run, only: run_case
    use adfric_driver_progress_bar, only: progress_bar_t, new_progress_bar
    use adfric_numerics_gsl_bindings, only: gsl_set_error_handler_off
+   use adfric_parallel_agreement, only: share_status
+   use adfric_parallel_world, only: world_t, world_kind
    implicit none (type, external)
+   type(world_t) :: world
    type(command_t) :: command
    type(outcome_t) :: outcome
    type(error_t), allocatable :: error
@@ -20,13 +23,16 @@ program main
    type(c_funptr) :: former_handler
 
    former_handler = gsl_set_error_handler_off()
+   call world%start()
    call parse_arguments(get_arguments(), command, error)
-   if (.not. allocated(error)) then
+   if (allocated(error)) then
+      call outcome%fail(error)
+   else if (command%name == 'run') then
+      call new_progress_bar(bar, command%is_quiet .or. .not. world%is_first())
+      call run_case(command, world, bar, outcome)
+      call bar%clear()
+   else if (world%is_first()) then
       select case (command%name)
-      case ('run')
-         call new_progress_bar(bar, command%is_quiet)
-         call run_case(command, bar, outcome)
-         call bar%clear()
       case ('merge')
          call merge_parts(command, outcome)
       case ('check')
@@ -34,12 +40,17 @@ program main
       case ('help')
          call give_help(command, outcome)
       case default
-         call outcome%say('adfric '//program_version//' ('//git_revision//')'//new_line('a'))
+         call outcome%say('adfric '//program_version//' ('//git_revision//world_kind//')'//new_line('a'))
       end select
    end if
-   if (allocated(error)) call outcome%fail(error)
 
-   if (allocated(outcome%output)) write (output_unit, '(a)', advance='no') outcome%output
-   if (allocated(outcome%errors)) write (error_unit, '(a)', advance='no') outcome%errors
+   if (world%is_first()) then
+      if (allocated(outcome%output)) write (output_unit, '(a)', advance='no') outcome%output
+      if (allocated(outcome%errors)) write (error_unit, '(a)', advance='no') outcome%errors
+      flush (output_unit)
+      flush (error_unit)
+   end if
+   call share_status(world, outcome%exit_status)
+   call world%stop()
    if (outcome%exit_status /= exit_success) stop outcome%exit_status, quiet=.true.
 end program main

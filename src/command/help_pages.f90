@@ -27,6 +27,7 @@ module adfric_command_help_pages
       'Exit status: 0 every point is answered, 1 some points did not converge,'//newline// &
       '2 bad command line or input, 3 file error, 128 + N stopped by signal N (130 Ctrl-C,'//newline// &
       '143 SIGTERM): --resume goes on. Threads as OMP_NUM_THREADS says.'//newline// &
+      'A program that was built with MPI (adfric --version says so): mpirun -n N adfric run ...'//newline// &
       newline
 
    !> The form of an input.

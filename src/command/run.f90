@@ -5,6 +5,7 @@ module adfric_command_run
    use adfric_command_case, only: open_case
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_success, exit_not_converged, exit_signal
+   use adfric_command_solve, only: solve_case, is_begun
    use adfric_input_run, only: run_input_t
    use adfric_input_text, only: newline, show_count
    use adfric_output_done_points, only: read_done_points
@@ -13,14 +14,14 @@ module adfric_command_run
    use adfric_output_names, only: check_output_name, check_partial_name, partial_name, part_name, would_replace
    use adfric_output_operating_system, only: kind_of_path, path_file, id_of_file, is_same, remove_file
    use adfric_output_resources, only: check_resources, check_memory
-   use adfric_output_results_file, only: results_file_t
    use adfric_output_run_table, only: new_run_table
-   use adfric_sweep_block_source, only: block_list_t, new_block_list
+   use adfric_parallel_agreement, only: share_answer, share_error, share_failure
+   use adfric_parallel_world, only: world_t
+   use adfric_sweep_block_source, only: block_list_t
    use adfric_sweep_blocks, only: blocks_t, new_blocks
-   use adfric_sweep_interruption, only: catch_signals, signal_name
+   use adfric_sweep_interruption, only: signal_name
    use adfric_sweep_progress, only: progress_t
-   use adfric_sweep_runner, only: run_sweep
-   use adfric_sweep_summary, only: run_summary_t, new_summary
+   use adfric_sweep_summary, only: run_summary_t
    implicit none (type, external)
    private
    public :: run_case
@@ -28,8 +29,10 @@ module adfric_command_run
 contains
 
    !> Carry out the command.
-   subroutine run_case(command, progress, outcome)
+   subroutine run_case(command, world, progress, outcome)
       type(command_t), intent(in) :: command
+      !> Who takes part. The outcome of the first process holds for all.
+      type(world_t), intent(inout) :: world
       class(progress_t), intent(inout) :: progress
       type(outcome_t), intent(inout) :: outcome
       class(model_t), allocatable :: model
@@ -39,12 +42,16 @@ contains
       logical :: is_complete
 
       call open_case(command%subject, model, run, outcome)
+      call share_failure(world, outcome%exit_status, outcome%errors)
       if (outcome%exit_status /= exit_success) return
       if (len(command%output) > 0) run%output = command%output
       run%output = part_name(run%output, command%part)
-      call find_complete(command, model, run, is_complete, summary, error)
-      if (.not. (allocated(error) .or. is_complete)) call check_output(command, model, run, error)
-      if (.not. (allocated(error) .or. is_complete)) call solve_case(command, model, run, progress, summary, error)
+      is_complete = .false.
+      if (world%is_first()) call find_complete(command, model, run, is_complete, summary, error)
+      if (.not. (allocated(error) .or. is_complete)) call check_output(command, world, model, run, error)
+      call share_error(world, error)
+      call share_answer(world, is_complete)
+      if (.not. (allocated(error) .or. is_complete)) call solve_case(command, world, model, run, progress, summary, error)
       if (allocated(error)) then
          call outcome%fail(error)
       else if (summary%signal /= 0) then
@@ -52,7 +59,7 @@ contains
          call outcome%fail(error)
       else
          if (summary%by_status(status_not_converged) > 0) outcome%exit_status = exit_not_converged
-         if (command%is_quiet) return
+         if (command%is_quiet .or. .not. world%is_first()) return
          call outcome%say(new_run_table(summary, model%describe_results(run%plan%base), run%output))
          if (is_complete) call outcome%say('this run was complete already'//newline)
       end if
@@ -96,13 +103,19 @@ contains
    end subroutine find_complete
 
    !> Can the results be written? Asked before anything is solved.
-   subroutine check_output(command, model, run, error)
+   subroutine check_output(command, world, model, run, error)
       type(command_t), intent(in) :: command
+      type(world_t), intent(in) :: world
       class(model_t), intent(in) :: model
       type(run_input_t), intent(in) :: run
       type(error_t), allocatable, intent(out) :: error
       integer :: k
 
+      if (.not. world%is_first()) then
+         call check_memory(model, run%plan, error, world%n_here)
+         if (allocated(error)) error%message = command%subject//': '//error%message
+         return
+      end if
       if (would_replace(run%output, command%subject)) then
          call set_error(error, input_failure, run%output//': the results would replace the input')
          return
@@ -117,58 +130,12 @@ contains
       if (.not. allocated(error)) call check_partial_name(run%output, command%overwrite .or. command%resumes, error)
       if (allocated(error)) return
       if (is_begun(command, run)) then
-         call check_memory(model, run%plan, error)
+         call check_memory(model, run%plan, error, world%n_here)
       else
-         call check_resources(model, run%plan, run%output, error, command%part)
+         call check_resources(model, run%plan, run%output, error, command%part, world%n_here)
       end if
       if (allocated(error)) error%message = command%subject//': '//error%message
    end subroutine check_output
-
-   !> Is there a file to go on with?
-   logical function is_begun(command, run)
-      type(command_t), intent(in) :: command
-      type(run_input_t), intent(in) :: run
-
-      is_begun = .false.
-      if (command%resumes) is_begun = kind_of_path(partial_name(run%output)) == path_file
-   end function is_begun
-
-   !> Solve every point that is not solved yet, and write the results.
-   subroutine solve_case(command, model, run, progress, summary, error)
-      type(command_t), intent(in) :: command
-      class(model_t), intent(in) :: model
-      type(run_input_t), intent(in) :: run
-      class(progress_t), intent(inout) :: progress
-      type(run_summary_t), intent(out) :: summary
-      type(error_t), allocatable, intent(out) :: error
-      type(results_file_t) :: results
-      type(run_summary_t) :: before
-      type(block_list_t) :: list
-      type(blocks_t) :: blocks
-
-      call catch_signals()
-      if (is_begun(command, run)) then
-         call results%resume(run%output, command%overwrite, model, run%plan, list, before, error, command%part)
-      else
-         call new_blocks(blocks, run%plan%n_points(), command%part)
-         call new_block_list(list, blocks)
-         call new_summary(before, model%results)
-         call results%create(run%output, command%overwrite, model, run%plan, run%title, run%text, error, command%part)
-      end if
-      if (allocated(error)) return
-      call run_sweep(model, run%plan, results, progress, summary, error, list)
-      if (allocated(error)) then
-         call results%abandon(error)
-         return
-      end if
-      if (summary%signal /= 0) then
-         call results%stop(summary%wall_seconds, error)
-      else
-         call results%finish(summary%wall_seconds, error)
-      end if
-      call summary%merge(before)
-      summary%wall_seconds = summary%wall_seconds + before%wall_seconds
-   end subroutine solve_case
 
    !> What a run says that was asked to end, and how it goes on.
    function say_stopped(command, run, summary) result(text)

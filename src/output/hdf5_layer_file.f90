@@ -5,7 +5,7 @@ module adfric_output_hdf5_layer_file
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    implicit none (type, external)
    private
-   public :: create_file, open_file, flush_file, close_file
+   public :: create_file, open_file, flush_file, close_file, create_access
 
 contains
 
@@ -26,21 +26,25 @@ contains
    end subroutine create_file
 
    !> Open a file.
-   subroutine open_file(calls, path, is_written, file)
+   subroutine open_file(calls, path, is_written, file, access)
       type(hdf5_calls_t), intent(inout) :: calls
       character(*), intent(in) :: path
       !> To write, or only to read?
       logical, intent(in) :: is_written
       integer(hid_t), intent(out) :: file
+      !> How several processes open it together; if absent this one opens it alone.
+      integer(hid_t), intent(in), optional :: access
       integer(hid_t) :: list
 
       file = no_id
-      call create_access(calls, list)
+      list = no_id
+      if (.not. present(access)) call create_access(calls, list)
       if (calls%is_good()) then
+         if (present(access)) list = access
          call h5fopen_f(path, merge(H5F_ACC_RDWR_F, H5F_ACC_RDONLY_F, is_written), file, calls%status, access_prp=list)
          call calls%check()
       end if
-      call calls%close_id(list)
+      if (.not. present(access)) call calls%close_id(list)
    end subroutine open_file
 
    !> Make the library ready, and a list of properties: closing a file fails as long as anything in it is open.

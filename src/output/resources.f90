@@ -15,7 +15,7 @@ module adfric_output_resources
 contains
 
    !> Refuse a run that is too large for the disk or the memory.
-   subroutine check_resources(model, plan, path, error, part)
+   subroutine check_resources(model, plan, path, error, part, n_alike)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       !> Name of the results file.
@@ -23,9 +23,11 @@ contains
       type(error_t), allocatable, intent(out) :: error
       !> The whole run if absent.
       type(part_t), intent(in), optional :: part
+      !> See `check_memory`.
+      integer, intent(in), optional :: n_alike
 
       call check_disk(file_size_of(model, plan, part), path, error)
-      if (.not. allocated(error)) call check_memory(model, plan, error)
+      if (.not. allocated(error)) call check_memory(model, plan, error, n_alike)
    end subroutine check_resources
 
    !> Refuse a results file that is too large for the disk.
@@ -43,14 +45,18 @@ contains
    end subroutine check_disk
 
    !> Refuse a run that is too large for the memory.
-   subroutine check_memory(model, plan, error)
+   subroutine check_memory(model, plan, error, n_alike)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       type(error_t), allocatable, intent(out) :: error
+      !> Number of processes on this machine that need as much; 1 if absent.
+      integer, intent(in), optional :: n_alike
+      real(dp) :: needed
 
-      if (memory_needed(model, plan) > free_memory()) call set_error(error, input_failure, &
-         'the run is too large for the memory, needed: '//show_bytes(memory_needed(model, plan))//', free: ' &
-         //show_bytes(free_memory()))
+      needed = memory_needed(model, plan)
+      if (present(n_alike)) needed = n_alike*needed
+      if (needed > free_memory()) call set_error(error, input_failure, 'the run is too large for the memory, needed: ' &
+         //show_bytes(needed)//', free: '//show_bytes(free_memory()))
    end subroutine check_memory
 
    !> Size of the results file [bytes].

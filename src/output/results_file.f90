@@ -1,57 +1,40 @@
 !> The file with the results of a run, or of a part of it.
 !>
 !> It is written under other names beside the final one: `.new` until it has all its datasets, then `.partial`, by which
-!> a run that was stopped goes on, and the final name when it is complete. A lock keeps other runs away. A point's
-!> `status` is written only when its results are on the disk, so a file says truthfully what it has, whenever the
-!> program, or the machine, stops.
+!> a run that was stopped goes on, and the final name when it is complete. A lock keeps other runs away.
 module adfric_output_results_file
-   use hdf5, only: hid_t
-   use adfric_base_kinds, only: dp, i8
+   use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, set_error, file_failure
    use adfric_base_model, only: model_t
-   use adfric_output_datasets, only: datasets_t
    use adfric_output_done_points, only: read_done_points, is_readable
    use adfric_output_heading, only: heading_t, new_heading, write_heading
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
-   use adfric_output_hdf5_layer_file, only: create_file, open_file, flush_file, close_file
+   use adfric_output_hdf5_layer_file, only: create_file, flush_file
    use adfric_output_layout, only: layout_t, new_layout
    use adfric_output_means, only: write_placeholders, write_seconds, write_means
    use adfric_output_names, only: check_output_name, check_partial_name, partial_name, new_name, lock_name, say_in_use
    use adfric_output_operating_system, only: kind_of_path, path_free, file_id_t, id_of_file, is_same, lock_t, take_lock, &
       move_file, rename_file, remove_file, synchronise, ignore_file_size_signal
    use adfric_output_part_layout, only: write_part_layout
-   use adfric_output_status_log, only: status_log_t
+   use adfric_output_results_writer, only: results_writer_t
    use adfric_output_virtual_parts, only: virtual_parts_t
    use adfric_sweep_block_source, only: block_list_t
    use adfric_sweep_blocks, only: part_t
    use adfric_sweep_clock, only: wall_clock
    use adfric_sweep_plan, only: plan_t
-   use adfric_sweep_sink, only: sink_t
    use adfric_sweep_summary, only: run_summary_t
    implicit none (type, external)
    private
    public :: results_file_t
 
-   !> Least time between two moments at which everything is brought to the disk [s], and in times of what that takes.
-   real(dp), parameter :: least_interval = 0.1_dp, interval_by_duration = 50
-
    !> A results file that is being written.
-   type, extends(sink_t) :: results_file_t
+   type, extends(results_writer_t) :: results_file_t
       private
-      !> Final name, and the one it has now.
-      character(:), allocatable :: path, path_now
       !> May a file of the final name be replaced?
       logical :: overwrite = .false.
-      type(layout_t) :: layout
       type(lock_t) :: lock
-      integer(hid_t) :: file = no_id
-      type(datasets_t) :: datasets
       !> Which file it is; others may put theirs in its place.
       type(file_id_t) :: id
-      !> States that wait for their results to be on the disk.
-      type(status_log_t) :: log
-      !> When everything was last on the disk, and how long that took [s].
-      real(dp) :: safe_at = 0, safe_took = 0
       !> Time that the run took before it was stopped [s].
       real(dp) :: seconds_before = 0
       !> Did this run find the file when it began?
@@ -60,9 +43,8 @@ module adfric_output_results_file
       procedure :: create
       procedure :: create_from
       procedure :: resume
-      procedure :: put
-      procedure :: put_profiles
-      procedure :: put_counts
+      procedure :: hand_over
+      procedure :: join
       procedure :: finish
       procedure :: stop => stop_writing
       procedure :: abandon
@@ -194,98 +176,38 @@ contains
       if (.not. allocated(error)) then
          self%seconds_before = summary%wall_seconds
          self%id = id_of_file(self%path_now)
-         call open_file(calls, self%path_now, .true., self%file)
-         call self%datasets%open(calls, self%file, layout)
-         call calls%get_error(self%path_now//': cannot open', error)
+         call self%open_found(error)
       end if
       if (.not. allocated(error)) return
-      call close_all(calls, self)
+      call self%close_all(calls)
       call self%lock%release()
    end subroutine resume
 
-   !> Write the results of a row of points.
-   subroutine put(self, first, results, error_estimate, status, counts, error)
-      class(results_file_t), intent(inout) :: self
-      integer(i8), intent(in) :: first
-      real(dp), intent(in) :: results(:, :)
-      real(dp), intent(in) :: error_estimate(:)
-      integer, intent(in) :: status(:)
-      real(dp), intent(in) :: counts(:, :)
-      type(error_t), allocatable, intent(out) :: error
-      type(hdf5_calls_t) :: calls
-      integer(i8) :: row
-      real(dp) :: waiting
-
-      if (.not. self%log%has_room(size(status))) call make_safe(self, error)
-      if (allocated(error)) return
-      call calls%silence()
-      row = self%layout%row_of(first)
-      call self%datasets%write_results(calls, self%layout, row, results, error_estimate)
-      call calls%get_error(self%path//': cannot write', error)
-      if (.not. allocated(error)) call self%put_counts(first, counts, error)
-      if (allocated(error)) return
-      call self%log%add(row, status)
-      waiting = wall_clock() - self%safe_at
-      if (waiting > max(least_interval, interval_by_duration*self%safe_took)) call make_safe(self, error)
-   end subroutine put
-
-   !> Write what the model counted in a row of blocks.
-   subroutine put_counts(self, first, counts, error)
-      class(results_file_t), intent(inout) :: self
-      !> Number of the first point in the run.
-      integer(i8), intent(in) :: first
-      !> Shape `(n_blocks, n_counts)`.
-      real(dp), intent(in) :: counts(:, :)
-      type(error_t), allocatable, intent(out) :: error
-      type(hdf5_calls_t) :: calls
-
-      call self%datasets%write_counts(calls, (self%layout%row_of(first) - 1)/self%layout%blocks%size + 1, counts)
-      call calls%get_error(self%path//': cannot write', error)
-   end subroutine put_counts
-
-   !> Write the profiles of a point.
-   subroutine put_profiles(self, point, profiles, error)
-      class(results_file_t), intent(inout) :: self
-      integer(i8), intent(in) :: point
-      real(dp), intent(in) :: profiles(:, :, :)
-      type(error_t), allocatable, intent(out) :: error
-      type(hdf5_calls_t) :: calls
-
-      call calls%silence()
-      call self%datasets%write_profiles(calls, self%layout, self%layout%row_of(point), profiles)
-      call calls%get_error(self%path//': cannot write', error)
-   end subroutine put_profiles
-
-   !> Bring the results so far to the disk, and then say that they are there.
-   subroutine make_safe(self, error)
+   !> Close the file, for several processes to open it. This one keeps its lock and will complete it.
+   subroutine hand_over(self, error)
       class(results_file_t), intent(inout) :: self
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
-      real(dp) :: start
-      integer :: i, done
 
-      start = wall_clock()
-      call calls%silence()
-      if (self%log%n_points > 0) then
-         call flush_file(calls, self%file)
-         call calls%get_error(self%path//': cannot write', error)
-         if (.not. allocated(error)) call synchronise(self%path_now, error)
-         if (allocated(error)) return
-         done = 0
-         do i = 1, self%log%n_rows
-            associate (n => self%log%count(i))
-               call self%datasets%write_status(calls, self%layout, self%log%first(i), self%log%states(done + 1:done + n))
-               done = done + n
-            end associate
-         end do
-      end if
-      call flush_file(calls, self%file)
+      call self%close_all(calls)
       call calls%get_error(self%path//': cannot write', error)
-      if (allocated(error)) return
-      call self%log%clear()
-      self%safe_at = wall_clock()
-      self%safe_took = self%safe_at - start
-   end subroutine make_safe
+   end subroutine hand_over
+
+   !> Take part in writing a file that another process has handed over.
+   subroutine join(self, path, model, plan, part)
+      class(results_file_t), intent(inout) :: self
+      !> Final name.
+      character(*), intent(in) :: path
+      class(model_t), intent(in) :: model
+      type(plan_t), intent(in) :: plan
+      !> The whole run if absent.
+      type(part_t), intent(in), optional :: part
+
+      call ignore_file_size_signal()
+      self%path = path
+      self%path_now = partial_name(path)
+      call new_layout(self%layout, model, plan, part)
+   end subroutine join
 
    !> Complete the file and give it its name.
    subroutine finish(self, wall_seconds, error)
@@ -295,11 +217,11 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
 
-      call make_safe(self, error)
+      call self%make_safe(error)
       if (.not. allocated(error)) then
          call write_means(calls, self%file, self%layout, self%datasets)
          call write_seconds(calls, self%file, self%seconds_before + wall_seconds)
-         call close_all(calls, self)
+         call self%close_all(calls)
          call calls%get_error(self%path//': cannot complete', error)
       end if
       if (.not. allocated(error)) then
@@ -325,10 +247,10 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
 
-      call make_safe(self, error)
+      call self%make_safe(error)
       if (.not. allocated(error)) then
          call write_seconds(calls, self%file, self%seconds_before + wall_seconds)
-         call close_all(calls, self)
+         call self%close_all(calls)
          call calls%get_error(self%path//': cannot write', error)
       end if
       if (.not. allocated(error)) call synchronise(self%path_now, error)
@@ -352,8 +274,8 @@ contains
          return
       end if
       ! what was written before may still be saved
-      if (self%file /= no_id) call make_safe(self, another)
-      call close_all(calls, self)
+      if (self%file /= no_id) call self%make_safe(another)
+      call self%close_all(calls)
       if (is_same(self%id, id_of_file(self%path_now))) then
          if (is_readable(self%path_now)) then
             error%message = error%message//'; the results so far stay in '//self%path_now//', --resume goes on with them'
@@ -370,21 +292,12 @@ contains
       type(hdf5_calls_t) :: calls
       type(error_t), allocatable :: error
 
-      call close_all(calls, self)
+      call self%close_all(calls)
       ! a file that cannot be removed does no harm
       if (.not. self%is_resumed) then
          if (is_same(self%id, id_of_file(self%path_now))) call remove_file(self%path_now, error)
       end if
       call self%lock%release()
    end subroutine discard
-
-   !> Close every id.
-   subroutine close_all(calls, self)
-      type(hdf5_calls_t), intent(inout) :: calls
-      class(results_file_t), intent(inout) :: self
-
-      call self%datasets%close(calls)
-      call close_file(calls, self%file)
-   end subroutine close_all
 
 end module adfric_output_results_file

@@ -15,8 +15,11 @@ module adfric_sweep_block_source
       integer(i8) :: n_left = 0
       !> Points that were solved before this run.
       integer(i8) :: n_points_before = 0
+      !> Points that other processes have taken in this run, as far as is known.
+      integer(i8) :: n_points_elsewhere = 0
    contains
       procedure(take_blocks_i), deferred :: take_blocks
+      procedure :: end_early => end_alone
    end type block_source_t
 
    abstract interface
@@ -44,9 +47,18 @@ module adfric_sweep_block_source
    contains
       procedure :: take_blocks => take_from_list
       procedure :: mark_done
+      procedure :: is_solved
+      procedure :: leave_out
    end type block_list_t
 
 contains
+
+   !> Nothing more will be asked for, though blocks are left: other processes shall end, too. Here there are none.
+   subroutine end_alone(self)
+      class(block_source_t), intent(inout) :: self
+
+      self%n_left = 0
+   end subroutine end_alone
 
    !> All blocks of a part of a run.
    subroutine new_block_list(self, blocks)
@@ -81,22 +93,38 @@ contains
       first = 0
       n = 0
       if (self%n_left == 0) return
-      do while (is_solved(self, self%next))
+      do while (self%is_solved(self%next))
          self%next = self%next + 1
       end do
       first = self%blocks%block_at(self%next)
       most_here = int(min(int(most, i8), self%blocks%n_neighbours(self%next)))
       do while (n < most_here)
-         if (is_solved(self, self%next)) exit
+         if (self%is_solved(self%next)) exit
          n = n + 1
          self%next = self%next + 1
       end do
       self%n_left = self%n_left - n
    end subroutine take_from_list
 
-   !> Is the block at a place solved?
+   !> Leave out the next blocks that are left.
+   subroutine leave_out(self, n)
+      class(block_list_t), intent(inout) :: self
+      !> How many, at most `n_left`.
+      integer(i8), intent(in) :: n
+      integer(i8) :: n_passed
+
+      n_passed = 0
+      do while (n_passed < n)
+         if (.not. self%is_solved(self%next)) n_passed = n_passed + 1
+         self%next = self%next + 1
+      end do
+      self%n_left = self%n_left - n
+   end subroutine leave_out
+
+   !> Was the block at a place solved before?
    pure logical function is_solved(self, place)
-      type(block_list_t), intent(in) :: self
+      class(block_list_t), intent(in) :: self
+      !> Its place in the part.
       integer(i8), intent(in) :: place
 
       is_solved = .false.

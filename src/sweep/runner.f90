@@ -149,6 +149,7 @@ contains
       integer(i8) :: first, n_solved
       real(dp) :: start, waiting, waiting_since
       integer :: n, i
+      logical :: is_cut_short
 
       call new_worker(worker, model, source%blocks, sweep)
       do
@@ -167,7 +168,7 @@ contains
             end if
             !$omp critical (adfric_sweep_shared)
             sweep%n_solved = sweep%n_solved + source%blocks%n_points_of(first + i)
-            n_solved = sweep%n_solved
+            n_solved = sweep%n_solved + source%n_points_elsewhere
             !$omp end critical (adfric_sweep_shared)
             if (omp_get_thread_num() == 0) call progress%report(n_solved, source%blocks%n_points())
             if (must_end(sweep)) exit
@@ -175,7 +176,9 @@ contains
          if (worker%batch%n_blocks > 0) call put_batch(sink, worker%batch, sweep)
          call choose_batch_size(wall_clock() - start, worker%n_wanted)
       end do
+      is_cut_short = must_end(sweep)
       !$omp critical (adfric_sweep_shared)
+      if (is_cut_short) call source%end_early()
       call sweep%summary%merge(worker%summary)
       !$omp end critical (adfric_sweep_shared)
    end subroutine work

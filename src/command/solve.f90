@@ -1,0 +1,156 @@
+!> Solve what is left of a run, alone or together with other processes, and write it.
+module adfric_command_solve
+   use hdf5, only: hid_t
+   use adfric_base_error, only: error_t
+   use adfric_base_model, only: model_t
+   use adfric_command_line, only: command_t
+   use adfric_input_run, only: run_input_t
+   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
+   use adfric_output_names, only: partial_name
+   use adfric_output_operating_system, only: kind_of_path, path_file
+   use adfric_output_results_file, only: results_file_t
+   use adfric_parallel_agreement, only: share_error, share_done_blocks, add_up_summary
+   use adfric_parallel_shared_blocks, only: shared_blocks_t, new_shared_blocks
+   use adfric_parallel_world, only: world_t
+   use adfric_sweep_block_source, only: block_list_t, new_block_list
+   use adfric_sweep_blocks, only: blocks_t, new_blocks
+   use adfric_sweep_interruption, only: catch_signals
+   use adfric_sweep_progress, only: progress_t
+   use adfric_sweep_runner, only: run_sweep
+   use adfric_sweep_summary, only: run_summary_t, new_summary
+   implicit none (type, external)
+   private
+   public :: solve_case, is_begun
+
+contains
+
+   !> Solve every point that is not solved yet, and write the results. Only the first process names and completes the file.
+   subroutine solve_case(command, world, model, run, progress, summary, error)
+      type(command_t), intent(in) :: command
+      type(world_t), intent(inout) :: world
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(in) :: run
+      class(progress_t), intent(inout) :: progress
+      !> Of all processes; of the points that were solved before only in the first of them.
+      type(run_summary_t), intent(out) :: summary
+      !> The same in all processes.
+      type(error_t), allocatable, intent(out) :: error
+      type(results_file_t) :: results
+      type(run_summary_t) :: before
+      type(block_list_t) :: list
+
+      call catch_signals()
+      call begin_file(command, world, model, run, results, list, before, error)
+      if (allocated(error)) return
+      if (world%n_ranks == 1) then
+         call run_sweep(model, run%plan, results, progress, summary, error, list)
+      else
+         call solve_together(world, model, run, results, list, progress, summary, error)
+      end if
+      if (world%is_first()) then
+         call summary%merge(before)
+         if (summary%n_points == list%blocks%n_points()) summary%signal = 0
+         call end_file(results, summary, error)
+         summary%wall_seconds = summary%wall_seconds + before%wall_seconds
+      end if
+      call share_error(world, error)
+   end subroutine solve_case
+
+   !> Create the file or go on with the one that is there, and find the blocks that are left.
+   subroutine begin_file(command, world, model, run, results, list, before, error)
+      type(command_t), intent(in) :: command
+      type(world_t), intent(in) :: world
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(in) :: run
+      !> Open in the first process alone.
+      type(results_file_t), intent(inout) :: results
+      !> The same in all processes.
+      type(block_list_t), intent(out) :: list
+      !> Of the points that are solved; none but in the first process.
+      type(run_summary_t), intent(out) :: before
+      !> The same in all processes.
+      type(error_t), allocatable, intent(out) :: error
+      type(blocks_t) :: blocks
+      logical :: resumes
+
+      resumes = .false.
+      if (world%is_first()) resumes = is_begun(command, run)
+      if (resumes) then
+         call results%resume(run%output, command%overwrite, model, run%plan, list, before, error, command%part)
+      else
+         call new_blocks(blocks, run%plan%n_points(), command%part)
+         call new_block_list(list, blocks)
+         call new_summary(before, model%results)
+         if (world%is_first()) call results%create(run%output, command%overwrite, model, run%plan, run%title, run%text, &
+            error, command%part)
+      end if
+      call share_error(world, error)
+      if (.not. allocated(error)) call share_done_blocks(world, list)
+   end subroutine begin_file
+
+   !> Is there a file to go on with?
+   logical function is_begun(command, run)
+      type(command_t), intent(in) :: command
+      type(run_input_t), intent(in) :: run
+
+      is_begun = .false.
+      if (command%resumes) is_begun = kind_of_path(partial_name(run%output)) == path_file
+   end function is_begun
+
+   !> Solve the blocks of a list together with the other processes. An error in one of them ends the work of all.
+   subroutine solve_together(world, model, run, results, list, progress, summary, error)
+      type(world_t), intent(inout), target :: world
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(in) :: run
+      !> Open in the first process alone, before and after.
+      type(results_file_t), intent(inout) :: results
+      type(block_list_t), intent(in) :: list
+      class(progress_t), intent(inout) :: progress
+      !> Of all processes.
+      type(run_summary_t), intent(out) :: summary
+      !> The same in all processes.
+      type(error_t), allocatable, intent(out) :: error
+      type(shared_blocks_t) :: blocks
+      integer(hid_t) :: access
+      type(hdf5_calls_t) :: calls
+
+      call new_summary(summary, model%results)
+      if (world%is_first()) then
+         call results%hand_over(error)
+      else
+         call results%join(run%output, model, run%plan, list%blocks%part)
+      end if
+      call share_error(world, error)
+      if (allocated(error)) return
+      call world%create_shared_access(calls, access)
+      call results%open_shared(access, error)
+      call calls%close_id(access)
+      call share_error(world, error)
+      if (.not. allocated(error)) then
+         call new_shared_blocks(blocks, list, world)
+         call run_sweep(model, run%plan, results, progress, summary, error, blocks)
+      end if
+      call results%close_shared(error)
+      call share_error(world, error)
+      call add_up_summary(world, summary)
+      if (world%is_first() .and. .not. allocated(error)) call results%open_found(error)
+   end subroutine solve_together
+
+   !> Complete the file, or leave it for another time.
+   subroutine end_file(results, summary, error)
+      type(results_file_t), intent(inout) :: results
+      !> Of all points that are solved, its time that of this run alone.
+      type(run_summary_t), intent(in) :: summary
+      !> Why the run ended before its time.
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error)) then
+         call results%abandon(error)
+      else if (summary%signal /= 0) then
+         call results%stop(summary%wall_seconds, error)
+      else
+         call results%finish(summary%wall_seconds, error)
+      end if
+   end subroutine end_file
+
+end module adfric_command_solve

@@ -1,0 +1,194 @@
+!> Results that are written into an open file: by one process, or by several at the same time.
+!>
+!> A point's `status` is written only when its results are on the disk, so a file says truthfully what it has, whenever the
+!> program, or the machine, stops.
+module adfric_output_results_writer
+   use hdf5, only: hid_t
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_error, only: error_t
+   use adfric_output_datasets, only: datasets_t
+   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
+   use adfric_output_hdf5_layer_file, only: open_file, flush_file, close_file
+   use adfric_output_layout, only: layout_t
+   use adfric_output_operating_system, only: synchronise
+   use adfric_output_status_log, only: status_log_t
+   use adfric_sweep_clock, only: wall_clock
+   use adfric_sweep_sink, only: sink_t
+   implicit none (type, external)
+   private
+   public :: results_writer_t
+
+   !> Least time between two moments at which everything is brought to the disk [s], and in times of what that takes.
+   real(dp), parameter :: least_interval = 0.1_dp, interval_by_duration = 50
+
+   !> A file that is being written.
+   type, extends(sink_t) :: results_writer_t
+      !> Final name, and the one it has now.
+      character(:), allocatable :: path, path_now
+      type(layout_t) :: layout
+      integer(hid_t) :: file = no_id
+      type(datasets_t) :: datasets
+      !> When everything was last on the disk, and how long that took [s].
+      real(dp) :: safe_at = 0, safe_took = 0
+      !> States that wait for their results to be on the disk.
+      type(status_log_t), private :: log
+      !> Do several processes write the file now?
+      logical, private :: is_shared = .false.
+   contains
+      procedure :: open_found
+      procedure :: open_shared
+      procedure :: close_shared
+      procedure :: put
+      procedure :: put_profiles
+      procedure :: put_counts
+      procedure :: make_safe
+      procedure :: close_all
+   end type results_writer_t
+
+contains
+
+   !> Open the file that is there, with its datasets.
+   subroutine open_found(self, error, access)
+      class(results_writer_t), intent(inout) :: self
+      type(error_t), allocatable, intent(out) :: error
+      !> See `open_file`.
+      integer(hid_t), intent(in), optional :: access
+      type(hdf5_calls_t) :: calls
+
+      call open_file(calls, self%path_now, .true., self%file, access)
+      call self%datasets%open(calls, self%file, self%layout)
+      call calls%get_error(self%path_now//': cannot open', error)
+   end subroutine open_found
+
+   !> Open the file together with all other processes. From now on each writes its results where it likes and when it likes.
+   !> Nothing but values changes in the file, so that a process that dies cannot harm it.
+   subroutine open_shared(self, access, error)
+      class(results_writer_t), intent(inout) :: self
+      !> How it is opened.
+      integer(hid_t), intent(in) :: access
+      type(error_t), allocatable, intent(out) :: error
+
+      self%is_shared = .true.
+      self%safe_at = wall_clock()
+      call self%open_found(error, access)
+   end subroutine open_shared
+
+   !> Bring everything to the disk, and close the file together with all other processes.
+   subroutine close_shared(self, error)
+      class(results_writer_t), intent(inout) :: self
+      !> Kept if there is one.
+      type(error_t), allocatable, intent(inout) :: error
+      type(error_t), allocatable :: another
+      type(hdf5_calls_t) :: calls
+
+      ! what was written before an error may still be saved
+      if (self%file /= no_id) call self%make_safe(another)
+      call self%close_all(calls)
+      if (.not. allocated(another)) call calls%get_error(self%path//': cannot write', another)
+      if (.not. allocated(error)) call move_alloc(another, error)
+      self%is_shared = .false.
+   end subroutine close_shared
+
+   !> Write the results of a row of points.
+   subroutine put(self, first, results, error_estimate, status, counts, error)
+      class(results_writer_t), intent(inout) :: self
+      integer(i8), intent(in) :: first
+      real(dp), intent(in) :: results(:, :)
+      real(dp), intent(in) :: error_estimate(:)
+      integer, intent(in) :: status(:)
+      real(dp), intent(in) :: counts(:, :)
+      type(error_t), allocatable, intent(out) :: error
+      type(hdf5_calls_t) :: calls
+      integer(i8) :: row
+      real(dp) :: waiting
+
+      if (.not. self%log%has_room(size(status))) call self%make_safe(error)
+      if (allocated(error)) return
+      call calls%silence()
+      row = self%layout%row_of(first)
+      call self%datasets%write_results(calls, self%layout, row, results, error_estimate)
+      call calls%get_error(self%path//': cannot write', error)
+      if (.not. allocated(error)) call self%put_counts(first, counts, error)
+      if (allocated(error)) return
+      call self%log%add(row, status)
+      waiting = wall_clock() - self%safe_at
+      if (waiting > max(least_interval, interval_by_duration*self%safe_took)) call self%make_safe(error)
+   end subroutine put
+
+   !> Write what the model counted in a row of blocks.
+   subroutine put_counts(self, first, counts, error)
+      class(results_writer_t), intent(inout) :: self
+      !> Number of the first point in the run.
+      integer(i8), intent(in) :: first
+      !> Shape `(n_blocks, n_counts)`.
+      real(dp), intent(in) :: counts(:, :)
+      type(error_t), allocatable, intent(out) :: error
+      type(hdf5_calls_t) :: calls
+
+      call self%datasets%write_counts(calls, (self%layout%row_of(first) - 1)/self%layout%blocks%size + 1, counts)
+      call calls%get_error(self%path//': cannot write', error)
+   end subroutine put_counts
+
+   !> Write the profiles of a point.
+   subroutine put_profiles(self, point, profiles, error)
+      class(results_writer_t), intent(inout) :: self
+      integer(i8), intent(in) :: point
+      real(dp), intent(in) :: profiles(:, :, :)
+      type(error_t), allocatable, intent(out) :: error
+      type(hdf5_calls_t) :: calls
+
+      call calls%silence()
+      call self%datasets%write_profiles(calls, self%layout, self%layout%row_of(point), profiles)
+      call calls%get_error(self%path//': cannot write', error)
+   end subroutine put_profiles
+
+   !> Bring the results so far to the disk, and then say that they are there.
+   subroutine make_safe(self, error)
+      class(results_writer_t), intent(inout) :: self
+      type(error_t), allocatable, intent(out) :: error
+      type(hdf5_calls_t) :: calls
+      real(dp) :: start
+      integer :: i, done
+
+      start = wall_clock()
+      call calls%silence()
+      if (self%log%n_points > 0) then
+         call flush_own(calls, self)
+         call calls%get_error(self%path//': cannot write', error)
+         if (.not. allocated(error)) call synchronise(self%path_now, error)
+         if (allocated(error)) return
+         done = 0
+         do i = 1, self%log%n_rows
+            associate (n => self%log%count(i))
+               call self%datasets%write_status(calls, self%layout, self%log%first(i), self%log%states(done + 1:done + n))
+               done = done + n
+            end associate
+         end do
+      end if
+      call flush_own(calls, self)
+      call calls%get_error(self%path//': cannot write', error)
+      if (allocated(error)) return
+      call self%log%clear()
+      self%safe_at = wall_clock()
+      self%safe_took = self%safe_at - start
+   end subroutine make_safe
+
+   !> Hand everything written so far to the operating system. What is written into a shared file is there already: HDF5
+   !> keeps back nothing of contiguous datasets that are written by MPI, and to flush them would take all processes.
+   subroutine flush_own(calls, self)
+      type(hdf5_calls_t), intent(inout) :: calls
+      class(results_writer_t), intent(inout) :: self
+
+      if (.not. self%is_shared) call flush_file(calls, self%file)
+   end subroutine flush_own
+
+   !> Close every id.
+   subroutine close_all(self, calls)
+      class(results_writer_t), intent(inout) :: self
+      type(hdf5_calls_t), intent(inout) :: calls
+
+      call self%datasets%close(calls)
+      call close_file(calls, self%file)
+   end subroutine close_all
+
+end module adfric_output_results_writer
