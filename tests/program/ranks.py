@@ -104,8 +104,12 @@ class Ranks(Runs):
             process = self.start_ranks(2 + n_killed % 2, "run", "--quiet", "--resume", "run.nml")
             self.wait_for_children(process)
             try:
-                # mpirun takes about a second to start and to end
-                process.communicate(timeout=moment.uniform(0.0, 1 + 0.5 * duration))
+                # mpirun takes about a second to start and to end; every other time at any moment
+                if n_killed % 2 == 0:
+                    self.wait_for_points("run.h5.partial", process)
+                    process.communicate(timeout=moment.uniform(0.0, 0.3 * duration))
+                else:
+                    process.communicate(timeout=moment.uniform(0.0, 1 + 0.5 * duration))
             except subprocess.TimeoutExpired:
                 ranks = children(process)
                 if ranks:

@@ -107,11 +107,13 @@ class Runs(unittest.TestCase):
         (self.folder / "trial.nml").unlink()
         return text.format(count=int(count*seconds/took))
 
-    def wait_for_points(self, name, patience=60):
-        """Wait until some points of a run are on the disk, and see that others are not; their number."""
+    def wait_for_points(self, name, process=None, patience=60):
+        """Wait until some points of a run are on the disk; their number, 0 if its process has ended before."""
         end = time.monotonic() + patience
         copy = self.folder / "copy.h5"
         while time.monotonic() < end:
+            if process is not None and process.poll() is not None:
+                return 0
             time.sleep(0.02)
             try:
                 copy.write_bytes((self.folder / name).read_bytes())
