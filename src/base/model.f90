@@ -88,6 +88,8 @@ module adfric_base_model
       type(profile_t), allocatable :: profiles(:)
       !> Names of the profile axes, at most two, the slowest first, separated by a blank: 'x' or 'y x'.
       character(:), allocatable :: profile_axes
+      !> Most points of a block, for points that take long and have little of their neighbours: other threads take the rest.
+      integer :: largest_block = huge(1)
    contains
       procedure(check_values_i), deferred :: check_values
       procedure(describe_results_i), deferred :: describe_results

@@ -55,7 +55,7 @@ contains
       if (allocated(error)) then
          call outcome%fail(error)
       else if (summary%signal /= 0) then
-         call set_error(error, exit_signal + summary%signal, say_stopped(command, run, summary))
+         call set_error(error, exit_signal + summary%signal, say_stopped(command, model, run, summary))
          call outcome%fail(error)
       else
          if (summary%by_status(status_not_converged) > 0) outcome%exit_status = exit_not_converged
@@ -138,14 +138,15 @@ contains
    end subroutine check_output
 
    !> What a run says that was asked to end, and how it goes on.
-   function say_stopped(command, run, summary) result(text)
+   function say_stopped(command, model, run, summary) result(text)
       type(command_t), intent(in) :: command
+      class(model_t), intent(in) :: model
       type(run_input_t), intent(in) :: run
       type(run_summary_t), intent(in) :: summary
       character(:), allocatable :: text
       type(blocks_t) :: blocks
 
-      call new_blocks(blocks, run%plan%n_points(), command%part)
+      call new_blocks(blocks, run%plan%n_points(), command%part, model%largest_block)
       text = command%subject//': stopped by '//signal_name(summary%signal)//', '//show_count(summary%n_points)//' of ' &
          //show_count(blocks%n_points())//' points are in '//partial_name(run%output)//'; adfric run --resume'
       if (.not. command%part%is_whole()) &

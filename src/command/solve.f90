@@ -78,7 +78,7 @@ contains
       if (resumes) then
          call results%resume(run%output, command%overwrite, model, run%plan, list, before, error, command%part)
       else
-         call new_blocks(blocks, run%plan%n_points(), command%part)
+         call new_blocks(blocks, run%plan%n_points(), command%part, model%largest_block)
          call new_block_list(list, blocks)
          call new_summary(before, model%results)
          if (world%is_first()) call results%create(run%output, command%overwrite, model, run%plan, run%title, run%text, &

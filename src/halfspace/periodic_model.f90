@@ -78,6 +78,9 @@ module adfric_halfspace_periodic_model
 
    end interface
 
+   !> Points that share their transforms.
+   integer, parameter :: most_neighbours = 4
+
 contains
 
    !> The tables.
@@ -96,6 +99,7 @@ contains
       self%results = get_periodic_results()
       self%profiles = contact_profiles()
       self%profile_axes = 'y x'
+      self%largest_block = most_neighbours
    end subroutine set_tables
 
    !> See `model_t`.

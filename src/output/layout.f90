@@ -82,7 +82,7 @@ contains
       else
          allocate (self%profile_axes(0), self%profiles(0))
       end if
-      call new_blocks(self%blocks, plan%n_points(), part)
+      call new_blocks(self%blocks, plan%n_points(), part, model%largest_block)
       call find_counts(model, counts)
       allocate (self%counts(size(counts)))
       do i = 1, size(counts)

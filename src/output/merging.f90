@@ -42,7 +42,7 @@ contains
       integer :: i
 
       whole = layout
-      call new_blocks(whole%blocks, layout%blocks%n_points_of_run)
+      call new_blocks(whole%blocks, layout%blocks%n_points_of_run, most=layout%blocks%size)
       ! HDF5 has no virtual scalars
       refers = is_virtual .and. size(whole%axes) > 0
       if (refers) then

@@ -26,6 +26,7 @@ contains
       call write_attribute(calls, file, 'part', int(layout%blocks%part%number, i8))
       call write_attribute(calls, file, 'parts', int(layout%blocks%part%of, i8))
       call write_attribute(calls, file, 'points_of_run', layout%blocks%n_points_of_run)
+      call write_attribute(calls, file, 'points_of_block', int(layout%blocks%size, i8))
       call write_attribute(calls, file, 'axes', list_scales(layout%axes))
       call write_attribute(calls, file, 'profile_axes', list_scales(layout%profile_axes))
       call write_attribute(calls, file, 'fields', list_fields(layout%fields))
@@ -39,14 +40,15 @@ contains
       integer(hid_t), intent(in) :: file
       type(layout_t), intent(out) :: layout
       character(:), allocatable :: names
-      integer(i8) :: number, n_parts, n_points
+      integer(i8) :: number, n_parts, n_points, block_size
 
       if (.not. has_attribute(calls, file, 'parts')) return
       call read_attribute(calls, file, 'part', number)
       call read_attribute(calls, file, 'parts', n_parts)
       call read_attribute(calls, file, 'points_of_run', n_points)
-      if (.not. calls%is_good() .or. number < 1 .or. number > n_parts .or. n_points < 1) return
-      call new_blocks(layout%blocks, n_points, part_t(int(number), int(n_parts), .true.))
+      call read_attribute(calls, file, 'points_of_block', block_size)
+      if (.not. calls%is_good() .or. number < 1 .or. number > n_parts .or. n_points < 1 .or. block_size < 1) return
+      call new_blocks(layout%blocks, n_points, part_t(int(number), int(n_parts), .true.), int(block_size))
       call read_attribute(calls, file, 'axes', names)
       call read_scales(calls, file, names, layout%axes)
       call read_attribute(calls, file, 'profile_axes', names)

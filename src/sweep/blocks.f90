@@ -1,6 +1,6 @@
 !> The blocks of a run: neighbouring points that are solved together, and how they are dealt out to the parts of a run.
 !>
-!> The size of a block depends on the number of points alone, so that the results are the same whoever solves which
+!> The size of a block depends on the model and the number of points alone, so that the results are the same whoever solves which
 !> blocks, and in what order. A part of a run takes every so many stretches of blocks: neighbours cost about as much as
 !> each other, and points far apart up to a thousand times as much, so parts of one piece would be done at very different
 !> times. In each round of stretches every part gets one; whose turn is first changes every few rounds, lest a part meets
@@ -58,15 +58,18 @@ module adfric_sweep_blocks
 contains
 
    !> The blocks of a part of a run.
-   pure subroutine new_blocks(self, n_points, part)
+   pure subroutine new_blocks(self, n_points, part, most)
       type(blocks_t), intent(out) :: self
       !> Number of points of the whole run.
       integer(i8), intent(in) :: n_points
       !> The whole run if absent.
       type(part_t), intent(in), optional :: part
+      !> Most points of a block, > 0; see `model_t%largest_block`.
+      integer, intent(in), optional :: most
 
       if (present(part)) self%part = part
       self%size = block_size_of(n_points)
+      if (present(most)) self%size = min(self%size, most)
       self%n_points_of_run = n_points
       self%n_blocks_of_run = (n_points + self%size - 1)/self%size
       self%stretch = max(1_i8, self%n_blocks_of_run/(int(stretches_per_part, i8)*self%part%of))

@@ -74,7 +74,7 @@ contains
       if (present(source)) then
          call run_source(model, plan, sink, progress, summary, error, source)
       else
-         call new_blocks(blocks, plan%n_points())
+         call new_blocks(blocks, plan%n_points(), most=model%largest_block)
          call new_block_list(every_block, blocks)
          call run_source(model, plan, sink, progress, summary, error, every_block)
       end if
