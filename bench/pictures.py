@@ -238,7 +238,11 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     use_style()
     for name in sys.argv[2:] or PICTURES:
-        figure = PICTURES[name](folder)
+        try:
+            figure = PICTURES[name](folder)
+        except KeyError:
+            # the table of an older benchmark
+            figure = None
         if figure is None:
             print(f"pictures: no table for {name}")
             continue

@@ -264,7 +264,8 @@ def main():
     for name, function in TABLES.items():
         try:
             texts[name] = function(folder)
-        except (FileNotFoundError, IndexError) as problem:
+        except (FileNotFoundError, IndexError, KeyError) as problem:
+            # not run yet, or by an older benchmark
             print(f"tables: nothing for {name}: {problem}", file=sys.stderr)
     if "--write" not in sys.argv:
         for name, text in texts.items():
