@@ -67,6 +67,9 @@ class Results:
         self.profiles = {}
         self.profile_axes = []
         for name, dataset in file.items():
+            # groups hold what the program needs to go on with a run
+            if not isinstance(dataset, h5py.Dataset):
+                continue
             if dataset.attrs.get("CLASS") == b"DIMENSION_SCALE" or dataset.dtype.kind not in "fi":
                 continue
             scales = _scales(dataset)

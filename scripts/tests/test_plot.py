@@ -35,6 +35,7 @@ def make_file(path, axes, profile_axes=(), model="wavy_sliding"):
     """A file as adfric writes it, with made-up values; its last point did not converge."""
     with h5py.File(path, "w") as file:
         file.attrs.update(model=model, adfric_version="0.0.0", title="A title", input="&job /")
+        file["blocks/strips_per_point"] = np.ones(2)
         for name, values in [*axes, *profile_axes]:
             file[name] = np.asarray(values, dtype=float)
             file[name].make_scale(name)

@@ -1,7 +1,8 @@
-"""The results of small runs, opened by xarray as a user does."""
+"""The results of small runs, opened by xarray and drawn as a user does."""
 
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -33,15 +34,26 @@ RESULTS = {
 
 
 class OpenByXarray(unittest.TestCase):
-    def run_input(self, text):
-        """Results of an input, in memory."""
+    def make_file(self, text):
+        """Results file of an input."""
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         path = Path(folder.name) / "run.nml"
         path.write_text(text)
         subprocess.run([os.environ["ADFRIC_PROGRAM"], "run", "--quiet", path.name], cwd=folder.name, check=True)
-        with xr.open_dataset(path.with_suffix(".h5"), engine="h5netcdf") as results:
+        return path.with_suffix(".h5")
+
+    def run_input(self, text):
+        """Results of an input, in memory."""
+        with xr.open_dataset(self.make_file(text), engine="h5netcdf") as results:
             return results.load()
+
+    def test_figures(self):
+        for text in (WAVE_2D, WAVE_3D):
+            path = self.make_file(text)
+            subprocess.run([sys.executable, Path(os.environ["ADFRIC_SOURCE"]) / "scripts/plot.py", path], cwd=path.parent,
+                           check=True, capture_output=True)
+            self.assertGreater(path.with_suffix(".png").stat().st_size, 0)
 
     def test_wave_2d(self):
         results = self.run_input(WAVE_2D)
