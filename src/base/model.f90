@@ -92,13 +92,13 @@ module adfric_base_model
       integer :: largest_block = huge(1)
    contains
       procedure(check_values_i), deferred :: check_values
-      procedure(describe_results_i), deferred :: describe_results
       procedure(wants_profiles_i), deferred :: wants_profiles
       procedure(get_profile_axis_i), deferred :: get_profile_axis
       procedure(solve_block_i), deferred :: solve_block
       procedure(solve_profiles_i), deferred :: solve_profiles
-      procedure(describe_case_i), deferred :: describe_case
       procedure :: take_dataset
+      procedure :: describe_results
+      procedure :: describe_case
       procedure :: describe_profiles
       procedure :: describe_profile_axis
       procedure :: unit_of
@@ -118,15 +118,6 @@ module adfric_base_model
          logical, intent(in) :: is_swept(:)
          type(problems_t), intent(inout) :: problems
       end subroutine check_values_i
-
-      !> The results with their units for this case (forces per width in N/m or forces in N).
-      function describe_results_i(self, values) result(results)
-         import :: model_t, dp, result_t
-         implicit none (type, external)
-         class(model_t), intent(in) :: self
-         real(dp), intent(in) :: values(:)
-         type(result_t), allocatable :: results(:)
-      end function describe_results_i
 
       !> Does the user ask for profiles?
       pure logical function wants_profiles_i(self, values)
@@ -177,15 +168,6 @@ module adfric_base_model
          real(dp), intent(out) :: profiles(:, :, :)
       end subroutine solve_profiles_i
 
-      !> The resolved case in words, a line each, for `adfric check`: derived quantities with units.
-      function describe_case_i(self, values) result(text)
-         import :: model_t, dp
-         implicit none (type, external)
-         class(model_t), intent(in) :: self
-         real(dp), intent(in) :: values(:)
-         character(:), allocatable :: text
-      end function describe_case_i
-
    end interface
 
 contains
@@ -213,6 +195,29 @@ contains
       associate (unused => self, unused_place => place, unused_values => values, unused_problems => problems)
       end associate
    end subroutine take_dataset
+
+   !> The results with their units for this case (forces per width in N/m or forces in N); here those of the table. A model whose
+   !> units depend on the case overrides it.
+   function describe_results(self, values) result(results)
+      class(model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      results = self%results
+      associate (unused => values)
+      end associate
+   end function describe_results
+
+   !> The resolved case in words, a line each, for `adfric check`: derived quantities with units. Here there are none.
+   function describe_case(self, values) result(text)
+      class(model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      associate (unused => self, unused_too => values)
+      end associate
+   end function describe_case
 
    !> Number of states of an enumerated result; 0 for a number.
    pure integer function n_states(self)

@@ -6,7 +6,7 @@ module adfric_base_requirements
    use adfric_base_unset, only: is_set
    implicit none (type, external)
    private
-   public :: need, need_one
+   public :: need, need_one, refuse_swept_axes
 
 contains
 
@@ -53,6 +53,23 @@ contains
          end associate
       end if
    end subroutine need_one
+
+   !> Of a list none may be swept, since the axis of the profiles depends on them and all points share it.
+   subroutine refuse_swept_axes(variables, is_swept, list, problems)
+      type(variable_t), intent(in) :: variables(:)
+      logical, intent(in) :: is_swept(:)
+      !> Places.
+      integer, intent(in) :: list(:)
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
+      do k = 1, size(list)
+         associate (v => variables(list(k)))
+            if (is_swept(list(k))) call problems%add(v%group, v%name, &
+               & 'is swept, but all profiles share one axis; sweep another variable')
+         end associate
+      end do
+   end subroutine refuse_swept_axes
 
    !> Names as in `a, b or c`.
    pure function list_names(variables, list) result(text)

@@ -6,7 +6,7 @@ module adfric_halfspace_field_model
    use adfric_halfspace_halfspace_model, only: halfspace_model_t
    implicit none (type, external)
    private
-   public :: field_model_t, set_stresses, set_displacements, maps_of
+   public :: field_model_t, set_stresses, set_plane_stresses, set_displacements, maps_of
 
    type, abstract, extends(halfspace_model_t) :: field_model_t
    contains
@@ -61,6 +61,16 @@ contains
          r(k)%is_main = .true.
       end do
    end subroutine set_stresses
+
+   !> Rows of the stresses in the plane: s_xx, s_yy, s_xy and the largest shear.
+   subroutine set_plane_stresses(r)
+      !> Its first four.
+      type(result_t), intent(inout) :: r(:)
+      integer, parameter :: shear = 4
+
+      call set_stresses('xx yy xy', r)
+      r(shear) = result_t('largest_shear_stress', 'Pa', 'largest shear stress in the plane', '', .true.)
+   end subroutine set_plane_stresses
 
    !> Rows of displacements.
    subroutine set_displacements(components, r)

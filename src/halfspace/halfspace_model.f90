@@ -21,12 +21,10 @@ module adfric_halfspace_halfspace_model
    contains
       procedure :: set_tables
       procedure :: check_values
-      procedure :: describe_results
       procedure :: wants_profiles
       procedure :: get_profile_axis
       procedure :: solve_block
       procedure :: solve_profiles
-      procedure :: describe_case
       procedure(check_case_i), deferred :: check_case
       procedure(solve_point_i), deferred :: solve_point
       procedure(get_profiles_i), deferred :: get_profiles
@@ -132,17 +130,6 @@ contains
    end subroutine check_values
 
    !> See `model_t`.
-   function describe_results(self, values) result(results)
-      class(halfspace_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      type(result_t), allocatable :: results(:)
-
-      results = self%results
-      associate (unused => values)
-      end associate
-   end function describe_results
-
-   !> See `model_t`.
    pure logical function wants_profiles(self, values)
       class(halfspace_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
@@ -203,16 +190,5 @@ contains
          call self%get_profiles(values, results, self%get_profile_axis(values, 1), self%get_profile_axis(values, 2), profiles)
       end if
    end subroutine solve_profiles
-
-   !> See `model_t`: nothing to add.
-   function describe_case(self, values) result(text)
-      class(halfspace_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      character(:), allocatable :: text
-
-      text = ''
-      associate (unused => self, unused_too => values)
-      end associate
-   end function describe_case
 
 end module adfric_halfspace_halfspace_model

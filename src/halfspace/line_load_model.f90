@@ -7,7 +7,7 @@ module adfric_halfspace_line_load_model
    use adfric_base_problems, only: problems_t
    use adfric_base_requirements, only: need
    use adfric_base_unset, only: is_set
-   use adfric_halfspace_field_model, only: field_model_t, set_stresses, set_displacements, maps_of
+   use adfric_halfspace_field_model, only: field_model_t, set_plane_stresses, set_displacements, maps_of
    use adfric_halfspace_flamant, only: line_stress, line_displacement
    use adfric_halfspace_halfspace_table, only: positive, number, choice, dataset, poisson_ratio_row
    use adfric_halfspace_sampled_traction, only: sampled_traction_t, every_second
@@ -102,14 +102,6 @@ contains
       v(v_y) = number('position', 'position_y', 'm', 'where the results are, depth', 0.0_dp)
       v(v_y)%lower = 0
    end subroutine set_common
-
-   !> Rows of stresses.
-   subroutine set_plane_stresses(r)
-      type(result_t), intent(inout) :: r(:)
-
-      call set_stresses('xx yy xy', r)
-      r(r_shear) = result_t('largest_shear_stress', 'Pa', 'largest shear stress in the plane', '', .true.)
-   end subroutine set_plane_stresses
 
    !> See `halfspace_model_t`.
    subroutine check_line(self, values, problems)

@@ -2,7 +2,7 @@
 module adfric_halfspace_periodic_model
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
-   use adfric_base_model, only: model_t, variable_t, result_t, attribute_t, status_solved, status_no_equilibrium, &
+   use adfric_base_model, only: model_t, variable_t, attribute_t, status_solved, status_no_equilibrium, &
       & status_not_converged
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
@@ -10,7 +10,8 @@ module adfric_halfspace_periodic_model
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: quantity_line
    use adfric_halfspace_halfspace_model, only: contact_profiles
-   use adfric_halfspace_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic
+   use adfric_halfspace_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, &
+      & find_full_pressure
    use adfric_halfspace_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
    use adfric_halfspace_periodic_table
    implicit none (type, external)
@@ -23,14 +24,12 @@ module adfric_halfspace_periodic_model
    contains
       procedure :: set_tables
       procedure :: check_values
-      procedure :: describe_results
       procedure :: wants_profiles
       procedure :: get_profile_axis
       procedure :: solve_block
       procedure :: solve_profiles
       procedure :: describe_case
       procedure :: describe_surface
-      procedure :: refuse_swept_axes
       procedure(check_surface_i), deferred :: check_surface
       procedure(get_surface_i), deferred :: get_surface
       procedure(get_full_pressure_i), deferred :: get_full_pressure
@@ -59,11 +58,13 @@ module adfric_halfspace_periodic_model
       end subroutine get_surface_i
 
       !> Mean pressure at which contact becomes full [Pa].
-      real(dp) function get_full_pressure_i(self, values)
+      pure real(dp) function get_full_pressure_i(self, values, on_cells)
          import :: periodic_model_t, dp
          implicit none (type, external)
          class(periodic_model_t), intent(in) :: self
          real(dp), intent(in) :: values(:)
+         !> That of the surface as its cells have it [E*].
+         real(dp), intent(in) :: on_cells
       end function get_full_pressure_i
 
       !> The largest pressure [Pa] of a map [E*].
@@ -113,34 +114,6 @@ contains
       call need(self%variables, values, [self%n_own + v_contact_modulus], problems)
       call need_one(self%variables, values, self%n_own + [v_mean_pressure, v_penetration], .true., problems)
    end subroutine check_values
-
-   !> Add to `problems` the variables that are swept although the axes of the maps depend on them.
-   subroutine refuse_swept_axes(self, list, values, is_swept, problems)
-      class(periodic_model_t), intent(in) :: self
-      !> Places.
-      integer, intent(in) :: list(:)
-      real(dp), intent(in) :: values(:)
-      logical, intent(in) :: is_swept(:)
-      type(problems_t), intent(inout) :: problems
-      integer :: k
-
-      if (.not. self%wants_profiles(values)) return
-      do k = 1, size(list)
-         if (is_swept(list(k))) call problems%add(self%variables(list(k))%group, self%variables(list(k))%name, &
-            & 'is swept, but all profiles share one axis; sweep another variable')
-      end do
-   end subroutine refuse_swept_axes
-
-   !> See `model_t`.
-   function describe_results(self, values) result(results)
-      class(periodic_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      type(result_t), allocatable :: results(:)
-
-      results = self%results
-      associate (unused => values)
-      end associate
-   end function describe_results
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
@@ -229,7 +202,7 @@ contains
          results(r_area_fraction_error) = s%area%error
          results(r_peak_pressure) = self%get_peak_pressure(values, s%pressure)
          results(r_mean_gap) = sum(s%gap)/size(s%gap)
-         results(r_full_contact_pressure) = self%get_full_pressure(values)
+         results(r_full_contact_pressure) = self%get_full_pressure(values, s%full_pressure)
          results(r_contact_violation) = s%residual
       end associate
    end subroutine store
@@ -262,7 +235,7 @@ contains
       type(periodic_surface_t) :: surface
 
       call self%get_surface(values, surface)
-      text = quantity_line('pressure of full contact p*', self%get_full_pressure(values), 'Pa') &
+      text = quantity_line('pressure of full contact p*', self%get_full_pressure(values, find_full_pressure(surface)), 'Pa') &
          & //quantity_line('penetration of full contact', sum(surface%shape)/size(surface%shape), 'm') &
          & //self%describe_surface()
    end function describe_case

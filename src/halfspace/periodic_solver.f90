@@ -35,6 +35,8 @@ module adfric_halfspace_periodic_solver
       !> How far the surfaces approached from first touch, at the mean of the deformed surface.
       real(dp) :: penetration = 0
       type(area_t) :: area
+      !> Mean pressure at which contact becomes full on these cells, the largest of A g0 [E*].
+      real(dp) :: full_pressure = 0
       !> Largest violation of the conditions of contact, see `adfric_halfspace_periodic_contact`.
       real(dp) :: residual = huge(1.0_dp)
       !> Iterations and applied operators on the finest grid.
@@ -58,6 +60,7 @@ module adfric_halfspace_periodic_solver
       procedure :: solve_load
       procedure :: solve_penetration
       procedure, private :: solve
+      procedure, private :: set_touch
    end type periodic_solver_t
 
 contains
@@ -111,7 +114,7 @@ contains
       else if (mean_pressure < 0) then
          solution%status = contact_out_of_range
       else
-         call set_touch(shape, 0.0_dp, solution)
+         call self%set_touch(shape, 0.0_dp, solution)
       end if
    end subroutine solve_load
 
@@ -133,7 +136,7 @@ contains
       goal%has_fixed_mean = .true.
       goal%mean_gap = sum(shape)/size(shape) - penetration
       if (penetration <= minval(shape)) then
-         call set_touch(shape, penetration, solution)
+         call self%set_touch(shape, penetration, solution)
       else if (goal%mean_gap > 0) then
          call self%solve(shape, goal, tolerance, solution)
       else
@@ -152,12 +155,16 @@ contains
    end subroutine check_shape
 
    !> No contact.
-   pure subroutine set_touch(shape, penetration, solution)
+   subroutine set_touch(self, shape, penetration, solution)
+      class(periodic_solver_t), intent(inout) :: self
       real(dp), intent(in) :: shape(:, :)
       real(dp), intent(in) :: penetration
       type(periodic_solution_t), intent(inout) :: solution
 
       solution%gap = shape - penetration
+      allocate (solution%pressure, mold=shape)
+      call self%grids(size(self%grids))%operator%apply_stiffness(shape, solution%pressure)
+      solution%full_pressure = maxval(solution%pressure)
       solution%pressure = 0*shape
       solution%penetration = penetration
       solution%area%error = 0
@@ -239,6 +246,7 @@ contains
       solution%n_iterations = states(n)%n_iterations
       solution%mean_pressure = states(n)%mean_pressure
       solution%penetration = sum(states(n)%shape - states(n)%gap)/size(states(n)%shape)
+      solution%full_pressure = -minval(states(n)%rest_pressure)
       solution%gap = max(states(n)%gap, 0.0_dp)
       solution%pressure = merge(0.0_dp, max(states(n)%pressure, 0.0_dp), states(n)%is_open)
    end subroutine set_solution

@@ -9,7 +9,7 @@ module adfric_halfspace_punch_model
    use adfric_base_requirements, only: need, need_one
    use adfric_base_unset, only: is_set
    use adfric_halfspace_contact_conditions, only: largest_violation
-   use adfric_halfspace_field_model, only: set_stresses, maps_of
+   use adfric_halfspace_field_model, only: set_plane_stresses, maps_of
    use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
    use adfric_halfspace_halfspace_table, only: positive, choice, number
    use adfric_halfspace_punch_profiles, only: polynomial_t, wedge_load, wedge_pressure, wedge_gap
@@ -98,8 +98,7 @@ contains
       p(:p_gap) = contact_profiles()
       p(p_displacement) = profile_t('displacement', 'm', &
          & 'displacement of the surface into the solid, against the middle of the punch')
-      call set_stresses('xx yy xy', r)
-      r(size(r)) = result_t('largest_shear_stress', 'Pa', 'largest shear stress in the plane', '')
+      call set_plane_stresses(r)
       p(p_stress:) = maps_of(r)
    end function get_profile_table
 

@@ -7,13 +7,13 @@ module adfric_halfspace_surface_model
    use adfric_base_kinds, only: dp
    use adfric_base_model, only: variable_t
    use adfric_base_problems, only: problems_t
-   use adfric_base_requirements, only: need
+   use adfric_base_requirements, only: need, refuse_swept_axes
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: quantity_line
    use adfric_halfspace_halfspace_table, only: positive, dataset
    use adfric_halfspace_periodic_grids, only: n_grids_of
    use adfric_halfspace_periodic_model, only: periodic_model_t
-   use adfric_halfspace_periodic_point, only: periodic_surface_t, find_full_pressure
+   use adfric_halfspace_periodic_point, only: periodic_surface_t
    use adfric_halfspace_periodic_solver, only: grids_for_error
    use adfric_halfspace_periodic_table, only: v_contact_modulus
    implicit none (type, external)
@@ -90,7 +90,7 @@ contains
       else if (is_set(values(v_length_y))) then
          call problems%add('surface', 'length_y', 'is given, but the heights have one dimension, x')
       end if
-      call self%refuse_swept_axes([v_length_x, v_length_y], values, is_swept, problems)
+      if (self%wants_profiles(values)) call refuse_swept_axes(self%variables, is_swept, [v_length_x, v_length_y], problems)
    end subroutine check_surface
 
    !> See `periodic_model_t`.
@@ -105,13 +105,12 @@ contains
    end subroutine get_surface
 
    !> See `periodic_model_t`: that of the cells as they are.
-   real(dp) function get_full_pressure(self, values)
+   pure real(dp) function get_full_pressure(self, values, on_cells)
       class(surface_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      type(periodic_surface_t) :: surface
+      real(dp), intent(in) :: on_cells
 
-      call self%get_surface(values, surface)
-      get_full_pressure = values(self%n_own + v_contact_modulus)*find_full_pressure(surface)
+      get_full_pressure = values(self%n_own + v_contact_modulus)*on_cells
    end function get_full_pressure
 
    !> See `periodic_model_t`: that of a cell.

@@ -8,7 +8,7 @@ module adfric_halfspace_wave_2d_model
    use adfric_base_constants, only: two_pi
    use adfric_base_model, only: variable_t, kind_integer
    use adfric_base_problems, only: problems_t
-   use adfric_base_requirements, only: need
+   use adfric_base_requirements, only: need, refuse_swept_axes
    use adfric_halfspace_halfspace_table, only: positive
    use adfric_halfspace_periodic_model, only: periodic_model_t
    use adfric_halfspace_periodic_point, only: periodic_surface_t
@@ -57,7 +57,7 @@ contains
       call need(self%variables, values, [v_period, v_amplitude], problems)
       if (modulo(nint(values(v_cells)), multiple_of_cells) /= 0) &
          & call problems%add('numerics', 'cells', 'is no multiple of 64')
-      call self%refuse_swept_axes([v_period, v_cells], values, is_swept, problems)
+      if (self%wants_profiles(values)) call refuse_swept_axes(self%variables, is_swept, [v_period, v_cells], problems)
    end subroutine check_surface
 
    !> See `periodic_model_t`.
@@ -77,12 +77,15 @@ contains
       end associate
    end subroutine get_surface
 
-   !> See `periodic_model_t`.
-   real(dp) function get_full_pressure(self, values)
+   !> See `periodic_model_t`: that of the wave itself.
+   pure real(dp) function get_full_pressure(self, values, on_cells)
       class(wave_2d_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
+      real(dp), intent(in) :: on_cells
 
       get_full_pressure = two_pi*values(self%n_own + v_contact_modulus)*(values(v_amplitude)/values(v_period))
+      associate (unused => on_cells)
+      end associate
    end function get_full_pressure
 
    !> See `periodic_model_t`: that of the crest, about which pressure is even in both directions.

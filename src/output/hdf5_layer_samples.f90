@@ -1,14 +1,14 @@
 !> Numbers from HDF5 files that others have written.
 module adfric_output_hdf5_layer_samples
    use, intrinsic :: iso_c_binding, only: c_loc, c_ptr
-   use hdf5, only: hid_t, hsize_t, h5fis_hdf5_f, h5fopen_f, h5dopen_f, h5dget_type_f, h5dget_space_f, h5dread_f, h5tget_class_f, &
+   use hdf5, only: hid_t, hsize_t, h5fis_hdf5_f, h5dopen_f, h5dget_type_f, h5dget_space_f, h5dread_f, h5tget_class_f, &
       h5sget_simple_extent_type_f, h5sget_simple_extent_ndims_f, h5sget_simple_extent_dims_f, &
-      H5F_ACC_RDONLY_F, H5S_NULL_F, H5T_FLOAT_F, H5T_INTEGER_F, H5T_NATIVE_DOUBLE
+      H5S_NULL_F, H5T_FLOAT_F, H5T_INTEGER_F, H5T_NATIVE_DOUBLE
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp, i8
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    use adfric_output_hdf5_layer_datasets, only: close_dataset
-   use adfric_output_hdf5_layer_file, only: close_file
+   use adfric_output_hdf5_layer_file, only: open_file, close_file
    use adfric_output_operating_system, only: kind_of_path, path_free, path_file, free_memory
    implicit none (type, external)
    private
@@ -40,7 +40,7 @@ contains
       file_id = no_id
       dataset = no_id
       call calls%open_library()
-      call open_file(calls, file, file_id, flaw)
+      call open_foreign_file(calls, file, file_id, flaw)
       if (len(flaw) == 0 .and. calls%is_good()) then
          call h5dopen_f(file_id, path, dataset, calls%status)
          if (calls%status < 0) then
@@ -58,7 +58,7 @@ contains
    end subroutine read_numbers
 
    !> Open a file to read from it.
-   subroutine open_file(calls, file, file_id, flaw)
+   subroutine open_foreign_file(calls, file, file_id, flaw)
       type(hdf5_calls_t), intent(inout) :: calls
       character(*), intent(in) :: file
       integer(hid_t), intent(inout) :: file_id
@@ -77,13 +77,11 @@ contains
             flaw = 'the file is no HDF5 file'
             return
          end if
-         call h5fopen_f(file, H5F_ACC_RDONLY_F, file_id, calls%status)
-         call calls%check()
-         if (.not. calls%is_good()) file_id = no_id
+         call open_file(calls, file, .false., file_id)
       case default
          flaw = 'this is no regular file'
       end select
-   end subroutine open_file
+   end subroutine open_foreign_file
 
    !> Number of values along each dimension, of a dataset of numbers that has one or two.
    subroutine get_extent(calls, dataset, largest_rank, counts, flaw)

@@ -4,6 +4,7 @@ module adfric_sphere_model
    use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, status_solved
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
+   use adfric_base_requirements, only: refuse_swept_axes
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: quantity_line
    use adfric_sphere_case, only: sphere_case_t, resolve_case
@@ -51,15 +52,9 @@ contains
       real(dp), intent(in) :: values(:)
       logical, intent(in) :: is_swept(:)
       type(problems_t), intent(inout) :: problems
-      integer, parameter :: axis(*) = [v_r_max, v_n_r]
-      integer :: k
 
       call check_sphere_values(self%variables, values, problems)
-      if (.not. self%wants_profiles(values)) return
-      do k = 1, size(axis)
-         if (is_swept(axis(k))) call problems%add('output', self%variables(axis(k))%name, &
-            & 'is swept, but all profiles share one axis; sweep another variable')
-      end do
+      if (self%wants_profiles(values)) call refuse_swept_axes(self%variables, is_swept, [v_r_max, v_n_r], problems)
    end subroutine check_values
 
    !> See `model_t`.

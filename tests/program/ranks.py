@@ -64,12 +64,6 @@ class Ranks(Runs):
         output, _ = self.run_program("run", "--force", "run.nml", "--output", "whole.h5", threads=1)
         return time.monotonic() - start, output
 
-    def wait_for(self, name):
-        end = time.monotonic() + PATIENCE
-        while not (self.folder / name).exists():
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.01)
-
     def test_same_results(self):
         for text in (LOADS.format(strips=16, count=400), PROFILES.format(strips=16, count=200)):
             _, table = self.run_whole(text)
@@ -97,7 +91,7 @@ class Ranks(Runs):
 
     def test_kill(self):
         """One process dies at a random moment; other numbers of processes, or one without mpirun, go on."""
-        duration, _ = self.run_whole(PROFILES.format(strips=16, count=400))
+        duration, _ = self.run_whole(PROFILES.format(strips=16, count=self.count_of_lasting(PROFILES)))
         moment = random.Random(1)
         n_killed, n_resumed, most = 0, 0, 0
         while n_killed < N_KILLS:
@@ -150,8 +144,10 @@ class Ranks(Runs):
         self.assertEqual(output, "")
         return process.returncode, without_mpirun(errors)
 
-    def check_sigterm(self, choose, status, n_points=6000):
-        self.run_whole(PROFILES.format(strips=16, count=n_points // 3))
+    def check_sigterm(self, choose, status):
+        count = 2 * self.count_of_lasting(PROFILES)
+        n_points = 3 * count
+        self.run_whole(PROFILES.format(strips=16, count=count))
         found, lines = self.stop_run(choose)
         self.assertEqual(found, status, lines)
         n_done = self.check_truth("run.h5.partial", "whole.h5")

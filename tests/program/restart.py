@@ -23,9 +23,10 @@ SLOW = """
 
 
 class Restart(Runs):
-    def kill_and_resume(self, text, threads, seed, *options, n_kills=N_KILLS):
+    def kill_and_resume(self, template, threads, seed, *options, n_kills=N_KILLS):
         """Kill a run again and again at random moments until it is complete; what is left tells the truth each time."""
-        self.write(text)
+        count = self.count_of_lasting(template, threads=threads)
+        self.write(template.format(strips=16, count=count))
         start = time.monotonic()
         self.run_program("run", "--quiet", "run.nml", "--output", "whole.h5", threads=threads)
         duration = time.monotonic() - start
@@ -35,7 +36,12 @@ class Restart(Runs):
         while n_killed < n_kills:
             process = self.start("run", "--quiet", "--resume", "run.nml", *options, threads=threads)
             try:
-                _, errors = process.communicate(timeout=moment.uniform(0.0, 0.8 * duration))
+                # every other time at any moment, otherwise when there is something to lose
+                latest = 0.8 * duration
+                if n_killed % 2 == 0:
+                    self.wait_for_points(f"{name}.partial", process)
+                    latest = 0.3 * duration
+                _, errors = process.communicate(timeout=moment.uniform(0.0, latest))
                 # complete: once more from the beginning
                 self.assertIn(process.returncode, IN_ORDER, errors)
                 self.assert_same(self.snapshot("whole.h5"), self.snapshot(name))
@@ -61,19 +67,20 @@ class Restart(Runs):
         return n_resumed
 
     def test_kill_one_thread(self):
-        n_resumed = self.kill_and_resume(LOADS.format(strips=16, count=400), 1, 1)
+        n_resumed = self.kill_and_resume(LOADS, 1, 1)
         self.assertGreater(n_resumed, 0, "no kill met a run with results on the disk")
 
     def test_kill_two_threads(self):
-        n_resumed = self.kill_and_resume(LOADS.format(strips=16, count=600), 2, 2)
+        n_resumed = self.kill_and_resume(LOADS, 2, 2)
         self.assertGreater(n_resumed, 0, "no kill met a run with results on the disk")
 
     def test_kill_profiles(self):
-        n_resumed = self.kill_and_resume(PROFILES.format(strips=16, count=400), 2, 3)
+        n_resumed = self.kill_and_resume(PROFILES, 2, 3)
         self.assertGreater(n_resumed, 0, "no kill met a run with results on the disk")
 
     def check_signal(self, number, name):
-        self.write(PROFILES.format(strips=16, count=1200))
+        count = self.count_of_lasting(PROFILES)
+        self.write(PROFILES.format(strips=16, count=count))
         self.run_program("run", "--quiet", "run.nml", "--output", "whole.h5")
         process = self.start("run", "--quiet", "run.nml", threads=1)
         self.wait_for_points("run.h5.partial")
@@ -81,22 +88,16 @@ class Restart(Runs):
         output, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 128 + number, errors)
         self.assertEqual(output, "")
-        self.assertRegex(errors, rf"^run.nml: stopped by {name}, \d+ of 3600 points are in run.h5.partial; "
+        self.assertRegex(errors, rf"^run.nml: stopped by {name}, \d+ of {3*count} points are in run.h5.partial; "
                                  r"adfric run --resume run.nml goes on\n$")
         n_done = self.check_truth("run.h5.partial", "whole.h5")
         self.assertEqual(int(errors.split()[4]), n_done)
         self.assertGreater(n_done, 0)
-        self.assertLess(n_done, 3600)
+        self.assertLess(n_done, 3 * count)
         self.assertEqual(self.names(), ["run.h5.partial", "run.nml", "whole.h5"])
         self.run_program("run", "--resume", "run.nml", threads=1)
         self.assert_same(self.snapshot("whole.h5"), self.snapshot("run.h5"))
         self.assertEqual(self.names(), ["run.h5", "run.nml", "whole.h5"])
-
-    def wait_for(self, name):
-        end = time.monotonic() + 60
-        while not (self.folder / name).exists():
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.01)
 
     def test_sigterm(self):
         self.check_signal(signal.SIGTERM, "SIGTERM")
@@ -126,26 +127,28 @@ class Restart(Runs):
         process.send_signal(signal.SIGTERM)
         return process
 
-    def stopped_run(self, text):
-        """A run that was stopped in order, with some points done."""
-        self.write(text)
+    def stopped_run(self):
+        """A run that was stopped in order, with some points done; its count."""
+        count = self.count_of_lasting(LOADS)
+        self.write(LOADS.format(strips=16, count=count))
         process = self.start("run", "--quiet", "run.nml", threads=1)
         self.wait_for_points("run.h5.partial")
         process.send_signal(signal.SIGTERM)
         process.communicate(timeout=60)
         self.assertEqual(process.returncode, 143)
+        return count
 
     def test_nothing_is_overwritten(self):
-        self.stopped_run(LOADS.format(strips=16, count=1200))
+        count = self.stopped_run()
         partial = (self.folder / "run.h5.partial").read_bytes()
         _, errors = self.run_program("run", "run.nml", status=3)
         self.assertEqual(errors, "run.h5: run.h5.partial has results of a run that was stopped; --resume goes on with it, "
                                  "--force discards it\n")
         # other inputs, and not such that have the same results
         for text, difference in [
-                (LOADS.format(strips=16, count=1201), "made from another input"),
-                (LOADS.format(strips=15, count=1200), "made from another input"),
-                (LOADS.format(strips=16, count=1200).replace("2e3", "2.000000000001e3"), "made from another input"),
+                (LOADS.format(strips=16, count=count + 1), "made from another input"),
+                (LOADS.format(strips=15, count=count), "made from another input"),
+                (LOADS.format(strips=16, count=count).replace("2e3", "2.000000000001e3"), "made from another input"),
                 ("&job model = 'hertz', output = 'run.h5' /\n&contact kind = 'circular', radius = 1 /\n"
                  "&solid contact_modulus = 1e9 /\n&sweep variable = 'load', values = 1, 2 /\n", "another input"),
         ]:
@@ -154,7 +157,7 @@ class Restart(Runs):
                 _, errors = self.run_program("run", "--resume", "run.nml", status=3)
                 self.assertRegex(errors, f"^run.h5.partial: does not belong to this run: .*{difference}")
                 self.assertEqual((self.folder / "run.h5.partial").read_bytes(), partial)
-        self.write(LOADS.format(strips=16, count=1200).replace("'loads'", "'a new title'") + "! and a comment\n")
+        self.write(LOADS.format(strips=16, count=count).replace("'loads'", "'a new title'") + "! and a comment\n")
         self.run_program("run", "--resume", "run.nml")
         self.run_program("run", "run.nml", "--output", "whole.h5")
         run, whole = self.snapshot("run.h5"), self.snapshot("whole.h5")
@@ -194,7 +197,7 @@ class Restart(Runs):
         self.assertEqual(self.names(), ["run.h5", "run.nml"])
 
     def test_table_after_a_restart(self):
-        self.stopped_run(LOADS.format(strips=16, count=1200))
+        self.stopped_run()
         resumed, _ = self.run_program("run", "--resume", "run.nml")
         whole, _ = self.run_program("run", "--force", "run.nml")
         self.assertEqual(resumed.splitlines()[:-2], whole.splitlines()[:-2])
@@ -241,9 +244,10 @@ class Restart(Runs):
         _, errors = self.run_program("run", "run.nml", status=3, preexec_fn=limit_file_size(100_000))
         self.assertRegex(errors, "^run.h5: cannot create: File too large")
         self.assertEqual(self.names(), ["run.nml"])
-        self.stopped_run(LOADS.format(strips=16, count=1200))
+        self.stopped_run()
         n_done = (self.status_of("run.h5.partial") >= 0).sum()
-        _, errors = self.run_program("run", "--resume", "run.nml", status=3, preexec_fn=limit_file_size(100_000))
+        limit = limit_file_size((self.folder / "run.h5.partial").stat().st_size // 4)
+        _, errors = self.run_program("run", "--resume", "run.nml", status=3, preexec_fn=limit)
         self.assertRegex(errors, "^run.h5: cannot .*: File too large; the results so far stay in run.h5.partial, "
                                  "--resume goes on with them\n$")
         self.assertGreaterEqual((self.status_of("run.h5.partial") >= 0).sum(), n_done)

@@ -107,6 +107,30 @@ class Runs(unittest.TestCase):
         (self.folder / "trial.nml").unlink()
         return text.format(count=int(count*seconds/took))
 
+    def count_of_lasting(self, template, seconds=0.5, threads=1):
+        """Count with which a run takes so long, and long enough that it can be met with results on the disk."""
+        count, first, duration = 100, 0.0, 0.0
+        while duration < max(seconds, 5 * first):
+            count *= 2
+            self.write(template.format(strips=16, count=count), "trial.nml")
+            start = time.monotonic()
+            process = self.start("run", "--quiet", "trial.nml", "--output", "trial.h5", threads=threads)
+            self.wait_for_points("trial.h5.partial", process)
+            first = time.monotonic() - start
+            _, errors = process.communicate(timeout=120)
+            duration = time.monotonic() - start
+            self.assertIn(process.returncode, IN_ORDER, errors)
+            (self.folder / "trial.h5").unlink()
+        (self.folder / "trial.nml").unlink()
+        return count
+
+    def wait_for(self, name, patience=60):
+        """Wait until there is a file of this name."""
+        end = time.monotonic() + patience
+        while not (self.folder / name).exists():
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.01)
+
     def wait_for_points(self, name, process=None, patience=60):
         """Wait until some points of a run are on the disk; their number, 0 if its process has ended before."""
         end = time.monotonic() + patience
@@ -129,11 +153,7 @@ class Runs(unittest.TestCase):
 
     def meet(self, number, n_parts, seconds, patience=60):
         """Wait until a part of big.h5 has been solved for so long; its process."""
-        partial = self.folder / f"big.part-{number:04}-of-{n_parts:04}.h5.partial"
-        end = time.monotonic() + patience
-        while not partial.exists():
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.01)
+        self.wait_for(f"big.part-{number:04}-of-{n_parts:04}.h5.partial", patience)
         time.sleep(seconds)
         process = self.process_of(f"{number}/{n_parts}")
         self.assertIsNotNone(process, "this part has ended already")

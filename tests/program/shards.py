@@ -74,7 +74,8 @@ class Shards(Runs):
         self.check_parts(ONE_POINT, (1, 3))
 
     def test_resume(self):
-        whole = self.run_whole(PROFILES.format(strips=16, count=1600))
+        # the half of it that is stopped lasts long enough
+        whole = self.run_whole(PROFILES.format(strips=16, count=2 * self.count_of_lasting(PROFILES)))
         self.run_parts(2)
         (self.folder / self.part(2, 2)).unlink()
         process = self.start("run", "--quiet", "run.nml", "--shard", "2/2", threads=1)
