@@ -29,8 +29,8 @@ program phases
    call open_case(text_argument(1, 'input.nml'), model, run, outcome)
    if (outcome%exit_status /= exit_success) error stop 'phases: the input is wrong'
    times(2) = wall_clock()
-   call results%create(text_argument(2, 'phases.h5'), .true., model, run%plan, run%title, run%text, error)
-   if (allocated(error)) error stop 'phases: no file'
+   call results%begin(text_argument(2, 'phases.h5'), .true., model, run%plan, run%title, run%text, error)
+   if (allocated(error)) error stop 'phases: no name for the file'
    times(3) = wall_clock()
    call run_sweep(model, run%plan, results, progress, summary, error)
    if (allocated(error)) error stop 'phases: the sweep failed'
@@ -38,8 +38,9 @@ program phases
    call results%finish(summary%wall_seconds, error)
    if (allocated(error)) error stop 'phases: the file cannot be closed'
    times(5) = wall_clock()
-   ! input, creation of the file, solution, writing, closing, all
-   print '(6es13.5)', times(2) - times(1), times(3) - times(2), summary%solver_seconds, summary%output_seconds, &
-      times(5) - times(4), times(5) - times(1)
+   ! input, name of the file, solution, what the one thread that solves waits for, closing, all; and what a second thread
+   ! does beside the solution: creating and writing the file
+   print '(7es13.5)', times(2) - times(1), times(3) - times(2), summary%solver_seconds, &
+      times(4) - times(3) - summary%solver_seconds, times(5) - times(4), times(5) - times(1), summary%output_seconds
 
 end program phases

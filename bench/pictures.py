@@ -182,7 +182,7 @@ def whole_program(folder):
     axes[1].set(xscale="log", xlabel="points", ylabel="peak memory [MB]", ylim=(0, None))
     left = np.zeros(len(phases))
     names = [row["case"] for row in phases]
-    for part, colour in zip(("input", "creation", "writing", "closing", "solution"), (*COLOURS[1:5], "#cccccc")):
+    for part, colour in zip(("input", "name", "waiting", "closing", "solution"), (*COLOURS[1:5], "#cccccc")):
         axes[2].barh(names, column(phases, part), left=left, color=colour, label=part)
         left = left + column(phases, part)
     axes[2].set(xlabel="share of the time, a million points", xlim=(0, 1))

@@ -224,10 +224,10 @@ def whole_points(folder):
 
 def whole_phases(folder):
     """Where the time goes."""
-    keys = ["input", "creation", "solution", "writing", "closing", "share_least"]
+    keys = ["input", "name", "solution", "waiting", "closing", "beside", "share", "share_least"]
     body = [[row["case"], *(f"{100 * float(row[key]):.1f}" for key in keys)] for row in rows_of(folder, "whole_program_phases")]
-    return table(["% of the time, a million points", "input", "creation of the file", "solution", "writing", "closing",
-                  "input and output, least"], body)
+    return table(["% of the time, a million points", "input", "name of the file", "solution", "waiting", "closing",
+                  "writing, beside it", "all but the solution", "least"], body)
 
 
 def error_estimates(folder):

@@ -81,8 +81,12 @@ contains
          call new_blocks(blocks, run%plan%n_points(), command%part, model%largest_block)
          call new_block_list(list, blocks)
          call new_summary(before, model%results)
-         if (world%is_first()) call results%create(run%output, command%overwrite, model, run%plan, run%title, run%text, &
-            error, command%part)
+         if (world%n_ranks == 1) then
+            ! the file is created while the first points are solved
+            call results%begin(run%output, command%overwrite, model, run%plan, run%title, run%text, error, command%part)
+         else if (world%is_first()) then
+            call results%create(run%output, command%overwrite, model, run%plan, run%title, run%text, error, command%part)
+         end if
       end if
       call share_error(world, error)
       if (.not. allocated(error)) call share_done_blocks(world, list)

@@ -1,7 +1,9 @@
 !> HDF5 files as a whole.
 module adfric_output_hdf5_layer_file
+   use, intrinsic :: iso_c_binding, only: c_size_t
    use hdf5, only: hid_t, h5fcreate_f, h5fopen_f, h5fflush_f, h5fclose_f, h5pcreate_f, h5pset_fclose_degree_f, &
-      H5F_ACC_EXCL_F, H5F_ACC_RDONLY_F, H5F_ACC_RDWR_F, H5F_SCOPE_GLOBAL_F, H5F_CLOSE_SEMI_F, H5P_FILE_ACCESS_F
+      h5pset_sieve_buf_size_f, H5F_ACC_EXCL_F, H5F_ACC_RDONLY_F, H5F_ACC_RDWR_F, H5F_SCOPE_GLOBAL_F, H5F_CLOSE_SEMI_F, &
+      H5P_FILE_ACCESS_F
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    implicit none (type, external)
    private
@@ -47,7 +49,8 @@ contains
       if (.not. present(access)) call calls%close_id(list)
    end subroutine open_file
 
-   !> Make the library ready, and a list of properties: closing a file fails as long as anything in it is open.
+   !> Make the library ready, and a list of properties: closing a file fails as long as anything in it is open, and values
+   !> go straight to the operating system (HDF5 would first read what stands where they go).
    subroutine create_access(calls, list)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(out) :: list
@@ -59,6 +62,9 @@ contains
       call calls%check()
       if (.not. calls%is_good()) return
       call h5pset_fclose_degree_f(list, H5F_CLOSE_SEMI_F, calls%status)
+      call calls%check()
+      if (.not. calls%is_good()) return
+      call h5pset_sieve_buf_size_f(list, 0_c_size_t, calls%status)
       call calls%check()
    end subroutine create_access
 

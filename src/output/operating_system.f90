@@ -9,7 +9,7 @@ module adfric_output_operating_system
    public :: file_id_t, id_of_file, is_same
    public :: folder_of, path_from, free_space, free_memory, utc_time
    public :: lock_t, take_lock, is_locked
-   public :: move_file, rename_file, remove_file, synchronise, ignore_file_size_signal
+   public :: move_file, rename_file, remove_file, synchronise, begin_to_synchronise, ignore_file_size_signal
 
    !> What can stand at a path: nothing, a regular file, anything else.
    integer, parameter :: path_free = 0, path_file = 1, path_other = 2
@@ -80,6 +80,12 @@ module adfric_output_operating_system
          implicit none (type, external)
          character(kind=c_char), intent(in) :: path(*)
       end function c_synchronise
+
+      subroutine c_begin_to_synchronise(path) bind(c, name='adfric_begin_to_synchronise')
+         import :: c_char
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end subroutine c_begin_to_synchronise
 
       real(c_double) function c_free_space(folder) bind(c, name='adfric_free_space')
          import :: c_char, c_double
@@ -285,6 +291,13 @@ contains
       number = c_synchronise(path//c_null_char)
       if (number /= 0) call set_error(error, file_failure, path//': cannot bring to the disk: '//error_text(number))
    end subroutine synchronise
+
+   !> Begin to bring a file to the disk, without waiting, so that less is left to wait for in the end.
+   subroutine begin_to_synchronise(path)
+      character(*), intent(in) :: path
+
+      call c_begin_to_synchronise(path//c_null_char)
+   end subroutine begin_to_synchronise
 
    !> Remove a file.
    subroutine remove_file(path, error)

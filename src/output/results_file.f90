@@ -37,10 +37,14 @@ module adfric_output_results_file
       type(file_id_t) :: id
       !> Time that the run took before it was stopped [s].
       real(dp) :: seconds_before = 0
+      !> What stands in the head of a file that has not been created yet.
+      type(heading_t), allocatable :: heading
       !> Did this run find the file when it began?
       logical :: is_resumed = .false.
    contains
       procedure :: create
+      procedure :: begin
+      procedure :: prepare
       procedure :: create_from
       procedure :: resume
       procedure :: hand_over
@@ -56,6 +60,23 @@ contains
    !> Create the file of a run with every dataset in it.
    subroutine create(self, path, overwrite, model, plan, title, input, error, part)
       class(results_file_t), intent(inout) :: self
+      !> See `begin`.
+      character(*), intent(in) :: path, title, input
+      logical, intent(in) :: overwrite
+      class(model_t), intent(in) :: model
+      type(plan_t), intent(in) :: plan
+      type(error_t), allocatable, intent(out) :: error
+      type(part_t), intent(in), optional :: part
+
+      call self%begin(path, overwrite, model, plan, title, input, error, part)
+      if (allocated(error)) return
+      call self%prepare(error)
+      if (allocated(error)) call self%discard()
+   end subroutine create
+
+   !> Take the name for a run, whose file is created before the first results come, by `prepare`.
+   subroutine begin(self, path, overwrite, model, plan, title, input, error, part)
+      class(results_file_t), intent(inout) :: self
       !> Final name.
       character(*), intent(in) :: path
       !> May a file of this name, and results of a run that was stopped, be replaced?
@@ -70,23 +91,30 @@ contains
       !> The whole run if absent.
       type(part_t), intent(in), optional :: part
       type(layout_t) :: layout
-      type(heading_t) :: heading
 
       call new_layout(layout, model, plan, part)
-      call new_heading(heading, model, plan, title, input)
       call check_partial_name(path, overwrite, error)
-      if (.not. allocated(error)) call self%create_from(path, overwrite, layout, heading, error)
+      if (.not. allocated(error)) call take_name(self, path, overwrite, layout, error)
       if (allocated(error)) return
+      allocate (self%heading)
+      call new_heading(self%heading, model, plan, title, input)
+      self%path_now = new_name(path)
+   end subroutine begin
+
+   !> See `sink_t`: create the file of a run that has just begun. If that fails there is none.
+   subroutine prepare(self, error)
+      class(results_file_t), intent(inout) :: self
+      type(error_t), allocatable, intent(out) :: error
+
+      if (.not. allocated(self%heading)) return
+      call create_all(self, self%heading, error)
+      deallocate (self%heading)
       ! some file systems give room no earlier than this; and where it never came, zeros would look like results
-      call synchronise(self%path_now, error)
+      if (.not. allocated(error)) call synchronise(self%path_now, error)
       ! nobody can have begun to write results in the meantime, since we have the lock
-      if (.not. allocated(error)) call rename_file(self%path_now, partial_name(path), error)
-      if (allocated(error)) then
-         call self%discard()
-      else
-         self%path_now = partial_name(path)
-      end if
-   end subroutine create
+      if (.not. allocated(error)) call rename_file(self%path_now, partial_name(self%path), error)
+      if (.not. allocated(error)) self%path_now = partial_name(self%path)
+   end subroutine prepare
 
    !> Create a file that is of no use until it is complete.
    subroutine create_from(self, path, overwrite, layout, heading, error, parts)
@@ -100,38 +128,50 @@ contains
       type(error_t), allocatable, intent(out) :: error
       !> Files in which the values are; if absent they come into this one.
       type(virtual_parts_t), intent(in), optional :: parts
-      type(hdf5_calls_t) :: calls
 
-      call begin(self, path, overwrite, layout, error)
+      call take_name(self, path, overwrite, layout, error)
       if (allocated(error)) return
       self%path_now = new_name(path)
+      call create_all(self, heading, error, parts)
+      if (allocated(error)) call self%discard()
+   end subroutine create_from
+
+   !> Create every dataset.
+   subroutine create_all(self, heading, error, parts)
+      class(results_file_t), intent(inout) :: self
+      type(heading_t), intent(in) :: heading
+      type(error_t), allocatable, intent(out) :: error
+      type(virtual_parts_t), intent(in), optional :: parts
+      type(hdf5_calls_t) :: calls
+
       if (kind_of_path(self%path_now) /= path_free) call remove_file(self%path_now, error)
-      if (allocated(error)) then
-         call self%lock%release()
-         return
-      end if
+      if (allocated(error)) return
       call create_file(calls, self%path_now, self%file)
       ! what a creation leaves that has failed half way is ours, too
       self%id = id_of_file(self%path_now)
       call write_heading(calls, self%file, heading)
-      call write_placeholders(calls, self%file, layout)
-      if (.not. layout%blocks%part%is_whole()) call write_part_layout(calls, self%file, layout)
-      call self%datasets%create(calls, self%file, layout, parts)
+      call write_placeholders(calls, self%file, self%layout)
+      if (.not. self%layout%blocks%part%is_whole()) call write_part_layout(calls, self%file, self%layout)
+      call self%datasets%create(calls, self%file, self%layout, parts)
       call flush_file(calls, self%file)
-      call calls%get_error(path//': cannot create', error)
-      if (allocated(error)) call self%discard()
-   end subroutine create_from
+      call calls%get_error(self%path//': cannot create', error)
+      self%safe_at = wall_clock()
+   end subroutine create_all
 
    !> What every run does first: take the name.
-   subroutine begin(self, path, overwrite, layout, error)
+   subroutine take_name(self, path, overwrite, layout, error)
       class(results_file_t), intent(inout) :: self
       character(*), intent(in) :: path
       logical, intent(in) :: overwrite
       type(layout_t), intent(in) :: layout
       type(error_t), allocatable, intent(out) :: error
       logical :: is_in_use
+      type(hdf5_calls_t) :: calls
 
-      call check_output_name(path, overwrite, error)
+      ! this thread closes what another one may have created
+      call calls%open_library()
+      call calls%get_error(path//': cannot create', error)
+      if (.not. allocated(error)) call check_output_name(path, overwrite, error)
       if (allocated(error)) return
       call ignore_file_size_signal()
       call take_lock(lock_name(path), self%lock, is_in_use, error)
@@ -144,7 +184,7 @@ contains
       self%overwrite = overwrite
       self%layout = layout
       self%safe_at = wall_clock()
-   end subroutine begin
+   end subroutine take_name
 
    !> Go on with the file of a run that was stopped.
    subroutine resume(self, path, overwrite, model, plan, list, summary, error, part)
@@ -168,7 +208,7 @@ contains
 
       call new_layout(layout, model, plan, part)
       call new_heading(heading, model, plan, '', '')
-      call begin(self, path, overwrite, layout, error)
+      call take_name(self, path, overwrite, layout, error)
       if (allocated(error)) return
       self%path_now = partial_name(path)
       self%is_resumed = .true.

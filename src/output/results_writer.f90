@@ -10,7 +10,7 @@ module adfric_output_results_writer
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    use adfric_output_hdf5_layer_file, only: open_file, flush_file, close_file
    use adfric_output_layout, only: layout_t
-   use adfric_output_operating_system, only: synchronise
+   use adfric_output_operating_system, only: synchronise, begin_to_synchronise
    use adfric_output_status_log, only: status_log_t
    use adfric_sweep_clock, only: wall_clock
    use adfric_sweep_sink, only: sink_t
@@ -20,6 +20,9 @@ module adfric_output_results_writer
 
    !> Least time between two moments at which everything is brought to the disk [s], and in times of what that takes.
    real(dp), parameter :: least_interval = 0.1_dp, interval_by_duration = 50
+
+   !> So much is written before the system is asked to begin to bring it to the disk [bytes].
+   real(dp), parameter :: much = 4e6_dp
 
    !> A file that is being written.
    type, extends(sink_t) :: results_writer_t
@@ -32,6 +35,8 @@ module adfric_output_results_writer
       real(dp) :: safe_at = 0, safe_took = 0
       !> States that wait for their results to be on the disk.
       type(status_log_t), private :: log
+      !> What has been written since the system was last asked to bring it to the disk [bytes].
+      real(dp), private :: n_bytes = 0
       !> Do several processes write the file now?
       logical, private :: is_shared = .false.
    contains
@@ -69,6 +74,8 @@ contains
       type(error_t), allocatable, intent(out) :: error
 
       self%is_shared = .true.
+      ! cores are given to processes, and MPI may allow no thread but the one that asks for blocks
+      self%has_own_thread = .false.
       self%safe_at = wall_clock()
       call self%open_found(error, access)
    end subroutine open_shared
@@ -111,6 +118,7 @@ contains
       if (.not. allocated(error)) call self%put_counts(first, counts, error)
       if (allocated(error)) return
       call self%log%add(row, status)
+      call begin_to_bring(self, storage_size(results)/8.0_dp*size(results))
       waiting = wall_clock() - self%safe_at
       if (waiting > max(least_interval, interval_by_duration*self%safe_took)) call self%make_safe(error)
    end subroutine put
@@ -140,7 +148,20 @@ contains
       call calls%silence()
       call self%datasets%write_profiles(calls, self%layout, self%layout%row_of(point), profiles)
       call calls%get_error(self%path//': cannot write', error)
+      call begin_to_bring(self, storage_size(profiles)/8.0_dp*size(profiles))
    end subroutine put_profiles
+
+   !> From time to time ask the system to begin to bring to the disk what has been written.
+   subroutine begin_to_bring(self, n_bytes)
+      class(results_writer_t), intent(inout) :: self
+      !> Written since it was called last.
+      real(dp), intent(in) :: n_bytes
+
+      self%n_bytes = self%n_bytes + n_bytes
+      if (self%n_bytes < much) return
+      call begin_to_synchronise(self%path_now)
+      self%n_bytes = 0
+   end subroutine begin_to_bring
 
    !> Bring the results so far to the disk, and then say that they are there.
    subroutine make_safe(self, error)

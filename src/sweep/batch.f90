@@ -1,11 +1,22 @@
-!> A batch: results of neighbouring blocks that go to the sink together.
+!> A batch: results of neighbouring blocks that go to the sink together; and a store of batches.
 module adfric_sweep_batch
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
    use adfric_sweep_sink, only: sink_t
    implicit none (type, external)
    private
-   public :: batch_t, new_batch, batch_bytes
+   public :: batch_t, batch_store_t, new_batch_store, batch_bytes
+
+   !> Where a thread finds room for the next batch while others wait for the sink.
+   type :: batch_store_t
+      type(batch_t), allocatable :: batches(:)
+      logical, allocatable, private :: is_taken(:)
+      !> Sizes of a batch, which gets its memory when it is first taken.
+      integer, private :: n_results = 0, n_counts = 0, block_size = 0, max_blocks = 0
+   contains
+      procedure :: take
+      procedure :: give_back
+   end type batch_store_t
 
    !> Results of some points from `first` on, kept as they are written.
    type :: batch_t
@@ -21,12 +32,13 @@ module adfric_sweep_batch
       real(dp), allocatable :: counts(:, :)
    contains
       procedure :: put_into
+      procedure :: clear
    end type batch_t
 
 contains
 
    !> Make room for a batch; it is empty.
-   subroutine new_batch(self, n_results, n_counts, block_size, max_blocks)
+   pure subroutine new_batch(self, n_results, n_counts, block_size, max_blocks)
       type(batch_t), intent(out) :: self
       integer, intent(in) :: n_results, n_counts
       !> Number of points of a block, and of blocks.
@@ -35,6 +47,42 @@ contains
       allocate (self%results(block_size*max_blocks, n_results), self%counts(max_blocks, n_counts))
       allocate (self%error_estimate(block_size*max_blocks), self%status(block_size*max_blocks))
    end subroutine new_batch
+
+   !> Make a store of so many batches.
+   pure subroutine new_batch_store(self, n, n_results, n_counts, block_size, max_blocks)
+      type(batch_store_t), intent(out) :: self
+      integer, intent(in) :: n
+      !> See `new_batch`.
+      integer, intent(in) :: n_results, n_counts, block_size, max_blocks
+
+      allocate (self%batches(n))
+      allocate (self%is_taken(n), source=.false.)
+      self%n_results = n_results
+      self%n_counts = n_counts
+      self%block_size = block_size
+      self%max_blocks = max_blocks
+   end subroutine new_batch_store
+
+   !> Take an empty batch; by one thread at a time.
+   pure subroutine take(self, place)
+      class(batch_store_t), intent(inout) :: self
+      !> Its place; 0 if all are taken.
+      integer, intent(out) :: place
+
+      place = findloc(self%is_taken, .false., dim=1)
+      if (place == 0) return
+      self%is_taken(place) = .true.
+      if (.not. allocated(self%batches(place)%status)) call new_batch(self%batches(place), self%n_results, self%n_counts, &
+         self%block_size, self%max_blocks)
+   end subroutine take
+
+   !> Give back a batch, which is empty again; by one thread at a time.
+   pure subroutine give_back(self, place)
+      class(batch_store_t), intent(inout) :: self
+      integer, intent(in) :: place
+
+      self%is_taken(place) = .false.
+   end subroutine give_back
 
    !> Memory of a batch [bytes].
    pure real(dp) function batch_bytes(n_results, n_points)
@@ -56,8 +104,15 @@ contains
             self%counts(:self%n_blocks, :), error)
       end associate
       self%first = self%first + self%n_points
+      call self%clear()
+   end subroutine put_into
+
+   !> Forget the results.
+   pure subroutine clear(self)
+      class(batch_t), intent(inout) :: self
+
       self%n_points = 0
       self%n_blocks = 0
-   end subroutine put_into
+   end subroutine clear
 
 end module adfric_sweep_batch

@@ -1,20 +1,22 @@
 !> Solve the blocks that a source gives, with all threads, and hand the results to a sink.
 !>
-!> Each thread takes a few neighbouring blocks, solves them one by one and puts their results into the sink, again and
-!> again. Blocks may be taken and put in any order: the results do not depend on it. Batches are small where points
-!> take long, so that little is lost when a run is killed, and large where points take next to no time, so that
-!> few calls of the sink are needed. Memory does not grow with the number of points.
+!> Each thread takes a few neighbouring blocks, solves them one by one and leaves their results to one more thread, which
+!> puts them into the sink, again and again. Blocks may be taken and put in any order: the results do not depend on it.
+!> Batches are small where points take long, so that little is lost when a run is killed, and large where points take
+!> next to no time, so that few calls of the sink are needed. Memory does not grow with the number of points.
 module adfric_sweep_runner
    use omp_lib, only: omp_get_max_threads, omp_get_num_threads, omp_get_thread_num
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
    use adfric_base_model, only: model_t, attribute_t, status_solved
    use adfric_base_words, only: count_words
-   use adfric_sweep_batch, only: batch_t, new_batch, batch_bytes
+   use adfric_sweep_batch, only: batch_bytes
    use adfric_sweep_blocks, only: blocks_t, new_blocks, block_size_of
    use adfric_sweep_block_source, only: block_source_t, block_list_t, new_block_list
    use adfric_sweep_clock, only: wall_clock
    use adfric_sweep_counts, only: find_counts, pick_counts
+   use adfric_sweep_delivery, only: delivery_t, new_delivery, leave_batch, put_profiles, end_leaving, deliver, &
+      & has_failed, most_waiting
    use adfric_sweep_interruption, only: caught_signal
    use adfric_sweep_plan, only: plan_t
    use adfric_sweep_progress, only: progress_t
@@ -34,12 +36,14 @@ module adfric_sweep_runner
    !> What the threads share.
    type :: sweep_t
       integer(i8) :: n_solved = 0
+      !> Threads that solve.
+      integer :: n_workers = 1
+      type(delivery_t) :: delivery
       !> Shape of the profiles of a point; (0, 0, 0) if there are none.
       integer :: profile_shape(3) = 0
       !> What the model counts.
       type(attribute_t), allocatable :: counts(:)
       type(run_summary_t) :: summary
-      type(error_t), allocatable :: error
    end type sweep_t
 
    !> What each thread has for itself.
@@ -50,7 +54,8 @@ module adfric_sweep_runner
       real(dp), allocatable :: results(:, :)
       !> Profiles of a point.
       real(dp), allocatable :: profiles(:, :, :)
-      type(batch_t) :: batch
+      !> Place of the batch that it fills.
+      integer :: place = 0
       !> Number of blocks that it takes next.
       integer :: n_wanted = 1
       type(run_summary_t) :: summary
@@ -98,29 +103,57 @@ contains
       call new_summary(sweep%summary, model%results)
       sweep%n_solved = source%n_points_before
       call progress%report(sweep%n_solved, source%blocks%n_points())
-      !$omp parallel default(none) shared(model, plan, sink, progress, source, sweep)
-      call work(model, plan, sink, progress, source, sweep)
+      sweep%n_workers = omp_get_max_threads()
+      !$omp parallel default(none) shared(model, plan, sink, progress, source, sweep) &
+      !$omp& num_threads(sweep%n_workers + merge(1, 0, sink%has_own_thread))
+      !$omp single
+      call share_work(sink, source, size(model%results), sweep)
+      !$omp end single
+      ! the last thread is the one that writes
+      if (omp_get_thread_num() < sweep%n_workers) then
+         call work(model, plan, sink, progress, source, sweep)
+         call end_leaving(sweep%delivery)
+      else
+         call deliver(sink, sweep%delivery)
+      end if
       !$omp end parallel
-      if (allocated(sweep%error)) call move_alloc(sweep%error, error)
+      call sweep%delivery%remove_writer()
+      if (allocated(sweep%delivery%error)) call move_alloc(sweep%delivery%error, error)
       summary = sweep%summary
+      summary%output_seconds = sweep%delivery%seconds
       if (sweep%n_solved < source%blocks%n_points()) summary%signal = int(caught_signal())
       summary%wall_seconds = wall_clock() - start
    end subroutine run_source
+
+   !> Say who solves and who writes, as far as the threads that there are allow it.
+   subroutine share_work(sink, source, n_results, sweep)
+      class(sink_t), intent(inout) :: sink
+      class(block_source_t), intent(in) :: source
+      integer, intent(in) :: n_results
+      type(sweep_t), intent(inout) :: sweep
+
+      sweep%n_workers = min(sweep%n_workers, omp_get_num_threads())
+      call new_delivery(sweep%delivery, sweep%n_workers, n_results, size(sweep%counts), source%blocks%size, largest_batch)
+      if (omp_get_num_threads() > sweep%n_workers) call sweep%delivery%make_writer()
+      ! else each writes its own
+      if (.not. sweep%delivery%has_writer) call deliver(sink, sweep%delivery)
+   end subroutine share_work
 
    !> Memory that a run needs beside that of its plan [bytes].
    real(dp) function memory_needed(model, plan)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       integer, parameter :: real_bytes = 8
-      real(dp) :: per_thread
-      integer :: block_size
+      real(dp) :: per_thread, batch
+      integer :: block_size, n_threads
 
       block_size = block_size_of(plan%n_points())
-      per_thread = batch_bytes(size(model%results), largest_batch*block_size) &
-         + real(real_bytes, dp)*block_size*(size(model%variables) + size(model%results))
+      n_threads = omp_get_max_threads()
+      batch = batch_bytes(size(model%results), largest_batch*block_size)
+      per_thread = real(real_bytes, dp)*block_size*(size(model%variables) + size(model%results))
       if (model%wants_profiles(plan%base)) per_thread = per_thread &
          + real_bytes*product(real(profile_shape_of(model, plan), dp))
-      memory_needed = per_thread*omp_get_max_threads()
+      memory_needed = per_thread*n_threads + batch*(n_threads + most_waiting)
    end function memory_needed
 
    !> Shape of the profiles of a point: the axis that runs fastest first.
@@ -155,15 +188,15 @@ contains
       do
          call take_blocks(source, sweep, worker%n_wanted, first, n)
          if (n == 0) exit
-         worker%batch%first = source%blocks%first_point(first)
+         sweep%delivery%store%batches(worker%place)%first = source%blocks%first_point(first)
          start = wall_clock()
          waiting_since = start
          do i = 0, n - 1
-            call solve_one_block(model, plan, source%blocks, first + i, sweep%counts, worker)
-            if (size(worker%profiles) > 0) call solve_block_profiles(model, plan, sink, worker, sweep%error)
+            call solve_one_block(model, plan, source%blocks, first + i, sweep, worker)
+            if (size(worker%profiles) > 0) call solve_block_profiles(model, plan, sink, sweep, worker)
             waiting = wall_clock() - waiting_since
             if (i == n - 1 .or. waiting > longest_wait) then
-               call put_batch(sink, worker%batch, sweep)
+               call leave_batch(sink, sweep%delivery, worker%place)
                waiting_since = wall_clock()
             end if
             !$omp critical (adfric_sweep_shared)
@@ -173,7 +206,7 @@ contains
             if (omp_get_thread_num() == 0) call progress%report(n_solved, source%blocks%n_points())
             if (must_end(sweep)) exit
          end do
-         if (worker%batch%n_blocks > 0) call put_batch(sink, worker%batch, sweep)
+         call leave_batch(sink, sweep%delivery, worker%place)
          call choose_batch_size(wall_clock() - start, worker%n_wanted)
       end do
       is_cut_short = must_end(sweep)
@@ -193,8 +226,8 @@ contains
       associate (n => blocks%size, shape => sweep%profile_shape)
          allocate (self%values(size(model%variables), n), self%results(size(model%results), n))
          allocate (self%profiles(shape(1), shape(2), shape(3)))
-         call new_batch(self%batch, size(model%results), size(sweep%counts), n, largest_batch)
       end associate
+      self%place = omp_get_thread_num() + 1
       call new_summary(self%summary, model%results)
    end subroutine new_worker
 
@@ -212,7 +245,7 @@ contains
       n = 0
       if (must_end(sweep)) return
       !$omp critical (adfric_sweep_shared)
-      share = source%n_left/(2*omp_get_num_threads())
+      share = source%n_left/(2*sweep%n_workers)
       call source%take_blocks(int(max(1_i8, min(share, int(n_wanted, i8)))), first, n)
       !$omp end critical (adfric_sweep_shared)
    end subroutine take_blocks
@@ -221,9 +254,7 @@ contains
    logical function must_end(sweep)
       type(sweep_t), intent(in) :: sweep
 
-      !$omp critical (adfric_sweep_shared)
-      must_end = allocated(sweep%error)
-      !$omp end critical (adfric_sweep_shared)
+      must_end = has_failed(sweep%delivery)
       if (.not. must_end) must_end = caught_signal() /= 0
    end function must_end
 
@@ -238,13 +269,13 @@ contains
    end subroutine choose_batch_size
 
    !> Solve a block and add it to the batch.
-   subroutine solve_one_block(model, plan, blocks, block, counts, worker)
+   subroutine solve_one_block(model, plan, blocks, block, sweep, worker)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       type(blocks_t), intent(in) :: blocks
       !> Its number in the run.
       integer(i8), intent(in) :: block
-      type(attribute_t), intent(in) :: counts(:)
+      type(sweep_t), intent(inout) :: sweep
       type(worker_t), intent(inout) :: worker
       type(attribute_t), allocatable :: found(:)
       real(dp) :: start
@@ -253,7 +284,7 @@ contains
       start = wall_clock()
       n = blocks%n_points_of(block)
       call plan%get_values(blocks%first_point(block), worker%values(:, :n))
-      associate (batch => worker%batch, results => worker%results(:, :n))
+      associate (batch => sweep%delivery%store%batches(worker%place), results => worker%results(:, :n))
          offset = batch%n_points
          call model%solve_block(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
             batch%status(offset + 1:offset + n), found)
@@ -263,69 +294,33 @@ contains
          end do
          batch%n_points = offset + n
          batch%n_blocks = batch%n_blocks + 1
-         batch%counts(batch%n_blocks, :) = pick_counts(counts, found)
+         batch%counts(batch%n_blocks, :) = pick_counts(sweep%counts, found)
       end associate
       worker%summary%solver_seconds = worker%summary%solver_seconds + wall_clock() - start
    end subroutine solve_one_block
 
    !> Solve the profiles of the solved points of the last block of the batch; each goes to the sink at once.
-   subroutine solve_block_profiles(model, plan, sink, worker, error)
+   subroutine solve_block_profiles(model, plan, sink, sweep, worker)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       class(sink_t), intent(inout) :: sink
+      type(sweep_t), intent(inout) :: sweep
       type(worker_t), intent(inout) :: worker
-      !> Shared by the threads.
-      type(error_t), allocatable, intent(inout) :: error
-      type(error_t), allocatable :: own_error
       integer(i8) :: point
       integer :: offset, n, i
-      logical :: has_failed
 
-      n = 1 + mod(worker%batch%n_points - 1, size(worker%values, 2))
-      offset = worker%batch%n_points - n
-      do i = 1, n
-         if (worker%batch%status(offset + i) /= status_solved) cycle
-         point = worker%batch%first + offset + i - 1
-         call plan%get_values(point, worker%values(:, :1))
-         call model%solve_profiles(worker%values(:, 1), worker%batch%results(offset + i, :), worker%profiles)
-         !$omp critical (adfric_sweep_sink)
-         if (.not. allocated(error)) then
-            call sink%put_profiles(point, worker%profiles, own_error)
-            call keep_error(own_error, error)
-         end if
-         has_failed = allocated(error)
-         !$omp end critical (adfric_sweep_sink)
-         if (has_failed) return
-      end do
+      associate (batch => sweep%delivery%store%batches(worker%place))
+         n = 1 + mod(batch%n_points - 1, size(worker%values, 2))
+         offset = batch%n_points - n
+         do i = 1, n
+            if (batch%status(offset + i) /= status_solved) cycle
+            point = batch%first + offset + i - 1
+            call plan%get_values(point, worker%values(:, :1))
+            call model%solve_profiles(worker%values(:, 1), batch%results(offset + i, :), worker%profiles)
+            call put_profiles(sink, sweep%delivery, point, worker%profiles)
+            if (has_failed(sweep%delivery)) return
+         end do
+      end associate
    end subroutine solve_block_profiles
-
-   !> Put a batch into the sink.
-   subroutine put_batch(sink, batch, sweep)
-      class(sink_t), intent(inout) :: sink
-      type(batch_t), intent(inout) :: batch
-      type(sweep_t), intent(inout) :: sweep
-      type(error_t), allocatable :: own_error
-      real(dp) :: start
-
-      !$omp critical (adfric_sweep_sink)
-      start = wall_clock()
-      if (.not. allocated(sweep%error)) then
-         call batch%put_into(sink, own_error)
-         call keep_error(own_error, sweep%error)
-      end if
-      sweep%summary%output_seconds = sweep%summary%output_seconds + wall_clock() - start
-      !$omp end critical (adfric_sweep_sink)
-   end subroutine put_batch
-
-   !> Keep an error for all threads to see: by it they end, and nothing more goes to the sink.
-   subroutine keep_error(own_error, error)
-      type(error_t), allocatable, intent(in) :: own_error
-      type(error_t), allocatable, intent(inout) :: error
-
-      if (.not. allocated(own_error)) return
-      !$omp critical (adfric_sweep_shared)
-      allocate (error, source=own_error)
-      !$omp end critical (adfric_sweep_shared)
-   end subroutine keep_error
 
 end module adfric_sweep_runner

@@ -8,7 +8,10 @@ module adfric_sweep_sink
 
    !> A place that takes results by the number of their first point, in any order.
    type, abstract :: sink_t
+      !> May a thread call it that does nothing else?
+      logical :: has_own_thread = .true.
    contains
+      procedure :: prepare
       procedure(put_i), deferred :: put
       procedure(put_profiles_i), deferred :: put_profiles
    end type sink_t
@@ -45,5 +48,16 @@ module adfric_sweep_sink
       end subroutine put_profiles_i
 
    end interface
+
+contains
+
+   !> Make ready what the first results need. Called once, before any results come.
+   subroutine prepare(self, error)
+      class(sink_t), intent(inout) :: self
+      type(error_t), allocatable, intent(out) :: error
+
+      associate (unused => self, unused_too => error)
+      end associate
+   end subroutine prepare
 
 end module adfric_sweep_sink

@@ -1,0 +1,226 @@
+!> How results get from the threads that solve into the sink.
+!>
+!> One more thread has nothing to do but that: while it writes and waits for the disk, the others go on. It sleeps as long
+!> as there is nothing to write, and they do when too many batches wait for it. Where there is no such thread, each puts
+!> its results into the sink itself.
+module adfric_sweep_delivery
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_error, only: error_t
+   use adfric_sweep_batch, only: batch_store_t, new_batch_store
+   use adfric_sweep_clock, only: wall_clock
+   use adfric_sweep_semaphore, only: semaphore_t
+   use adfric_sweep_sink, only: sink_t
+   implicit none (type, external)
+   private
+   public :: delivery_t, new_delivery, leave_batch, put_profiles, end_leaving, deliver, has_failed, most_waiting
+
+   !> Number of batches that may wait for the sink.
+   integer, parameter :: most_waiting = 32
+
+   !> What the threads share.
+   type :: delivery_t
+      !> Is there a thread that has nothing else to do?
+      logical :: has_writer = .false.
+      type(batch_store_t) :: store
+      !> The first one; after it nothing more goes to the sink.
+      type(error_t), allocatable :: error
+      !> Time in the sink [s].
+      real(dp) :: seconds = 0
+      !> Threads that solve, and those of them that still do.
+      integer, private :: n_workers = 0, n_working = 0
+      !> Places of the batches that wait, the longest first, and how many these are.
+      integer, allocatable, private :: queue(:)
+      integer, private :: n_waiting = 0
+      !> Counts them, and at the end one more; counts the batches that may be left before others must be written.
+      type(semaphore_t), private :: bell, room
+      !> Counts the threads that may end, when all is written.
+      type(semaphore_t), private :: finish
+      !> Can the sink take results?
+      logical, private :: is_prepared = .false.
+   contains
+      procedure :: make_writer
+      procedure :: remove_writer
+   end type delivery_t
+
+contains
+
+   !> Make ready what the threads share. Of the batches each thread that solves has the one of its number, from 1.
+   subroutine new_delivery(self, n_workers, n_results, n_counts, block_size, max_blocks)
+      type(delivery_t), intent(out) :: self
+      !> Threads that solve.
+      integer, intent(in) :: n_workers
+      !> Sizes of a batch.
+      integer, intent(in) :: n_results, n_counts, block_size, max_blocks
+      integer :: i, place
+
+      self%n_workers = n_workers
+      self%n_working = n_workers
+      allocate (self%queue(n_workers + most_waiting))
+      call new_batch_store(self%store, size(self%queue), n_results, n_counts, block_size, max_blocks)
+      do i = 1, n_workers
+         call self%store%take(place)
+      end do
+   end subroutine new_delivery
+
+   !> From now on a thread writes for the others, if the system has what that needs.
+   subroutine make_writer(self)
+      class(delivery_t), intent(inout) :: self
+      logical :: is_made(3)
+
+      call self%bell%make(0, is_made(1))
+      call self%room%make(most_waiting, is_made(2))
+      call self%finish%make(0, is_made(3))
+      self%has_writer = all(is_made)
+   end subroutine make_writer
+
+   !> The thread that wrote has ended.
+   subroutine remove_writer(self)
+      class(delivery_t), intent(inout) :: self
+
+      call self%bell%free()
+      call self%room%free()
+      call self%finish%free()
+   end subroutine remove_writer
+
+   !> Leave a batch to be put into the sink, and go on with an empty one behind it.
+   subroutine leave_batch(sink, self, place)
+      class(sink_t), intent(inout) :: sink
+      type(delivery_t), intent(inout) :: self
+      !> Of the batch that is left; out: of the empty one.
+      integer, intent(inout) :: place
+      integer :: next
+
+      if (self%store%batches(place)%n_blocks == 0) return
+      if (.not. self%has_writer) then
+         call put_batch(sink, self, place)
+         return
+      end if
+      call self%room%wait()
+      !$omp critical (adfric_sweep_store)
+      call self%store%take(next)
+      self%store%batches(next)%first = self%store%batches(place)%first + self%store%batches(place)%n_points
+      self%n_waiting = self%n_waiting + 1
+      self%queue(self%n_waiting) = place
+      !$omp end critical (adfric_sweep_store)
+      call self%bell%post()
+      place = next
+   end subroutine leave_batch
+
+   !> A thread solves nothing more, and sleeps until all is written.
+   subroutine end_leaving(self)
+      type(delivery_t), intent(inout) :: self
+      logical :: is_last
+
+      !$omp critical (adfric_sweep_store)
+      self%n_working = self%n_working - 1
+      is_last = self%n_working == 0
+      !$omp end critical (adfric_sweep_store)
+      if (.not. self%has_writer) return
+      if (is_last) call self%bell%post()
+      call self%finish%wait()
+   end subroutine end_leaving
+
+   !> Put into the sink what the others leave, until all of them have ended.
+   subroutine deliver(sink, self)
+      class(sink_t), intent(inout) :: sink
+      type(delivery_t), intent(inout) :: self
+      integer :: place, i
+
+      !$omp critical (adfric_sweep_sink)
+      call prepare_sink(sink, self)
+      !$omp end critical (adfric_sweep_sink)
+      if (.not. self%has_writer) return
+      do
+         call self%bell%wait()
+         !$omp critical (adfric_sweep_store)
+         place = 0
+         if (self%n_waiting > 0) then
+            place = self%queue(1)
+            self%queue(:self%n_waiting - 1) = self%queue(2:self%n_waiting)
+            self%n_waiting = self%n_waiting - 1
+         end if
+         !$omp end critical (adfric_sweep_store)
+         if (place == 0) exit
+         call put_batch(sink, self, place)
+         !$omp critical (adfric_sweep_store)
+         call self%store%give_back(place)
+         !$omp end critical (adfric_sweep_store)
+         call self%room%post()
+      end do
+      do i = 1, self%n_workers
+         call self%finish%post()
+      end do
+   end subroutine deliver
+
+   !> Make the sink ready, unless it is so already.
+   subroutine prepare_sink(sink, self)
+      class(sink_t), intent(inout) :: sink
+      type(delivery_t), intent(inout) :: self
+      type(error_t), allocatable :: error
+
+      if (self%is_prepared) return
+      call sink%prepare(error)
+      call keep_error(error, self%error)
+      self%is_prepared = .true.
+   end subroutine prepare_sink
+
+   !> Put a batch into the sink; it is empty then.
+   subroutine put_batch(sink, self, place)
+      class(sink_t), intent(inout) :: sink
+      type(delivery_t), intent(inout) :: self
+      integer, intent(in) :: place
+      type(error_t), allocatable :: error
+      real(dp) :: start
+
+      !$omp critical (adfric_sweep_sink)
+      start = wall_clock()
+      call prepare_sink(sink, self)
+      if (.not. allocated(self%error)) then
+         call self%store%batches(place)%put_into(sink, error)
+         call keep_error(error, self%error)
+      else
+         call self%store%batches(place)%clear()
+      end if
+      self%seconds = self%seconds + wall_clock() - start
+      !$omp end critical (adfric_sweep_sink)
+   end subroutine put_batch
+
+   !> Put the profiles of a point into the sink.
+   subroutine put_profiles(sink, self, point, profiles)
+      class(sink_t), intent(inout) :: sink
+      type(delivery_t), intent(inout) :: self
+      integer(i8), intent(in) :: point
+      !> See `sink_t`.
+      real(dp), intent(in) :: profiles(:, :, :)
+      type(error_t), allocatable :: error
+
+      !$omp critical (adfric_sweep_sink)
+      call prepare_sink(sink, self)
+      if (.not. allocated(self%error)) then
+         call sink%put_profiles(point, profiles, error)
+         call keep_error(error, self%error)
+      end if
+      !$omp end critical (adfric_sweep_sink)
+   end subroutine put_profiles
+
+   !> Keep an error for all threads to see.
+   subroutine keep_error(own_error, error)
+      type(error_t), allocatable, intent(in) :: own_error
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (.not. allocated(own_error)) return
+      !$omp critical (adfric_sweep_error)
+      allocate (error, source=own_error)
+      !$omp end critical (adfric_sweep_error)
+   end subroutine keep_error
+
+   !> Has the sink failed? Then all threads end.
+   logical function has_failed(self)
+      type(delivery_t), intent(in) :: self
+
+      !$omp critical (adfric_sweep_error)
+      has_failed = allocated(self%error)
+      !$omp end critical (adfric_sweep_error)
+   end function has_failed
+
+end module adfric_sweep_delivery
