@@ -193,6 +193,13 @@ def wave_2d_public(folder):
     return table(["cells", "p/p*", "quarter: ms, residual, ratio", "general", *solvers], body)
 
 
+def closed_forms(folder):
+    """Time of a point."""
+    body = [[f"`{row['model']}`", row["case"], f"`{row['swept']}`", time(row["us_least"]), error(row["error_estimate"])]
+            for row in rows_of(folder, "closed_forms")]
+    return table(["model", "case", "swept", "us per point", "largest error estimate"], body)
+
+
 def wave_1d(folder):
     """Largest pressure against Westergaard."""
     loads = list(dict.fromkeys(row["load"] for row in rows_of(folder, "wave_1d")))
@@ -251,8 +258,8 @@ def scenes(folder):
 
 
 TABLES = {function.__name__: function for function in (
-    random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, wave_2d, wave_2d_public,
-    wave_1d, whole_cases, whole_points, whole_phases, error_estimates, scenes)}
+    random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
+    wave_2d_public, wave_1d, whole_cases, whole_points, whole_phases, error_estimates, scenes)}
 
 
 def main():

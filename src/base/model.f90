@@ -5,6 +5,7 @@
 module adfric_base_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
+   use adfric_base_profile_receiver, only: profile_receiver_t
    use adfric_base_unset, only: unset
    use adfric_base_words, only: count_words, get_word
    implicit none (type, external)
@@ -96,6 +97,7 @@ module adfric_base_model
       procedure(get_profile_axis_i), deferred :: get_profile_axis
       procedure(solve_block_i), deferred :: solve_block
       procedure(solve_profiles_i), deferred :: solve_profiles
+      procedure :: solve_block_and_profiles
       procedure :: take_dataset
       procedure :: describe_results
       procedure :: describe_case
@@ -179,6 +181,31 @@ contains
 
       variable = variable_t(group, name, kind_real, unit, meaning, '', unset, 0.0_dp, lower_open=.true.)
    end function positive_variable
+
+   !> Solve neighbouring points as `solve_block` does, to the same bits, and hand over the profiles of those that are solved. A
+   !> model whose points would be solved once more for their profiles overrides it.
+   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, attributes, profiles, receiver)
+      class(model_t), intent(in) :: self
+      !> These are as for `solve_block`.
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :)
+      real(dp), intent(out) :: error_estimate(:)
+      integer, intent(out) :: status(:)
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      !> Room for the profiles of one point, of the shape that they have; left undefined.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      class(profile_receiver_t), intent(inout) :: receiver
+      integer :: i
+      logical :: goes_on
+
+      call self%solve_block(values, results, error_estimate, status, attributes)
+      do i = 1, size(status)
+         if (status(i) /= status_solved) cycle
+         call self%solve_profiles(values(:, i), results(:, i), profiles)
+         call receiver%take(i, profiles, goes_on)
+         if (.not. goes_on) return
+      end do
+   end subroutine solve_block_and_profiles
 
    !> Take over the values of a dataset; called for every one that is given, in the order of the table, before the values are
    !> checked. They are finite and within the table's bounds. A model with such variables overrides it; here nothing is kept.

@@ -4,6 +4,7 @@ module adfric_halfspace_field_model
    use adfric_base_model, only: result_t, profile_t, status_solved
    use adfric_base_words, only: get_word, count_words
    use adfric_halfspace_halfspace_model, only: halfspace_model_t
+   use adfric_halfspace_point_memory, only: point_memory_t
    implicit none (type, external)
    private
    public :: field_model_t, set_stresses, set_plane_stresses, set_displacements, maps_of
@@ -104,9 +105,10 @@ contains
    end function maps_of
 
    !> See `halfspace_model_t`. Where the field has no value, under a concentrated load, the results are NaN.
-   subroutine solve_point(self, values, results, error_estimate, status)
+   subroutine solve_point(self, values, memory, results, error_estimate, status)
       class(field_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
+      type(point_memory_t), intent(inout) :: memory
       real(dp), intent(inout) :: results(:)
       real(dp), intent(out) :: error_estimate
       integer, intent(out) :: status
@@ -114,6 +116,8 @@ contains
       call self%get_field(values, self%get_place(values), results)
       error_estimate = epsilon(error_estimate)
       status = status_solved
+      associate (unused => memory)
+      end associate
    end subroutine solve_point
 
    !> See `halfspace_model_t`.

@@ -8,6 +8,7 @@ module adfric_halfspace_halfspace_model
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: count_words, get_word
    use adfric_halfspace_halfspace_table, only: set_output_axis, output_switch
+   use adfric_halfspace_point_memory, only: point_memory_t
    implicit none (type, external)
    private
    public :: halfspace_model_t, contact_profiles
@@ -42,11 +43,13 @@ module adfric_halfspace_halfspace_model
       end subroutine check_case_i
 
       !> Solve one point.
-      subroutine solve_point_i(self, values, results, error_estimate, status)
-         import :: halfspace_model_t, dp
+      subroutine solve_point_i(self, values, memory, results, error_estimate, status)
+         import :: halfspace_model_t, point_memory_t, dp
          implicit none (type, external)
          class(halfspace_model_t), intent(in) :: self
          real(dp), intent(in) :: values(:)
+         !> Of the points before it in the block.
+         type(point_memory_t), intent(inout) :: memory
          !> All NaN on entry.
          real(dp), intent(inout) :: results(:)
          real(dp), intent(out) :: error_estimate
@@ -164,11 +167,12 @@ contains
       real(dp), intent(out) :: error_estimate(:)
       integer, intent(out) :: status(:)
       type(attribute_t), allocatable, intent(out) :: attributes(:)
+      type(point_memory_t) :: memory
       integer :: i
 
       results = not_a_number()
       do i = 1, size(values, 2)
-         call self%solve_point(values(:, i), results(:, i), error_estimate(i), status(i))
+         call self%solve_point(values(:, i), memory, results(:, i), error_estimate(i), status(i))
          if (status(i) /= status_solved) error_estimate(i) = not_a_number()
       end do
       allocate (attributes(0))

@@ -15,8 +15,8 @@ module adfric_halfspace_hertz_ellipse
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: ellipse_t, find_curvatures, ellipse_of_load, ellipse_of_approach, ellipse_pressure, ellipse_gap, &
-      & ellipse_axial_stress, ellipse_edge_shear, ellipse_misfit
+   public :: ellipse_t, ellipse_shape_t, find_curvatures, find_shape, ellipse_of_load, ellipse_of_approach
+   public :: ellipse_pressure, ellipse_gap, ellipse_axial_stress, ellipse_edge_shear, ellipse_misfit
 
    !> An axis ratio nearer to 1 than this is that of a circle where a difference would be divided by it.
    real(dp), parameter :: nearly_round = 1.0e-6_dp
@@ -27,13 +27,22 @@ module adfric_halfspace_hertz_ellipse
    !> Widest panel of the quadrature of the gap.
    real(dp), parameter :: panel = 1.0_dp
 
+   !> What depends on A/B alone.
+   type :: ellipse_shape_t
+      !> k = b/a.
+      real(dp) :: axis_ratio = 1
+      !> R_D(0, k^2, 1), R_D(0, 1, k^2) and R_F(0, 1, k^2).
+      real(dp) :: d_along = 0, d_across = 0, f = 0
+      logical :: is_converged = .false.
+   end type ellipse_shape_t
+
    !> A contact.
    type :: ellipse_t
       !> Half-axes a >= b [m].
       real(dp) :: major = 0, minor = 0
       !> Load P [N], approach delta [m], largest pressure p0 [Pa].
       real(dp) :: load = 0, approach = 0, peak_pressure = 0
-      logical :: is_converged = .false.
+      type(ellipse_shape_t) :: shape
    end type ellipse_t
 
    !> ln[R_D(0, k^2, 1)/R_D(0, 1, k^2)] - ln(A/B) for x = ln k, k = b/a.
@@ -77,43 +86,61 @@ contains
       if (.not. direction > -pi/2) direction = direction + pi
    end subroutine find_curvatures
 
+   !> The shape of a ratio A/B of curvatures in (0, 1].
+   pure subroutine find_shape(ratio, self)
+      real(dp), intent(in) :: ratio
+      type(ellipse_shape_t), intent(out) :: self
+
+      associate (k => self%axis_ratio)
+         call find_axis_ratio(ratio, k, self%is_converged)
+         if (.not. self%is_converged) return
+         self%d_along = carlson_d(0.0_dp, k*k, 1.0_dp)
+         self%d_across = carlson_d(0.0_dp, 1.0_dp, k*k)
+         self%f = carlson_f(0.0_dp, 1.0_dp, k*k)
+      end associate
+   end subroutine find_shape
+
    !> Contact under a load P >= 0.
-   pure subroutine ellipse_of_load(a, b, modulus, load, self)
+   pure subroutine ellipse_of_load(a, b, modulus, load, shape, self)
       !> Curvatures A <= B [1/m].
       real(dp), intent(in) :: a, b
       !> E* [Pa].
       real(dp), intent(in) :: modulus
       real(dp), intent(in) :: load
+      !> That of A/B.
+      type(ellipse_shape_t), intent(in) :: shape
       type(ellipse_t), intent(out) :: self
-      real(dp) :: k
 
+      self%shape = shape
       self%load = load
-      call find_axis_ratio(a/b, k, self%is_converged)
-      if (.not. self%is_converged) return
+      if (.not. shape%is_converged) return
       ! A + B, as a sum of terms of one sign
-      self%major = cube_root(load/modulus/(2*pi*(a + b))*(carlson_d(0.0_dp, k*k, 1.0_dp) + carlson_d(0.0_dp, 1.0_dp, k*k)))
-      self%minor = k*self%major
+      self%major = cube_root(load/modulus/(2*pi*(a + b))*(shape%d_along + shape%d_across))
+      self%minor = shape%axis_ratio*self%major
       if (.not. self%minor > 0) return
       self%peak_pressure = 3*load/(2*pi*self%major*self%minor)
-      self%approach = 3*load/(2*pi*modulus*self%major)*carlson_f(0.0_dp, 1.0_dp, k*k)
+      self%approach = 3*load/(2*pi*modulus*self%major)*shape%f
    end subroutine ellipse_of_load
 
-   !> Contact with an approach delta >= 0: P grows with delta^(3/2).
-   pure subroutine ellipse_of_approach(a, b, modulus, approach, self)
+   !> Contact with an approach delta >= 0. The sum of the equations of A and B, and that of delta, without P:
+   !>
+   !>     3 R_F(0, 1, k^2) (A + B) a^2 = (R_D(0, k^2, 1) + R_D(0, 1, k^2)) delta
+   pure subroutine ellipse_of_approach(a, b, modulus, approach, shape, self)
       real(dp), intent(in) :: a, b, modulus
       real(dp), intent(in) :: approach
+      !> That of A/B.
+      type(ellipse_shape_t), intent(in) :: shape
       type(ellipse_t), intent(out) :: self
-      type(ellipse_t) :: unit_contact
-      real(dp) :: share
 
-      call ellipse_of_load(a, b, modulus, modulus/(a + b)**2, unit_contact)
-      self = unit_contact
-      share = approach/unit_contact%approach
+      self%shape = shape
       self%approach = approach
-      self%load = unit_contact%load*share*sqrt(share)
-      self%major = unit_contact%major*sqrt(share)
-      self%minor = unit_contact%minor*sqrt(share)
-      self%peak_pressure = unit_contact%peak_pressure*sqrt(share)
+      if (.not. shape%is_converged) return
+      ! the roots one by one: approach over curvature may be beyond all numbers
+      self%major = sqrt(approach)/sqrt(a + b)*sqrt((shape%d_along + shape%d_across)/(3*shape%f))
+      self%minor = shape%axis_ratio*self%major
+      if (.not. self%minor > 0) return
+      self%load = 2*pi*modulus*self%major/3*(approach/shape%f)
+      self%peak_pressure = modulus*(approach/self%minor)/shape%f
    end subroutine ellipse_of_approach
 
    !> The ratio k = b/a in (0, 1] of a ratio A/B of curvatures.
@@ -251,15 +278,15 @@ contains
    pure real(dp) function ellipse_misfit(self, a, b, modulus) result(misfit)
       type(ellipse_t), intent(in) :: self
       real(dp), intent(in) :: a, b, modulus
-      real(dp) :: k, unit, rise(2)
+      real(dp) :: unit, rise(2)
 
       misfit = 0
       if (.not. self%minor > 0) return
-      k = self%minor/self%major
-      unit = 3*self%load/(2*pi*modulus*self%major)
-      rise = [a*self%major**2 - unit/3*carlson_d(0.0_dp, k*k, 1.0_dp), &
-         & b*self%minor**2 - unit/3*k*k*carlson_d(0.0_dp, 1.0_dp, k*k)]
-      misfit = (maxval(abs(rise)) + abs(self%approach - unit*carlson_f(0.0_dp, 1.0_dp, k*k)))/self%approach
+      associate (k => self%shape%axis_ratio, shape => self%shape)
+         unit = 3*self%load/(2*pi*modulus*self%major)
+         rise = [a*self%major**2 - unit/3*shape%d_along, b*self%minor**2 - unit/3*k*k*shape%d_across]
+         misfit = (maxval(abs(rise)) + abs(self%approach - unit*shape%f))/self%approach
+      end associate
    end function ellipse_misfit
 
 end module adfric_halfspace_hertz_ellipse

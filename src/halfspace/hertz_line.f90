@@ -6,7 +6,7 @@ module adfric_halfspace_hertz_line
    use adfric_numerics_hyperbolic, only: sinh_minus_argument
    implicit none (type, external)
    private
-   public :: line_contact_t, line_of_load, line_pressure, line_gap
+   public :: line_contact_t, line_of_load, line_pressure, line_gap, line_misfit
 
    !> A contact.
    type :: line_contact_t
@@ -30,6 +30,16 @@ contains
       self%half_width = sqrt(4*radius/pi*(load/modulus))
       self%peak_pressure = modulus*self%half_width/(2*radius)
    end function line_of_load
+
+   !> Share of the load by which half-width and pressure miss it; 0 but for round-off. The pressure is the one that closes the gap.
+   pure real(dp) function line_misfit(self, load) result(misfit)
+      type(line_contact_t), intent(in) :: self
+      !> P [N/m].
+      real(dp), intent(in) :: load
+
+      misfit = 0
+      if (load > 0) misfit = abs(pi/2*self%peak_pressure*self%half_width - load)/load
+   end function line_misfit
 
    !> Pressure at x; 0 outside.
    elemental real(dp) function line_pressure(self, x)

@@ -6,15 +6,14 @@ module adfric_halfspace_hertz_model
       & status_not_converged
    use adfric_base_problems, only: problems_t
    use adfric_base_requirements, only: need, need_one
-   use adfric_base_unset, only: is_set, unset
-   use adfric_halfspace_contact_conditions, only: largest_violation
+   use adfric_base_unset, only: is_set
    use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
    use adfric_halfspace_halfspace_table, only: positive, choice, number, poisson_ratio_row
-   use adfric_halfspace_hertz_ellipse, only: ellipse_t, find_curvatures, ellipse_of_load, ellipse_of_approach, &
-      & ellipse_pressure, ellipse_gap, ellipse_axial_stress, ellipse_edge_shear, ellipse_misfit
-   use adfric_halfspace_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap
-   use adfric_halfspace_largest_shear, only: axial_stress_t, find_largest_shear
-   use adfric_halfspace_strip_tractions, only: hertz_strip_stress
+   use adfric_halfspace_hertz_ellipse, only: ellipse_t, ellipse_shape_t, find_curvatures, find_shape, ellipse_of_load, &
+      & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
+   use adfric_halfspace_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap, line_misfit
+   use adfric_halfspace_hertz_unit, only: unit_contact_t, find_unit_line, find_unit_ellipse
+   use adfric_halfspace_point_memory, only: point_memory_t
    implicit none (type, external)
    private
    public :: hertz_model_t, new_hertz_model
@@ -26,9 +25,6 @@ module adfric_halfspace_hertz_model
    integer, parameter, public :: r_load = 1, r_approach = 2, r_half_width = 3, r_minor = 4, r_peak_pressure = 5, &
       & r_mean_pressure = 6, r_contact_area = 7, r_direction = 8, r_shear = 9, r_shear_depth = 10, r_violation = 11
    integer, parameter :: n_variables = 11, n_results = 11
-   !> Places on each axis where the conditions of contact are checked, and how far they reach, in half-widths.
-   integer, parameter :: n_places = 60
-   real(dp), parameter :: reach = 3.0_dp
 
    type, extends(halfspace_model_t) :: hertz_model_t
    contains
@@ -37,22 +33,6 @@ module adfric_halfspace_hertz_model
       procedure :: solve_point
       procedure :: get_profiles
    end type hertz_model_t
-
-   !> Stress on the axis of an ellipse.
-   type, extends(axial_stress_t) :: ellipse_stress_t
-      type(ellipse_t) :: contact
-      real(dp) :: poisson_ratio = 0
-   contains
-      procedure :: stress_at => ellipse_stress_at
-   end type ellipse_stress_t
-
-   !> Stress under a line contact in units of p0, depth in its half-width.
-   type, extends(axial_stress_t) :: line_stress_t
-      !> nu of plane strain; not set: the stress along the line is left out.
-      real(dp) :: poisson_ratio = unset
-   contains
-      procedure :: stress_at => line_stress_at
-   end type line_stress_t
 
 contains
 
@@ -169,105 +149,88 @@ contains
    end subroutine get_curvatures
 
    !> See `halfspace_model_t`.
-   subroutine solve_point(self, values, results, error_estimate, status)
+   subroutine solve_point(self, values, memory, results, error_estimate, status)
       class(hertz_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
+      type(point_memory_t), intent(inout) :: memory
       real(dp), intent(inout) :: results(:)
       real(dp), intent(out) :: error_estimate
       integer, intent(out) :: status
 
       if (nint(values(v_kind)) == kind_line) then
-         call solve_line(values, results)
-         error_estimate = epsilon(error_estimate)
+         call solve_line(values, memory, results, error_estimate)
          status = status_solved
       else
-         call solve_ellipse(values, results, error_estimate, status)
+         call solve_ellipse(values, memory, results, error_estimate, status)
       end if
       associate (unused => self)
       end associate
    end subroutine solve_point
 
    !> The contact along a line.
-   subroutine solve_line(values, results)
+   subroutine solve_line(values, memory, results, error_estimate)
       real(dp), intent(in) :: values(:)
+      type(point_memory_t), intent(inout) :: memory
       real(dp), intent(inout) :: results(:)
+      real(dp), intent(out) :: error_estimate
+      type(unit_contact_t) :: unit_contact
       type(line_contact_t) :: line
-      real(dp) :: x(n_places), depth, shear, unit
+      real(dp) :: misfit
 
       line = line_of_load(values(v_radius), values(v_contact_modulus), values(v_load))
+      call find_unit_line(values(v_poisson_ratio), memory, unit_contact)
       results([r_load, r_half_width, r_peak_pressure]) = [values(v_load), line%half_width, line%peak_pressure]
       results([r_mean_pressure, r_contact_area]) = [pi/4*line%peak_pressure, 2*line%half_width]
-      call find_largest_shear(line_stress_t(values(v_poisson_ratio)), 1.0_dp, depth, shear)
-      results([r_shear, r_shear_depth]) = [shear*line%peak_pressure, depth*line%half_width]
-      x = places()*line%half_width
-      unit = line%half_width**2/line%radius
-      results(r_violation) = 0
-      if (unit > 0) results(r_violation) = largest_violation(line_pressure(line, x), line_gap(line, x), line%peak_pressure, unit)
+      results([r_shear, r_shear_depth]) = [unit_contact%shear*line%peak_pressure, unit_contact%depth*line%half_width]
+      misfit = line_misfit(line, values(v_load))
+      error_estimate = max(epsilon(error_estimate), misfit)
+      results(r_violation) = max(misfit, unit_contact%violation)
    end subroutine solve_line
 
    !> The contact on an ellipse or a circle.
-   subroutine solve_ellipse(values, results, error_estimate, status)
+   subroutine solve_ellipse(values, memory, results, error_estimate, status)
       real(dp), intent(in) :: values(:)
+      type(point_memory_t), intent(inout) :: memory
       real(dp), intent(inout) :: results(:)
       real(dp), intent(out) :: error_estimate
       integer, intent(out) :: status
+      type(unit_contact_t) :: unit_contact
       type(ellipse_t) :: s
-      real(dp) :: a, b, direction, x(2*n_places), y(2*n_places), violation
+      real(dp) :: a, b, direction, misfit
 
-      call get_ellipse(values, s, a, b, direction)
-      status = merge(status_solved, status_not_converged, s%is_converged)
-      if (.not. a > 0) status = status_no_equilibrium
+      status = status_no_equilibrium
       error_estimate = epsilon(error_estimate)
+      call get_curvatures(values, a, b, direction)
+      if (.not. a > 0) return
+      call find_unit_ellipse(a/b, values(v_poisson_ratio), memory, unit_contact)
+      status = merge(status_solved, status_not_converged, unit_contact%shape%is_converged)
       if (status /= status_solved) return
+      call get_ellipse(values, a, b, unit_contact%shape, s)
       results([r_load, r_approach, r_half_width, r_minor]) = [s%load, s%approach, s%major, s%minor]
       results([r_peak_pressure, r_mean_pressure]) = s%peak_pressure*[1.0_dp, 2.0_dp/3]
       results([r_contact_area, r_direction, r_violation]) = [pi*s%major*s%minor, direction, 0.0_dp]
       if (.not. s%minor > 0) return
-      if (is_set(values(v_poisson_ratio))) call solve_shear(s, values(v_poisson_ratio), results(r_shear), results(r_shear_depth))
-      x = [places()*s%major, spread(0.0_dp, 1, n_places)]
-      y = [spread(0.0_dp, 1, n_places), places()*s%minor]
-      violation = ellipse_misfit(s, a, b, values(v_contact_modulus))
-      error_estimate = max(error_estimate, violation)
-      results(r_violation) = max(violation, largest_violation(ellipse_pressure(s, x, y), &
-         & ellipse_gap(s, values(v_contact_modulus), x, y), s%peak_pressure, s%approach))
+      if (is_set(values(v_poisson_ratio))) results([r_shear, r_shear_depth]) = [unit_contact%shear*s%peak_pressure, &
+         & unit_contact%depth*s%major]
+      misfit = ellipse_misfit(s, a, b, values(v_contact_modulus))
+      error_estimate = max(error_estimate, misfit)
+      results(r_violation) = max(misfit, unit_contact%violation)
    end subroutine solve_ellipse
 
-   !> The largest shear stress: on the axis, or for negative nu at the edge of the surface.
-   pure subroutine solve_shear(s, poisson_ratio, shear, depth)
-      type(ellipse_t), intent(in) :: s
-      real(dp), intent(in) :: poisson_ratio
-      real(dp), intent(inout) :: shear, depth
-      real(dp) :: edge
-
-      call find_largest_shear(ellipse_stress_t(s, poisson_ratio), s%minor, depth, shear)
-      edge = ellipse_edge_shear(s, poisson_ratio)
-      if (.not. edge > shear) return
-      shear = edge
-      depth = 0
-   end subroutine solve_shear
-
-   !> Ellipse of a case and the curvatures of its gap.
-   pure subroutine get_ellipse(values, s, a, b, direction)
+   !> Ellipse of a case under its load or approach.
+   pure subroutine get_ellipse(values, a, b, shape, s)
       real(dp), intent(in) :: values(:)
+      !> Curvatures of the gap.
+      real(dp), intent(in) :: a, b
+      type(ellipse_shape_t), intent(in) :: shape
       type(ellipse_t), intent(out) :: s
-      real(dp), intent(out) :: a, b, direction
 
-      call get_curvatures(values, a, b, direction)
-      if (.not. a > 0) return
       if (is_set(values(v_load))) then
-         call ellipse_of_load(a, b, values(v_contact_modulus), values(v_load), s)
+         call ellipse_of_load(a, b, values(v_contact_modulus), values(v_load), shape, s)
       else
-         call ellipse_of_approach(a, b, values(v_contact_modulus), values(v_approach), s)
+         call ellipse_of_approach(a, b, values(v_contact_modulus), values(v_approach), shape, s)
       end if
    end subroutine get_ellipse
-
-   !> Distances from the middle, in half-widths.
-   pure function places()
-      real(dp) :: places(n_places)
-      integer :: i
-
-      places = [(i*reach/n_places, i=1, n_places)]
-   end function places
 
    !> See `halfspace_model_t`. x and y are the axes of the ellipse; a line contact extends along y.
    subroutine get_profiles(self, values, results, slow, fast, profiles)
@@ -276,6 +239,7 @@ contains
       real(dp), intent(in) :: slow(:), fast(:)
       real(dp), intent(inout) :: profiles(:, :, :)
       type(line_contact_t) :: line
+      type(ellipse_shape_t) :: shape
       type(ellipse_t) :: s
       real(dp) :: a, b, direction
       integer :: j
@@ -286,8 +250,11 @@ contains
          profiles(:, :, 2) = spread(line_gap(line, fast), 2, size(slow))
          return
       end if
-      call get_ellipse(values, s, a, b, direction)
-      if (.not. s%is_converged) return
+      call get_curvatures(values, a, b, direction)
+      if (.not. a > 0) return
+      call find_shape(a/b, shape)
+      if (.not. shape%is_converged) return
+      call get_ellipse(values, a, b, shape, s)
       do j = 1, size(slow)
          profiles(:, j, 1) = ellipse_pressure(s, fast, slow(j))
          profiles(:, j, 2) = ellipse_gap(s, values(v_contact_modulus), fast, slow(j))
@@ -296,25 +263,5 @@ contains
       associate (unused => self, unused_too => results)
       end associate
    end subroutine get_profiles
-
-   !> See `axial_stress_t`.
-   pure function ellipse_stress_at(self, depth) result(stress)
-      class(ellipse_stress_t), intent(in) :: self
-      real(dp), intent(in) :: depth
-      real(dp) :: stress(3)
-
-      stress = ellipse_axial_stress(self%contact, self%poisson_ratio, depth)
-   end function ellipse_stress_at
-
-   !> See `axial_stress_t`.
-   pure function line_stress_at(self, depth) result(stress)
-      class(line_stress_t), intent(in) :: self
-      real(dp), intent(in) :: depth
-      real(dp) :: stress(3)
-
-      stress = hertz_strip_stress(1.0_dp, 0.0_dp, 0.0_dp, depth)
-      stress(3) = stress(1)
-      if (is_set(self%poisson_ratio)) stress(3) = self%poisson_ratio*(stress(1) + stress(2))
-   end function line_stress_at
 
 end module adfric_halfspace_hertz_model

@@ -24,7 +24,8 @@ module adfric_halfspace_largest_shear
 
 contains
 
-   !> By samples and then by the golden section; a place is known to the root of round-off only, for there the stress is level.
+   !> By samples, whose steps grow with the depth as what there is to see does, and then by the golden section; a place is known to
+   !> the root of round-off only, for there the stress is level.
    pure subroutine find_largest_shear(field, unit, depth, shear)
       class(axial_stress_t), intent(in) :: field
       !> Smallest length of the contact; the largest shear is above 20 times it.
@@ -32,21 +33,38 @@ contains
       real(dp), intent(out) :: depth
       real(dp), intent(out) :: shear
       real(dp), parameter :: golden = 0.61803398874989484820_dp, step = 0.05_dp
-      integer, parameter :: n_samples = 400, n_cuts = 42
-      real(dp) :: left, right, inner, outer, samples(0:n_samples)
+      !> 20 even steps, and 62 that grow: 1.05^62 > 20.
+      integer, parameter :: n_samples = 82, n_cuts = 36
+      real(dp) :: z(0:n_samples + 1), samples(0:n_samples), left, right, inner, outer, inner_shear, outer_shear
       integer :: i
 
-      samples = [(shear_at(field, i*step*unit), i=0, n_samples)]
+      z(0) = 0
+      samples(0) = shear_at(field, z(0))
+      do i = 1, n_samples
+         z(i) = z(i - 1) + step*max(unit, z(i - 1))
+         samples(i) = shear_at(field, z(i))
+      end do
+      z(n_samples + 1) = z(n_samples)*(1 + step)
       i = maxloc(samples, 1) - 1
-      left = max(0, i - 1)*step*unit
-      right = (i + 1)*step*unit
+      left = z(max(0, i - 1))
+      right = z(i + 1)
+      inner = right - golden*(right - left)
+      outer = left + golden*(right - left)
+      inner_shear = shear_at(field, inner)
+      outer_shear = shear_at(field, outer)
       do i = 1, n_cuts
-         inner = right - golden*(right - left)
-         outer = left + golden*(right - left)
-         if (shear_at(field, inner) < shear_at(field, outer)) then
+         if (inner_shear < outer_shear) then
             left = inner
+            inner = outer
+            inner_shear = outer_shear
+            outer = left + golden*(right - left)
+            outer_shear = shear_at(field, outer)
          else
             right = outer
+            outer = inner
+            outer_shear = inner_shear
+            inner = right - golden*(right - left)
+            inner_shear = shear_at(field, inner)
          end if
       end do
       depth = (left + right)/2

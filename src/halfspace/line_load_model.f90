@@ -10,6 +10,7 @@ module adfric_halfspace_line_load_model
    use adfric_halfspace_field_model, only: field_model_t, set_plane_stresses, set_displacements, maps_of
    use adfric_halfspace_flamant, only: line_stress, line_displacement
    use adfric_halfspace_halfspace_table, only: positive, number, choice, dataset, poisson_ratio_row
+   use adfric_halfspace_point_memory, only: point_memory_t
    use adfric_halfspace_sampled_traction, only: sampled_traction_t, every_second
    use adfric_halfspace_strip_tractions, only: uniform_strip_stress, hertz_strip_stress, uniform_strip_integral, &
       & hertz_strip_integral
@@ -269,9 +270,10 @@ contains
    !> See `halfspace_model_t`. The error of sampled tractions is what every second sample changes of the stresses: at least the
    !> error of the interpolation, where that falls with the distance of the samples or faster. Against the root of the squares of
    !> the stresses; 1 where they are 0 and should perhaps not be.
-   subroutine solve_strip_point(self, values, results, error_estimate, status)
+   subroutine solve_strip_point(self, values, memory, results, error_estimate, status)
       class(strip_load_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
+      type(point_memory_t), intent(inout) :: memory
       real(dp), intent(inout) :: results(:)
       real(dp), intent(out) :: error_estimate
       integer, intent(out) :: status
@@ -288,6 +290,8 @@ contains
       associate (stress => results(r_stress_xx:r_stress_xy))
          change = norm2(stress - coarse%stress_at(place(1), place(2)))
          if (change > 0) error_estimate = max(error_estimate, change/max(change, norm2(stress)))
+      end associate
+      associate (unused => memory)
       end associate
    end subroutine solve_strip_point
 

@@ -6,6 +6,7 @@ module adfric_halfspace_periodic_model
       & status_not_converged
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
+   use adfric_base_profile_receiver, only: profile_receiver_t
    use adfric_base_requirements, only: need, need_one
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: quantity_line
@@ -28,6 +29,7 @@ module adfric_halfspace_periodic_model
       procedure :: get_profile_axis
       procedure :: solve_block
       procedure :: solve_profiles
+      procedure :: solve_block_and_profiles
       procedure :: describe_case
       procedure :: describe_surface
       procedure(check_surface_i), deferred :: check_surface
@@ -160,20 +162,50 @@ contains
       real(dp), intent(out) :: error_estimate(:)
       integer, intent(out) :: status(:)
       type(attribute_t), allocatable, intent(out) :: attributes(:)
+
+      call solve_points(self, values, results, error_estimate, status, attributes)
+   end subroutine solve_block
+
+   !> See `model_t`: the maps are those of the solutions that the results are taken from.
+   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, attributes, profiles, receiver)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :)
+      real(dp), intent(out) :: error_estimate(:)
+      integer, intent(out) :: status(:)
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      real(dp), intent(inout) :: profiles(:, :, :)
+      class(profile_receiver_t), intent(inout) :: receiver
+
+      call solve_points(self, values, results, error_estimate, status, attributes, profiles, receiver)
+   end subroutine solve_block_and_profiles
+
+   !> Solve the points of a block, with their maps or without.
+   subroutine solve_points(self, values, results, error_estimate, status, attributes, profiles, receiver)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :)
+      real(dp), intent(out) :: error_estimate(:)
+      integer, intent(out) :: status(:)
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      !> Room for the maps of a point, and who takes them; both or none.
+      real(dp), intent(inout), optional :: profiles(:, :, :)
+      class(profile_receiver_t), intent(inout), optional :: receiver
       type(periodic_memory_t) :: memory
       type(periodic_surface_t) :: surface
       type(periodic_solution_t) :: solution
       type(error_t), allocatable :: error
       integer :: i
+      logical :: goes_on
 
       allocate (attributes(1))
       attributes(1)%name = 'iterations_per_point'
       results = not_a_number()
       error_estimate = not_a_number()
+      status = status_not_converged
       do i = 1, size(values, 2)
          call self%get_surface(values(:, i), surface)
          call solve_periodic(surface, get_goal(self, values(:, i)), memory, solution, error)
-         status(i) = status_not_converged
          if (allocated(error)) cycle
          if (solution%status == contact_out_of_range) status(i) = status_no_equilibrium
          attributes(1)%value = attributes(1)%value + solution%n_iterations
@@ -182,8 +214,23 @@ contains
          call store(self, values(:, i), solution, results(:, i))
          error_estimate(i) = 0
          if (solution%area%error > 0) error_estimate(i) = solution%area%error/max(solution%area%corrected, solution%area%error)
+         if (.not. present(receiver)) cycle
+         call set_maps(solution, values(self%n_own + v_contact_modulus, i), profiles)
+         call receiver%take(i, profiles, goes_on)
+         if (.not. goes_on) return
       end do
-   end subroutine solve_block
+   end subroutine solve_points
+
+   !> Maps of pressure and gap.
+   pure subroutine set_maps(solution, modulus, profiles)
+      type(periodic_solution_t), intent(in) :: solution
+      !> E* [Pa].
+      real(dp), intent(in) :: modulus
+      real(dp), intent(inout) :: profiles(:, :, :)
+
+      profiles(:, :, 1) = solution%pressure*modulus
+      profiles(:, :, 2) = solution%gap
+   end subroutine set_maps
 
    !> Results of a point.
    subroutine store(self, values, solution, results)
@@ -223,8 +270,7 @@ contains
       call self%get_surface(values, surface)
       call solve_periodic(surface, get_goal(self, values), memory, solution, error)
       if (allocated(error)) return
-      profiles(:, :, 1) = solution%pressure*values(self%n_own + v_contact_modulus)
-      profiles(:, :, 2) = solution%gap
+      call set_maps(solution, values(self%n_own + v_contact_modulus), profiles)
    end subroutine solve_profiles
 
    !> See `model_t`.

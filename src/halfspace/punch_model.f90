@@ -12,9 +12,10 @@ module adfric_halfspace_punch_model
    use adfric_halfspace_field_model, only: set_plane_stresses, maps_of
    use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
    use adfric_halfspace_halfspace_table, only: positive, choice, number
-   use adfric_halfspace_punch_profiles, only: polynomial_t, wedge_load, wedge_pressure, wedge_gap
+   use adfric_halfspace_point_memory, only: point_memory_t
+   use adfric_halfspace_punch_profiles, only: polynomial_t, power_load, wedge_load, wedge_pressure, wedge_gap
    use adfric_halfspace_punch_stress, only: punch_stress
-   use adfric_halfspace_rigid_punch, only: punch_contact_t, solve_punch, bounded_load
+   use adfric_halfspace_rigid_punch, only: punch_contact_t, solve_punch, solve_punch_of_width
    implicit none (type, external)
    private
    public :: punch_model_t, new_punch_model
@@ -210,32 +211,31 @@ contains
       case default
          state%profile%c = values(v_coefficient_2:v_coefficient_8)
       end select
-      if (.not. is_set(load)) load = bounded_load(state%profile, modulus, width, n)
-      call solve_punch(state%profile, widest(state%profile, state%face, modulus, load, n), modulus, load, n, state%contact)
+      if (is_set(load)) then
+         call solve_punch(state%profile, widest(state%profile, state%face, modulus, load), modulus, load, n, state%contact)
+      else
+         call solve_punch_of_width(state%profile, width, modulus, n, state%contact)
+      end if
    end subroutine solve_state
 
    !> A half-width that the contact does not pass: that of the face, or what a single term of the profile would need.
-   pure real(dp) function widest(profile, face, modulus, load, n)
+   pure real(dp) function widest(profile, face, modulus, load)
       type(polynomial_t), intent(in) :: profile
       real(dp), intent(in) :: face, modulus, load
-      integer, intent(in) :: n
       real(dp), parameter :: margin = 1.1_dp
-      type(polynomial_t) :: term
       integer :: i
 
       widest = face
       do i = 1, size(profile%c)
-         if (.not. profile%c(i) > 0) cycle
-         term = polynomial_t()
-         term%c(i) = profile%c(i)
-         widest = min(widest, margin*(load/bounded_load(term, modulus, 1.0_dp, max(n, 8)))**(1.0_dp/(2*i)))
+         if (profile%c(i) > 0) widest = min(widest, margin*(load/power_load(modulus, profile%c(i), i, 1.0_dp))**(1.0_dp/(2*i)))
       end do
    end function widest
 
    !> See `halfspace_model_t`.
-   subroutine solve_point(self, values, results, error_estimate, status)
+   subroutine solve_point(self, values, memory, results, error_estimate, status)
       class(punch_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
+      type(point_memory_t), intent(inout) :: memory
       real(dp), intent(inout) :: results(:)
       real(dp), intent(out) :: error_estimate
       integer, intent(out) :: status
@@ -259,7 +259,7 @@ contains
          x = pack(x, x < state%face, spread(x(1), 1, n_places))
          results(r_violation) = largest_violation(state%pressure(x), state%gap(x), mean, mean*contact%half_width/contact%modulus)
       end associate
-      associate (unused => self)
+      associate (unused => self, unused_too => memory)
       end associate
    end subroutine solve_point
 

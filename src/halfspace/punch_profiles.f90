@@ -6,7 +6,7 @@ module adfric_halfspace_punch_profiles
    use adfric_halfspace_rigid_punch, only: punch_profile_t
    implicit none (type, external)
    private
-   public :: polynomial_t, wedge_load, wedge_pressure, wedge_gap
+   public :: polynomial_t, power_load, wedge_load, wedge_pressure, wedge_gap
 
    !> z = sum over i of c_i x^(2i); flat without coefficients.
    type, extends(punch_profile_t) :: polynomial_t
@@ -38,6 +38,16 @@ contains
          slope = 2*x*(c(1) + y*(2*c(2) + y*(3*c(3) + 4*y*c(4))))
       end associate
    end function slope
+
+   !> Load of a punch z = c x^(2i) that touches over |x| < a: P = pi i (2i - 1)!!/(2i)!! E* c a^(2i) [N/m].
+   pure real(dp) function power_load(modulus, c, i, a)
+      real(dp), intent(in) :: modulus, c
+      integer, intent(in) :: i
+      real(dp), intent(in) :: a
+      integer :: k
+
+      power_load = pi*i*product([((2*k - 1.0_dp)/(2*k), k=1, i)])*modulus*c*a**(2*i)
+   end function power_load
 
    !> Load of a wedge of slope m that touches over |x| < a: P = E* m a [N/m].
    elemental real(dp) function wedge_load(modulus, slope, a)

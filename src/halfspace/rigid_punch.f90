@@ -6,17 +6,17 @@
 !>
 !> The solution that is bounded at the edges, p = sqrt(1 - t^2) G(t) with t = x/a, carries the load P(a). It is found by
 !> collocation of Gauss and Chebyshev (Erdogan and Gupta 1972), which converges faster than any power of the number of points
-!> for smooth profiles. Where the face ends before that, |x| <= w, the contact is the whole face, and the rest of the load is
-!> carried as by a flat punch: p = p_w + (P - P(w))/(pi sqrt(w^2 - x^2)).
+!> for smooth profiles; its linear system is a cosine transform, which is its own inverse. Where the face ends before that,
+!> |x| <= w, the contact is the whole face, and the rest of the load is carried as by a flat punch:
+!> p = p_w + (P - P(w))/(pi sqrt(w^2 - x^2)).
 module adfric_halfspace_rigid_punch
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_numerics_lapack, only: dgesv
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: punch_profile_t, punch_contact_t, solve_punch, bounded_load
+   public :: punch_profile_t, punch_contact_t, solve_punch, solve_punch_of_width, bounded_load
 
    !> An even profile.
    type, abstract :: punch_profile_t
@@ -41,7 +41,7 @@ module adfric_halfspace_rigid_punch
       real(dp) :: half_width = 0, load = 0, excess = 0
       !> E* [Pa].
       real(dp) :: modulus = 1
-      !> The bounded part is a sum of b_k sin((k + 1) th), x = a cos th [Pa]; shape `(n)`, from k = 0.
+      !> The bounded part is the sum of b_k sin(k th), x = a cos th [Pa]; those of even k are 0. Shape `(n_terms)`.
       real(dp), allocatable :: b(:)
       !> Relative difference of the load from its closed form.
       real(dp) :: load_error = 0
@@ -55,7 +55,8 @@ module adfric_halfspace_rigid_punch
    type, extends(equation_t) :: load_equation_t
       class(punch_profile_t), allocatable :: profile
       real(dp) :: modulus = 1, load = 0
-      integer :: n = 2
+      !> See `load_nodes`.
+      real(dp), allocatable :: nodes(:)
    contains
       procedure :: evaluate
    end type load_equation_t
@@ -75,18 +76,19 @@ contains
       integer, intent(in) :: n
       type(punch_contact_t), intent(out) :: self
       type(load_equation_t) :: equation
-      real(dp) :: bounded
+      real(dp) :: bounded, nodes(n)
 
       self%load = load
       self%modulus = modulus
       self%half_width = face
       self%is_converged = .true.
-      bounded = bounded_load(profile, modulus, face, n)
+      nodes = load_nodes(n)
+      bounded = load_at(profile, modulus, face, nodes)
       if (bounded > load) then
          allocate (equation%profile, source=profile)
          equation%modulus = modulus
          equation%load = load
-         equation%n = n
+         equation%nodes = nodes
          self%half_width = face*min(0.9_dp, sqrt(load/bounded))
          call find_root(equation, 0.0_dp, face, .true., self%half_width, self%is_converged)
          bounded = load
@@ -95,18 +97,49 @@ contains
       if (self%is_converged) call collocate(profile, n, bounded, self)
    end subroutine solve_punch
 
+   !> The contact of a given half-width, with the load that is bounded at its edges.
+   pure subroutine solve_punch_of_width(profile, half_width, modulus, n, self)
+      class(punch_profile_t), intent(in) :: profile
+      !> a [m].
+      real(dp), intent(in) :: half_width
+      !> E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Points of collocation, even.
+      integer, intent(in) :: n
+      type(punch_contact_t), intent(out) :: self
+
+      self%half_width = half_width
+      self%modulus = modulus
+      self%load = bounded_load(profile, modulus, half_width, n)
+      call collocate(profile, n, self%load, self)
+   end subroutine solve_punch_of_width
+
    !> Load of the bounded solution on |x| < a: P = (E*/2) int x z'(x)/sqrt(a^2 - x^2) dx.
    pure real(dp) function bounded_load(profile, modulus, a, n)
       class(punch_profile_t), intent(in) :: profile
       real(dp), intent(in) :: modulus, a
       integer, intent(in) :: n
-      real(dp) :: x(n)
+
+      bounded_load = load_at(profile, modulus, a, load_nodes(n))
+   end function bounded_load
+
+   !> Where the integrand of the load is looked at [a]: x > 0 only, with twice as many points as for the pressure.
+   pure function load_nodes(n) result(nodes)
+      integer, intent(in) :: n
+      real(dp) :: nodes(n)
       integer :: i
 
-      ! x > 0 only, with twice as many points as for the pressure
-      x = a*cos((2*[(i, i=1, n)] - 1)*pi/(4*n))
-      bounded_load = modulus/2*sum(x*profile%slope(x))*pi/n
-   end function bounded_load
+      nodes = cos((2*[(i, i=1, n)] - 1)*pi/(4*n))
+   end function load_nodes
+
+   !> The same load with the nodes at hand.
+   pure real(dp) function load_at(profile, modulus, a, nodes)
+      class(punch_profile_t), intent(in) :: profile
+      real(dp), intent(in) :: modulus, a
+      real(dp), intent(in) :: nodes(:)
+
+      load_at = modulus/2*sum(a*nodes*profile%slope(a*nodes))*pi/size(nodes)
+   end function load_at
 
    !> See `equation_t`.
    pure subroutine evaluate(self, x, value, slope)
@@ -116,42 +149,45 @@ contains
       real(dp), intent(out) :: slope
       real(dp), parameter :: h = 1.0e-5_dp
 
-      value = bounded_load(self%profile, self%modulus, x, self%n) - self%load
-      slope = (bounded_load(self%profile, self%modulus, x*(1 + h), self%n) &
-         & - bounded_load(self%profile, self%modulus, x*(1 - h), self%n))/(2*h*x)
+      value = load_at(self%profile, self%modulus, x, self%nodes) - self%load
+      slope = (load_at(self%profile, self%modulus, x*(1 + h), self%nodes) &
+         & - load_at(self%profile, self%modulus, x*(1 - h), self%nodes))/(2*h*x)
    end subroutine evaluate
 
-   !> Gauss and Chebyshev: with nodes t_i = cos(i pi/(n+1)) and places x_j = cos((2j-1) pi/(2n+2)),
+   !> Collocation at x_j = a cos th_j, th_j = (2j - 1) pi/(2n + 2), j = 1 ... n + 1. A pressure sum of b_k sin(k th) has the slopes
    !>
-   !>     sum over i of pi (1 - t_i^2)/(n + 1) G(t_i)/(x_j - t_i) = (pi E*/2) z'(a x_j),  j = 1 ... n + 1
+   !>     sum over k of b_k cos(k th_j) = (E*/2) z'(x_j),  b_k = (2/(n + 1)) sum over j of (E*/2) z'(x_j) cos(k th_j)
    !>
-   !> The middle one of these equations reads 0 = 0 by symmetry and is left out.
+   !> z' is odd: the even b_k and what the middle place adds are 0, and half of the places will do.
    pure subroutine collocate(profile, n, bounded, self)
       class(punch_profile_t), intent(in) :: profile
       integer, intent(in) :: n
       !> Load of the bounded part.
       real(dp), intent(in) :: bounded
       type(punch_contact_t), intent(inout) :: self
-      real(dp) :: matrix(n, n), g(n, 1), th(n), place
-      integer :: pivots(n), i, j, row, info
+      !> A series ends where its terms are round-off of the largest.
+      real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
+      real(dp) :: cosines(0:4*n + 3), slopes(n/2)
+      integer :: j, k
 
-      th = [(i, i=1, n)]*pi/(n + 1)
-      do row = 1, n
-         j = row
-         if (row > n/2) j = row + 1
-         place = (2*j - 1)*pi/(2*n + 2)
-         ! x_j - t_i as a product
-         matrix(row, :) = sin(th)**2/(2*(n + 1)*sin((th + place)/2)*sin((th - place)/2))
-         g(row, 1) = self%modulus/2*sign(1.0_dp, cos(place))*profile%slope(self%half_width*abs(cos(place)))
+      do j = 0, 4*n + 3
+         cosines(j) = cos(j*pi/(2*n + 2))
       end do
-      call dgesv(n, 1, matrix, n, pivots, g, n, info)
-      self%is_converged = info == 0
+      slopes = self%modulus/2*profile%slope(self%half_width*cosines(1:n - 1:2))
       allocate (self%b(n), source=0.0_dp)
-      if (.not. self%is_converged) return
-      do i = 1, n
-         self%b(i) = 2*sum(g(:, 1)*sin(th)*sin(i*th))/(n + 1)
+      do k = 1, n, 2
+         do j = 1, n/2
+            ! k th_j within one turn
+            self%b(k) = self%b(k) + slopes(j)*cosines(modulo(k*(2*j - 1), 4*n + 4))
+         end do
+         self%b(k) = 4*self%b(k)/(n + 1)
       end do
       self%load_error = abs(self%b(1)*self%half_width*pi/2 - bounded)/self%load
+      self%is_converged = maxval(abs(self%b)) < huge(1.0_dp)
+      do k = n, 1, -1
+         if (abs(self%b(k)) > round_off*maxval(abs(self%b))) exit
+      end do
+      self%b = self%b(:k)
    end subroutine collocate
 
    !> Pressure at x; 0 outside, NaN at the edge of a face that is in contact all over.
@@ -171,7 +207,7 @@ contains
          pressure = self%excess/(pi*self%half_width*root)
       end if
       th = atan2(root, t)
-      do k = 1, size(self%b)
+      do k = 1, size(self%b), 2
          pressure = pressure + self%b(k)*sin(k*th)
       end do
    end function pressure
@@ -188,13 +224,13 @@ contains
       rise = 0
       if (t <= 1) then
          v = atan2(sqrt((1 - t)*(1 + t)), t)
-         do k = 1, size(self%b)
+         do k = 1, size(self%b), 2
             rise = rise + self%b(k)/2*((cos((k + 1)*v) - 1)/(k + 1) - less_one(cos((k - 1)*v), k - 1))
          end do
          rise = 2*self%half_width/self%modulus*rise
       else
          v = asinh(sqrt((t - 1)*(t + 1)))
-         do k = 1, size(self%b)
+         do k = 1, size(self%b), 2
             if (k == 1) then
                rise = rise + self%b(k)/2*(v - (1 - exp(-2*v))/2)
             else

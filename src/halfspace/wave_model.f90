@@ -9,6 +9,7 @@ module adfric_halfspace_wave_model
    use adfric_halfspace_contact_conditions, only: largest_violation
    use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
    use adfric_halfspace_halfspace_table, only: positive, number
+   use adfric_halfspace_point_memory, only: point_memory_t
    use adfric_halfspace_westergaard, only: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, &
       & find_wave_pressure
    implicit none (type, external)
@@ -20,8 +21,8 @@ module adfric_halfspace_wave_model
    integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_width = 3, r_contact_fraction = 4, &
       & r_peak_pressure = 5, r_mean_gap = 6, r_largest_gap = 7, r_full_contact_pressure = 8, r_regime = 9, r_violation = 10
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2
-   !> Places where the conditions of contact are checked.
-   integer, parameter :: n_places = 200
+   !> Places where the conditions of contact are checked, in the contact and beside it.
+   integer, parameter :: n_places = 16
 
    type, extends(halfspace_model_t) :: wave_model_t
    contains
@@ -76,13 +77,14 @@ contains
    end function full_pressure
 
    !> See `halfspace_model_t`. Beyond full contact the penetration of a half-plane is undefined.
-   subroutine solve_point(self, values, results, error_estimate, status)
+   subroutine solve_point(self, values, memory, results, error_estimate, status)
       class(wave_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
+      type(point_memory_t), intent(inout) :: memory
       real(dp), intent(inout) :: results(:)
       real(dp), intent(out) :: error_estimate
       integer, intent(out) :: status
-      real(dp) :: q, p, d, x(n_places), lift
+      real(dp) :: q, p, d, half_width, x(n_places), lift
       integer :: i
       logical :: is_converged
 
@@ -104,16 +106,19 @@ contains
          results([r_mean_pressure, r_penetration]) = [q*p, values(v_penetration)]
          lift = max(0.0_dp, -values(v_penetration))
       end if
-      results(r_contact_fraction) = 2*wave_half_width(q)
+      half_width = wave_half_width(q)
+      results(r_contact_fraction) = 2*half_width
       results(r_contact_width) = results(r_contact_fraction)*values(v_period)
       results(r_peak_pressure) = p*wave_pressure(q, 0.0_dp)
       results([r_mean_gap, r_largest_gap]) = d*[wave_mean_gap(q), wave_gap(q, 0.5_dp)] + lift
       results(r_regime) = regime_partial
       if (.not. q > 0) results(r_regime) = regime_none
       if (q >= 1) results(r_regime) = regime_full
-      x = [(0.5_dp*i/n_places, i=1, n_places)]
-      results(r_violation) = largest_violation(wave_pressure(q, x), wave_gap(q, x), 1.0_dp, 1.0_dp)
-      associate (unused => self)
+      x = [((i - 0.5_dp)/n_places, i=1, n_places)]
+      associate (places => [half_width*x, half_width + (0.5_dp - half_width)*x])
+         results(r_violation) = largest_violation(wave_pressure(q, places), wave_gap(q, places), 1.0_dp, 1.0_dp)
+      end associate
+      associate (unused => self, unused_too => memory)
       end associate
    end subroutine solve_point
 

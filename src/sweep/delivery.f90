@@ -6,13 +6,14 @@
 module adfric_sweep_delivery
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
+   use adfric_base_profile_receiver, only: profile_receiver_t
    use adfric_sweep_batch, only: batch_store_t, new_batch_store
    use adfric_sweep_clock, only: wall_clock
    use adfric_sweep_semaphore, only: semaphore_t
    use adfric_sweep_sink, only: sink_t
    implicit none (type, external)
    private
-   public :: delivery_t, new_delivery, leave_batch, put_profiles, end_leaving, deliver, has_failed, most_waiting
+   public :: delivery_t, new_delivery, profile_gate_t, leave_batch, end_leaving, deliver, has_failed, most_waiting
 
    !> Number of batches that may wait for the sink.
    integer, parameter :: most_waiting = 32
@@ -41,6 +42,20 @@ module adfric_sweep_delivery
       procedure :: make_writer
       procedure :: remove_writer
    end type delivery_t
+
+   !> The way of the profiles of a block to the sink: at once, for they are large.
+   type, extends(profile_receiver_t) :: profile_gate_t
+      class(sink_t), pointer :: sink => null()
+      type(delivery_t), pointer :: delivery => null()
+      !> Number of the first point of the block in the run.
+      integer(i8) :: first = 1
+      !> Time in it, with that of waiting for the sink [s].
+      real(dp) :: seconds = 0
+      !> Has something failed? Then nothing more is handed over.
+      logical :: is_closed = .false.
+   contains
+      procedure :: take => put_profiles
+   end type profile_gate_t
 
 contains
 
@@ -185,22 +200,30 @@ contains
       !$omp end critical (adfric_sweep_sink)
    end subroutine put_batch
 
-   !> Put the profiles of a point into the sink.
-   subroutine put_profiles(sink, self, point, profiles)
-      class(sink_t), intent(inout) :: sink
-      type(delivery_t), intent(inout) :: self
-      integer(i8), intent(in) :: point
-      !> See `sink_t`.
+   !> See `profile_receiver_t`.
+   subroutine put_profiles(self, place, profiles, goes_on)
+      class(profile_gate_t), intent(inout) :: self
+      integer, intent(in) :: place
       real(dp), intent(in) :: profiles(:, :, :)
+      logical, intent(out) :: goes_on
       type(error_t), allocatable :: error
+      real(dp) :: arrival, start
 
-      !$omp critical (adfric_sweep_sink)
-      call prepare_sink(sink, self)
-      if (.not. allocated(self%error)) then
-         call sink%put_profiles(point, profiles, error)
-         call keep_error(error, self%error)
-      end if
-      !$omp end critical (adfric_sweep_sink)
+      arrival = wall_clock()
+      associate (delivery => self%delivery)
+         !$omp critical (adfric_sweep_sink)
+         start = wall_clock()
+         call prepare_sink(self%sink, delivery)
+         if (.not. allocated(delivery%error)) then
+            call self%sink%put_profiles(self%first + place - 1, profiles, error)
+            call keep_error(error, delivery%error)
+         end if
+         self%is_closed = allocated(delivery%error)
+         delivery%seconds = delivery%seconds + wall_clock() - start
+         !$omp end critical (adfric_sweep_sink)
+      end associate
+      goes_on = .not. self%is_closed
+      self%seconds = self%seconds + wall_clock() - arrival
    end subroutine put_profiles
 
    !> Keep an error for all threads to see.

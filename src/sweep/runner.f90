@@ -8,14 +8,14 @@ module adfric_sweep_runner
    use omp_lib, only: omp_get_max_threads, omp_get_num_threads, omp_get_thread_num
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
-   use adfric_base_model, only: model_t, attribute_t, status_solved
+   use adfric_base_model, only: model_t, attribute_t
    use adfric_base_words, only: count_words
    use adfric_sweep_batch, only: batch_bytes
    use adfric_sweep_blocks, only: blocks_t, new_blocks, block_size_of
    use adfric_sweep_block_source, only: block_source_t, block_list_t, new_block_list
    use adfric_sweep_clock, only: wall_clock
    use adfric_sweep_counts, only: find_counts, pick_counts
-   use adfric_sweep_delivery, only: delivery_t, new_delivery, leave_batch, put_profiles, end_leaving, deliver, &
+   use adfric_sweep_delivery, only: delivery_t, new_delivery, profile_gate_t, leave_batch, end_leaving, deliver, &
       & has_failed, most_waiting
    use adfric_sweep_interruption, only: caught_signal
    use adfric_sweep_plan, only: plan_t
@@ -192,8 +192,7 @@ contains
          start = wall_clock()
          waiting_since = start
          do i = 0, n - 1
-            call solve_one_block(model, plan, source%blocks, first + i, sweep, worker)
-            if (size(worker%profiles) > 0) call solve_block_profiles(model, plan, sink, sweep, worker)
+            call solve_one_block(model, plan, source%blocks, first + i, sink, sweep, worker)
             waiting = wall_clock() - waiting_since
             if (i == n - 1 .or. waiting > longest_wait) then
                call leave_batch(sink, sweep%delivery, worker%place)
@@ -268,26 +267,37 @@ contains
       if (duration > long_batch) n = max(n/2, 1)
    end subroutine choose_batch_size
 
-   !> Solve a block and add it to the batch.
-   subroutine solve_one_block(model, plan, blocks, block, sweep, worker)
+   !> Solve a block and add it to the batch; profiles go to the sink at once. Where that fails, nothing is added.
+   subroutine solve_one_block(model, plan, blocks, block, sink, sweep, worker)
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
       type(blocks_t), intent(in) :: blocks
       !> Its number in the run.
       integer(i8), intent(in) :: block
-      type(sweep_t), intent(inout) :: sweep
+      class(sink_t), intent(inout), target :: sink
+      type(sweep_t), intent(inout), target :: sweep
       type(worker_t), intent(inout) :: worker
       type(attribute_t), allocatable :: found(:)
+      type(profile_gate_t) :: gate
       real(dp) :: start
       integer :: offset, n, i
 
       start = wall_clock()
       n = blocks%n_points_of(block)
-      call plan%get_values(blocks%first_point(block), worker%values(:, :n))
+      gate%first = blocks%first_point(block)
+      call plan%get_values(gate%first, worker%values(:, :n))
       associate (batch => sweep%delivery%store%batches(worker%place), results => worker%results(:, :n))
          offset = batch%n_points
-         call model%solve_block(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
-            batch%status(offset + 1:offset + n), found)
+         if (size(worker%profiles) > 0) then
+            gate%sink => sink
+            gate%delivery => sweep%delivery
+            call model%solve_block_and_profiles(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
+               batch%status(offset + 1:offset + n), found, worker%profiles, gate)
+            if (gate%is_closed) return
+         else
+            call model%solve_block(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
+               batch%status(offset + 1:offset + n), found)
+         end if
          call worker%summary%add_points(results, batch%status(offset + 1:offset + n))
          do i = 1, size(results, 1)
             batch%results(offset + 1:offset + n, i) = results(i, :)
@@ -296,31 +306,7 @@ contains
          batch%n_blocks = batch%n_blocks + 1
          batch%counts(batch%n_blocks, :) = pick_counts(sweep%counts, found)
       end associate
-      worker%summary%solver_seconds = worker%summary%solver_seconds + wall_clock() - start
+      worker%summary%solver_seconds = worker%summary%solver_seconds + wall_clock() - start - gate%seconds
    end subroutine solve_one_block
-
-   !> Solve the profiles of the solved points of the last block of the batch; each goes to the sink at once.
-   subroutine solve_block_profiles(model, plan, sink, sweep, worker)
-      class(model_t), intent(in) :: model
-      type(plan_t), intent(in) :: plan
-      class(sink_t), intent(inout) :: sink
-      type(sweep_t), intent(inout) :: sweep
-      type(worker_t), intent(inout) :: worker
-      integer(i8) :: point
-      integer :: offset, n, i
-
-      associate (batch => sweep%delivery%store%batches(worker%place))
-         n = 1 + mod(batch%n_points - 1, size(worker%values, 2))
-         offset = batch%n_points - n
-         do i = 1, n
-            if (batch%status(offset + i) /= status_solved) cycle
-            point = batch%first + offset + i - 1
-            call plan%get_values(point, worker%values(:, :1))
-            call model%solve_profiles(worker%values(:, 1), batch%results(offset + i, :), worker%profiles)
-            call put_profiles(sink, sweep%delivery, point, worker%profiles)
-            if (has_failed(sweep%delivery)) return
-         end do
-      end associate
-   end subroutine solve_block_profiles
 
 end module adfric_sweep_runner

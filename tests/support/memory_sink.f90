@@ -23,6 +23,8 @@ module memory_sink
       real(dp), allocatable :: counts(:, :)
       !> How often did points come?
       integer :: n_calls = 0
+      !> Points of a block.
+      integer :: block_size = 1
    contains
       procedure :: put => keep
       procedure :: put_profiles => keep_profiles
@@ -63,17 +65,20 @@ module memory_sink
 
 contains
 
-   subroutine new_memory_sink(self, n_points, n_results, n_counts)
+   subroutine new_memory_sink(self, n_points, n_results, n_counts, largest_block)
       type(memory_sink_t), intent(out) :: self
       integer, intent(in) :: n_points, n_results
       !> 1 if absent.
       integer, intent(in), optional :: n_counts
+      !> That of the model; none if absent.
+      integer, intent(in), optional :: largest_block
       integer :: n
 
       n = 1
       if (present(n_counts)) n = n_counts
-      allocate (self%counts(1 + n_points/block_size_of(int(n_points, i8)), n), source=0.0_dp)
-
+      self%block_size = block_size_of(int(n_points, i8))
+      if (present(largest_block)) self%block_size = min(self%block_size, largest_block)
+      allocate (self%counts(1 + n_points/self%block_size, n), source=0.0_dp)
       allocate (self%results(n_points, n_results), self%error_estimate(n_points), self%profile_sums(n_points, 2), &
          source=0.0_dp)
       allocate (self%status(n_points), self%n_puts(n_points), self%n_profile_puts(n_points), source=0)
@@ -90,7 +95,7 @@ contains
       integer(i8) :: last, block
 
       last = first + size(status) - 1
-      block = 1 + (first - 1)/block_size_of(size(self%status, kind=i8))
+      block = 1 + (first - 1)/self%block_size
       self%counts(block:block + size(counts, 1) - 1, :) = counts
       self%n_calls = self%n_calls + 1
       self%results(first:last, :) = results
@@ -136,6 +141,7 @@ contains
       real(dp), intent(in) :: profiles(:, :, :)
       type(error_t), allocatable, intent(out) :: error
 
+      if (self%has_failed) self%n_puts_after = self%n_puts_after + 1
       if (point <= self%room .and. size(profiles) > 0) return
       self%has_failed = .true.
       call set_error(error, file_failure, 'no room for a profile')
