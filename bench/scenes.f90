@@ -42,8 +42,9 @@ program scenes
    call compare_wavy('strips as the tolerance needs', '3-D wave, 1024 strips', surface(3, 0.1_dp), many_strips(), 1.0e-3_dp)
    call compare_blocks('a start from the neighbour', '2-D wave', surface(2, 0.1_dp))
    call compare_blocks('a start from the neighbour', '3-D wave', surface(3, 0.1_dp))
-   call compare_theories('theory = ''auto'', DMT (x = 0)', 1.0e-6_dp, 0.0_dp)
-   call compare_theories('theory = ''auto'', JKR', 1.0e5_dp, 0.4_dp)
+   call compare_theories('theory = ''auto'', DMT (x = 0)', 'lambda 1e-8', 1.0e-8_dp, 0.0_dp)
+   call compare_theories('theory = ''auto'', JKR', 'lambda 1e5', 1.0e5_dp, 0.4_dp)
+   call compare_theories('theory = ''auto'', neither', 'lambda 0.8', 0.8_dp, 0.4_dp)
    call compare_events()
    call compare_quarter()
    call compare_profiles()
@@ -154,8 +155,8 @@ contains
    end subroutine compare_blocks
 
    !> A sphere of a lambda where a limit theory will do.
-   subroutine compare_theories(saving, lambda, edge_fraction)
-      character(*), intent(in) :: saving
+   subroutine compare_theories(saving, scene, lambda, edge_fraction)
+      character(*), intent(in) :: saving, scene
       !> With x > 0 the radius of adhesion is needed, which DMT does not have.
       real(dp), intent(in) :: lambda, edge_fraction
       real(dp), parameter :: wanted = 1.0e-4_dp
@@ -182,7 +183,7 @@ contains
       do k = 1, 3
          change = max(change, largest_change(one(k, :), other(k, :)))
       end do
-      call report(saving, 'load 0.4 to 100, 1e-4', times, change, wanted)
+      call report(saving, scene//', load to 100', times, change, wanted)
    end subroutine compare_theories
 
    !> Events of the static phase: kept along a sweep of the tangential force, or found for each point.

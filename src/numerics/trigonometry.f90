@@ -5,45 +5,42 @@ module adfric_numerics_trigonometry
    private
    public :: sinc_minus_cos, angle_minus_sine
 
+   !> Coefficients of x^(2k) in sin(x)/x - cos x, and of x^(2k + 1) in x - sin x, as far as digits go for x < 1.
+   real(dp), parameter :: k(9) = [1, 2, 3, 4, 5, 6, 7, 8, 9], signs(9) = [1, -1, 1, -1, 1, -1, 1, -1, 1]
+   real(dp), parameter :: of_sinc(9) = signs*2*k/gamma(2*k + 2), of_sine(9) = signs/gamma(2*k + 2)
+
 contains
 
    !> sin(x)/x - cos x for 0 <= x <= pi.
    elemental real(dp) function sinc_minus_cos(x)
       real(dp), intent(in) :: x
-      integer :: k
-      real(dp) :: y, term
 
       if (x >= 1) then
          sinc_minus_cos = sin(x)/x - cos(x)
-         return
+      else
+         sinc_minus_cos = x*x*series(of_sinc, x*x)
       end if
-      ! sum of (-1)^(k+1) 2k x^(2k)/(2k+1)!
-      y = x*x
-      term = y/6
-      sinc_minus_cos = 0
-      do k = 1, 9
-         sinc_minus_cos = sinc_minus_cos + 2*k*term
-         term = -term*y/((2*k + 2)*(2*k + 3))
-      end do
    end function sinc_minus_cos
 
    !> x - sin x for x >= 0.
    elemental real(dp) function angle_minus_sine(x)
       real(dp), intent(in) :: x
-      integer :: k
-      real(dp) :: y, term
 
       if (x >= 1) then
          angle_minus_sine = x - sin(x)
-         return
+      else
+         angle_minus_sine = x**3*series(of_sine, x*x)
       end if
-      y = x*x
-      term = x*y/6
-      angle_minus_sine = 0
-      do k = 1, 9
-         angle_minus_sine = angle_minus_sine + term
-         term = -term*y/((2*k + 2)*(2*k + 3))
-      end do
    end function angle_minus_sine
+
+   !> A polynomial of nine coefficients.
+   pure real(dp) function series(c, y)
+      real(dp), intent(in) :: c(9), y
+      real(dp) :: z
+
+      ! two chains, which the machine works on at the same time
+      z = y*y
+      series = (((c(9)*z + c(7))*z + c(5))*z + c(3))*z + c(1) + y*(((c(8)*z + c(6))*z + c(4))*z + c(2))
+   end function series
 
 end module adfric_numerics_trigonometry

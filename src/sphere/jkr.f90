@@ -73,19 +73,23 @@ contains
       integer, intent(in) :: branch
       type(contact_t), intent(inout) :: contact
       type(approach_equation_t) :: equation
-      real(dp) :: fold, root, highest
+      real(dp) :: fold, root, rest
       logical :: is_converged
 
       contact = contact_t()
       equation%tension = 2*sqrt(6*self%ratio)/3
       equation%approach = value
-      ! the approach is least where 4 q^3 is the tension
-      fold = cube_root(equation%tension/4)
-      if (value < fold**4 - equation%tension*fold) return
+      fold = 0
+      if (value < 0 .or. branch /= branch_stable) then
+         ! the approach is least where 4 q^3 is the tension
+         fold = cube_root(equation%tension/4)
+         if (value < fold**4 - equation%tension*fold) return
+      end if
       if (branch == branch_stable) then
-         highest = cube_root(equation%tension) + sqrt(sqrt(max(value, 0.0_dp)))
-         root = highest*(1 - epsilon(root))
-         call find_root(equation, fold, highest, .true., root, is_converged)
+         ! not below the root, and close to it
+         rest = sqrt(max(value, 0.0_dp))
+         root = cube_root(equation%tension + rest*sqrt(rest))
+         call find_root(equation, fold, 2*root, .true., root, is_converged)
       else
          if (value > 0) return
          root = 0

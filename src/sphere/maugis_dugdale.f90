@@ -36,6 +36,7 @@ module adfric_sphere_maugis_dugdale
    contains
       procedure :: evaluate
       procedure :: compare
+      procedure :: excess_of
    end type curve_equation_t
 
    !> Step of the place for the slope of a slope; it need not be exact.
@@ -43,6 +44,8 @@ module adfric_sphere_maugis_dugdale
    !> A step of the place after which Newton's method has nothing left to do, and one that it is not trusted with.
    real(dp), parameter :: close_enough = 1.0e-8_dp, longest_step = 1.0_dp
    integer, parameter :: max_plain_steps = 12
+   !> X^(2/3) lambda above which separation under approach begins in intimate contact, [9/(16 (1 - 1/pi))]^(1/3).
+   real(dp), parameter :: first_intimate = (9/(16*(1 - 1/pi)))**(1.0_dp/3)
 
 contains
 
@@ -54,7 +57,7 @@ contains
 
       if (value > 0) then
          if (.not. abs(contact%place) > 0) contact%place = guess_place(self%lambda, self%ratio, value)
-         call go_to(self, radius_along, value, start_of(self), farthest, .true., contact)
+         call go_to(self, radius_along, value, farthest, .true., contact)
       else
          call go_apart(self, get_disc_radius(self%lambda, self%ratio), contact)
       end if
@@ -73,7 +76,7 @@ contains
          if (.not. abs(contact%place) > 0) then
             contact%place = guess_place(self%lambda, self%ratio, cube_root(value + (2 + sqrt(value + 2*self%ratio))*self%ratio))
          end if
-         call go_to(self, load_along, value, start_of(self), farthest, value > 0, contact)
+         call go_to(self, load_along, value, farthest, value > 0, contact)
          if (contact%is_converged .and. contact%is_stable) return
       end if
       call self%pull_off(0, fold)
@@ -81,12 +84,12 @@ contains
       if (value < fold%load .or. .not. fold%is_found) return
       if (branch == branch_stable) then
          contact%place = fold%place - 0.5_dp
-         call go_to(self, load_along, value, start_of(self), fold%place, .true., contact)
+         call go_to(self, load_along, value, fold%place, .true., contact)
       else if (value > 0) then
          return
       else if (2*value < -pi*self%ratio*self%lambda*get_disc_radius(self%lambda, self%ratio)**2) then
          contact%place = fold%place + 0.5_dp
-         call go_to(self, load_along, value, fold%place, farthest, .true., contact, rises=.true.)
+         call go_to(self, load_along, value, farthest, .true., contact, rises_from=fold%place)
       else if (self%ratio > 0) then
          call go_apart(self, sqrt(-2*value/(pi*self%ratio*self%lambda)), contact)
          contact%load = value
@@ -110,9 +113,9 @@ contains
       if (branch == branch_stable .and. value >= touching) then
          if (.not. abs(contact%place) > 0) then
             contact%place = guess_place(self%lambda, self%ratio, &
-               & sqrt(max(value, 0.0_dp)) + cube_root(2*sqrt(6*self%ratio)/3)/2 + 0.1_dp*self%ratio/self%lambda)
+               & max(sqrt(value - touching) + 0.6_dp*cube_root(self%ratio)*self%lambda/(1 + self%lambda), tiny(value)))
          end if
-         call go_to(self, approach_along, value, start_of(self), farthest, value > touching, contact)
+         call go_to(self, approach_along, value, farthest, value > touching, contact)
          contact%is_stable = contact%is_converged .and. contact%is_stable
          if (contact%is_stable) return
       end if
@@ -124,10 +127,10 @@ contains
          call go_apart(self, mean + half, contact)
       else if (branch == branch_stable) then
          contact%place = fold%place - 0.5_dp
-         call go_to(self, approach_along, value, start_of(self), merge(fold%place, farthest, largest <= mean), .true., contact)
+         call go_to(self, approach_along, value, merge(fold%place, farthest, largest <= mean), .true., contact)
       else if (largest <= mean .and. value < touching) then
          contact%place = fold%place + 0.5_dp
-         call go_to(self, approach_along, value, fold%place, farthest, .true., contact, rises=.true.)
+         call go_to(self, approach_along, value, farthest, .true., contact, rises_from=fold%place)
       else if (value <= -2/(pi*self%lambda)) then
          ! the smaller root, from the product of both
          call go_apart(self, -2*(value + 2/(pi*self%lambda))/(mean + half), contact)
@@ -143,7 +146,7 @@ contains
       type(contact_t), intent(out) :: contact
       type(curve_equation_t) :: equation
       type(point_t) :: point
-      real(dp) :: mean, largest, radius, reach
+      real(dp) :: mean, largest
 
       largest = get_disc_radius(self%lambda, self%ratio)
       mean = 8*self%ratio*self%lambda/(3*pi)
@@ -156,44 +159,68 @@ contains
          equation%ratio = self%ratio
          equation%is_slope = .true.
          equation%quantity = merge(approach_along, load_along, control == control_approach)
-         ! between JKR's radius and what small lambda lead to
-         radius = cube_root(merge(1/6.0_dp, 1.5_dp, control == control_approach)*self%ratio)
-         ! 1/(1/radius + 1/(2 X lambda)), for next to no adhesion, too
-         reach = 2*self%ratio*self%lambda
-         contact%place = guess_place(self%lambda, self%ratio, max(radius*(reach/(reach + radius)), tiny(radius)))
+         contact%place = guess_pull_off(control, self%ratio**(2.0_dp/3)*self%lambda)
          call find_root(equation, start_of(self), farthest, .true., contact%place, contact%is_converged, &
-            & close_enough*small_step)
+            & close_enough)
          call get_point(self%lambda, self%ratio, contact%place, point)
          call read_point(point, 0.0_dp, contact, equation%quantity)
       end if
       contact%is_stable = .true.
    end subroutine pull_off
 
+   !> About where pull-off in intimate contact is, to 0.001 under load and to 0.01 under approach: rational functions fitted to
+   !> places that were found for X = 1, with the limits of small and large lambda.
+   pure real(dp) function guess_pull_off(control, lambda) result(place)
+      integer, intent(in) :: control
+      !> X^(2/3) lambda; under approach beyond where separation begins in intimate contact.
+      real(dp), intent(in) :: lambda
+      real(dp) :: v
+
+      if (control == control_approach) then
+         v = first_intimate/lambda
+         place = 1.65077_dp + v*(-1.61163_dp + v*(0.77594_dp + v*(-0.07941_dp - 0.27036_dp*v)))
+         place = log(place/(max(1 - v, epsilon(v))*lambda))
+      else
+         v = sqrt(lambda)
+         place = 0.538865_dp + v*(0.001055_dp + v*(0.473604_dp + v*(0.522652_dp + 1.988951_dp*v)))
+         place = log(place/(1 + v*(0.025842_dp + v*(0.501305_dp + 1.736954_dp*v)))) - 3*log(v)
+      end if
+   end function guess_pull_off
+
    !> Go along the curve to where a quantity has a value.
-   pure subroutine go_to(self, quantity, value, low, high, is_alone, contact, rises)
+   pure subroutine go_to(self, quantity, value, high, is_alone, contact, rises_from)
       class(maugis_t), intent(in) :: self
       !> One of `..._along`.
       integer, intent(in) :: quantity
       real(dp), intent(in) :: value
-      !> Ends of the part of the curve.
-      real(dp), intent(in) :: low, high
+      !> End of the part of the curve.
+      real(dp), intent(in) :: high
       !> Does it have the value only once there? Otherwise only the neighbourhood of the start is looked at.
       logical, intent(in) :: is_alone
-      !> In: a place to start from. Out: the contact.
+      !> In: a place to start from, or a neighbour. Out: the contact.
       type(contact_t), intent(inout) :: contact
-      !> Does the quantity rise along that part? Usually it falls.
-      logical, intent(in), optional :: rises
+      !> Where the part begins, if the quantity rises along it; otherwise it falls from the largest contact on.
+      real(dp), intent(in), optional :: rises_from
       type(curve_equation_t) :: equation
       type(point_t) :: point
-      real(dp) :: excess, slope, step
+      real(dp) :: excess, slope, step, low
       integer :: iteration
       logical :: does_rise
 
       equation = curve_equation_t(self%lambda, self%ratio, value, quantity)
-      does_rise = .false.
-      if (present(rises)) does_rise = rises
+      does_rise = present(rises_from)
+      ! the largest contact is far from all starts
+      low = -huge(low)
+      if (does_rise) low = rises_from
       contact%is_converged = .false.
       step = 0
+      if (abs(contact%slope) > 0) then
+         ! the tangent at the neighbour has been found with it
+         step = -equation%excess_of(contact%radius, contact%load, contact%approach)/contact%slope
+         if (contact%place + step > low .and. contact%place + step < high .and. abs(step) < longest_step) &
+            & contact%place = contact%place + step
+         contact%slope = 0
+      end if
       do iteration = 1, max_plain_steps
          call get_point(self%lambda, self%ratio, contact%place, point)
          call equation%compare(point, excess, slope)
@@ -207,7 +234,9 @@ contains
       if (contact%is_converged) then
          ! the last step is so small that the tangent is exact
          call read_point(point, step, contact, quantity)
+         contact%slope = slope
       else if (is_alone) then
+         if (.not. does_rise) low = start_of(self)
          call find_root(equation, low, high, does_rise, contact%place, contact%is_converged, close_enough)
          call get_point(self%lambda, self%ratio, contact%place, point)
          call read_point(point, 0.0_dp, contact, quantity)
@@ -277,17 +306,30 @@ contains
       real(dp), intent(out) :: value
       real(dp), intent(out) :: slope
 
+      value = self%excess_of(point%radius, point%load, point%approach)
       select case (self%quantity)
       case (radius_along)
-         value = log(point%radius/self%given)
          slope = point%radius_slope/point%radius
       case (load_along)
-         value = point%load - self%given
          slope = point%load_slope
       case default
-         value = point%approach - self%given
          slope = point%approach_slope
       end select
    end subroutine compare
+
+   !> One of three quantities less the given value.
+   pure real(dp) function excess_of(self, radius, load, approach) result(excess)
+      class(curve_equation_t), intent(in) :: self
+      real(dp), intent(in) :: radius, load, approach
+
+      select case (self%quantity)
+      case (radius_along)
+         excess = log(radius/self%given)
+      case (load_along)
+         excess = load - self%given
+      case default
+         excess = approach - self%given
+      end select
+   end function excess_of
 
 end module adfric_sphere_maugis_dugdale

@@ -31,6 +31,8 @@ module adfric_sphere_contact
       real(dp) :: load = 0, approach = 0
       !> Where the theory found it; a neighbour's value is a first guess. 0: none.
       real(dp) :: place = 0
+      !> How what was held changes with the place; 0: not known.
+      real(dp) :: slope = 0
    end type contact_t
 
    !> A theory of adhesion, for one value of X (and of lambda).

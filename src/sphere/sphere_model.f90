@@ -219,6 +219,7 @@ contains
       profiles = not_a_number()
       if (.not. results(r_load) < huge(1.0_dp)) return
       call resolve_case(values, case)
+      case%theory = nint(results(r_theory_used))
       call solve_point(case, .false., memory, point)
       call new_profile(profile, memory%theory, point%contact)
       r = self%get_profile_axis(values, 1)/case%length_unit

@@ -5,15 +5,13 @@ module adfric_sphere_point
    use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_base_not_a_number, only: not_a_number
    use adfric_sphere_case, only: sphere_case_t, theory_auto
-   use adfric_sphere_contact, only: contact_t, theory_t, theory_hertz, theory_maugis_dugdale, find_contact, &
-      & friction_radius
+   use adfric_sphere_contact, only: contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, friction_radius
    use adfric_sphere_interaction, only: adhesion_ratio
-   use adfric_sphere_maugis_dugdale, only: maugis_t
    use adfric_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
       & find_friction_events, forget_events, given_force, given_displacement
    use adfric_sphere_static_friction, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement, &
       & slip_factor, mean_slip, largest_slip
-   use adfric_sphere_theory_choice, only: new_theory, choose_theory, get_mismatch
+   use adfric_sphere_theory_choice, only: new_theory, choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
    implicit none (type, external)
    private
    public :: sphere_point_t, sphere_memory_t, solve_point
@@ -36,11 +34,14 @@ module adfric_sphere_point
 
    !> What one point leaves to the next.
    type :: sphere_memory_t
+      !> The theory that is asked for; Maugis-Dugdale where it is to be chosen.
       class(theory_t), allocatable :: theory
       !> The theory's number, its lambda, and where it found a contact last.
       integer :: number = -1
       real(dp) :: lambda = 0
       type(contact_t) :: contact
+      !> What the choice of a theory needs.
+      type(choice_t) :: choice
       !> The last pull-off load, and what it belongs to.
       real(dp) :: pull_off_load = 0, pull_off_ratio = -1
       integer :: pull_off_control = 0
@@ -64,15 +65,21 @@ contains
 
       call forget_events(point%events)
       if (case%has_friction .and. case%is_sliding) point%ratio = adhesion_ratio(case%slip_energy_ratio, case%interaction)
-      call take_theory(case, needs_events, memory, point)
+      point%theory = case%theory
+      if (case%theory == theory_auto) point%theory = theory_maugis_dugdale
+      call take_theory(point%theory, case%lambda, memory)
       if (is_peeling(case)) then
          call find_static_state(memory%theory, new_friction(case), case%control, case%value, case%branch, &
             & merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
          call take_state(state, point)
       else
+         ! with events X changes on the way, and with it what could be proved
+         if (case%theory == theory_auto .and. .not. needs_events) call try_limit(case, memory, point)
          memory%theory%ratio = point%ratio
-         point%contact%place = memory%contact%place
-         call find_contact(memory%theory, case%control, case%value, case%branch, point%contact)
+         if (.not. point%contact%is_found) then
+            point%contact = memory%contact
+            call find_contact(memory%theory, case%control, case%value, case%branch, point%contact)
+         end if
       end if
       memory%theory%ratio = point%ratio
       call finish_contact(case, memory, point)
@@ -135,29 +142,34 @@ contains
          & - [two%value, two%strength, two%poisson, two%edge_fraction, two%interaction, two%slip_energy_ratio]) > 0)
    end function has_same_events
 
-   !> The theory that is asked for, or the simplest one that will do.
-   subroutine take_theory(case, needs_events, memory, point)
-      type(sphere_case_t), intent(in) :: case
-      logical, intent(in) :: needs_events
+   !> The theory of a number.
+   subroutine take_theory(number, lambda, memory)
+      integer, intent(in) :: number
+      real(dp), intent(in) :: lambda
       type(sphere_memory_t), intent(inout) :: memory
-      type(sphere_point_t), intent(inout) :: point
 
-      point%theory = case%theory
-      if (case%theory == theory_auto .and. (is_peeling(case) .or. needs_events)) then
-         ! X changes on the way, and with it what could be proved
-         point%theory = theory_maugis_dugdale
-      else if (case%theory == theory_auto) then
-         call choose_theory(case%lambda, point%ratio, case%control, case%value, case%branch, case%edge_fraction > 0, &
-            & case%tolerance, point%theory, point%theory_error)
-      end if
-      if (point%theory == memory%number .and. .not. abs(case%lambda - memory%lambda) > 0) return
-      call new_theory(memory%theory, point%theory, case%lambda)
-      memory%number = point%theory
-      memory%lambda = case%lambda
+      if (number == memory%number .and. .not. abs(lambda - memory%lambda) > 0) return
+      call new_theory(memory%theory, number, lambda)
+      memory%number = number
+      memory%lambda = lambda
       memory%contact = contact_t()
       memory%pull_off_ratio = -1
       memory%has_events = .false.
    end subroutine take_theory
+
+   !> The contact of a limit theory, where it will do.
+   pure subroutine try_limit(case, memory, point)
+      type(sphere_case_t), intent(in) :: case
+      type(sphere_memory_t), intent(inout) :: memory
+      type(sphere_point_t), intent(inout) :: point
+      logical :: needs_edge
+
+      needs_edge = case%edge_fraction > 0
+      if (.not. is_choice_of(memory%choice, case%lambda, point%ratio, case%control, needs_edge, case%tolerance)) then
+         call new_choice(memory%choice, case%lambda, point%ratio, case%control, needs_edge, case%tolerance)
+      end if
+      call choose_theory(memory%choice, case%value, case%branch, point%theory, point%theory_error, point%contact)
+   end subroutine try_limit
 
    !> What follows from the contact alone.
    subroutine finish_contact(case, memory, point)
@@ -165,16 +177,10 @@ contains
       type(sphere_memory_t), intent(inout) :: memory
       type(sphere_point_t), intent(inout) :: point
       type(contact_t) :: fold
-      type(maugis_t) :: full
 
       if (abs(memory%pull_off_ratio - point%ratio) > 0 .or. memory%pull_off_control /= case%control) then
-         if (case%theory == theory_auto .and. point%theory /= theory_hertz) then
-            ! what is proved of the contact is not proved of its end
-            full = maugis_t(point%ratio, case%lambda)
-            call full%pull_off(case%control, fold)
-         else
-            call memory%theory%pull_off(case%control, fold)
-         end if
+         ! of Maugis-Dugdale, where that stands for a limit theory: what is proved of the contact is not proved of its end
+         call memory%theory%pull_off(case%control, fold)
          memory%pull_off_load = fold%load
          memory%pull_off_ratio = point%ratio
          memory%pull_off_control = case%control
@@ -184,15 +190,30 @@ contains
          point%status = merge(status_no_equilibrium, status_not_converged, point%contact%is_converged)
          return
       end if
-      point%error_estimate = get_mismatch(memory%theory, point%theory, case%control, point%contact) + point%theory_error
+      point%error_estimate = point%theory_error + get_mismatch_of(memory, point, case%control)
       if (.not. point%contact%is_converged .or. .not. point%error_estimate < 1) then
          point%status = status_not_converged
          return
       end if
-      memory%contact = point%contact
+      if (point%theory == memory%number) memory%contact = point%contact
       if (point%contact%radius > 0) point%friction_radius = friction_radius(point%contact, case%edge_fraction)
       point%contact_area = pi*point%friction_radius**2
    end subroutine finish_contact
+
+   !> How well the contact fulfils the equations of the theory that it comes from.
+   pure real(dp) function get_mismatch_of(memory, point, control) result(mismatch)
+      type(sphere_memory_t), intent(in) :: memory
+      type(sphere_point_t), intent(in) :: point
+      integer, intent(in) :: control
+
+      if (point%theory == memory%number) then
+         mismatch = get_mismatch(memory%theory, point%theory, control, point%contact)
+      else if (point%theory == theory_dmt) then
+         mismatch = get_mismatch(memory%choice%dmt, point%theory, control, point%contact)
+      else
+         mismatch = get_mismatch(memory%choice%jkr, point%theory, control, point%contact)
+      end if
+   end function get_mismatch_of
 
    !> Friction that leaves the contact alone: during sliding, or without interaction.
    pure subroutine add_friction(case, point)

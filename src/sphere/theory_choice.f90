@@ -5,21 +5,39 @@
 module adfric_sphere_theory_choice
    use adfric_base_kinds, only: dp
    use adfric_sphere_contact, only: contact_t, theory_t, theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale, &
-      & control_load, control_approach, branch_stable, find_contact
+      & control_load, control_approach, control_radius, branch_stable, find_contact
    use adfric_sphere_dmt, only: dmt_t
    use adfric_sphere_dugdale_curve, only: point_t, get_point, get_disc
    use adfric_sphere_hertz, only: hertz_t
    use adfric_sphere_jkr, only: jkr_t
    use adfric_sphere_maugis_dugdale, only: maugis_t
-   use adfric_sphere_theory_bounds, only: get_theory_bounds
+   use adfric_sphere_theory_bounds, only: limit_t, new_limit
    implicit none (type, external)
    private
-   public :: new_theory, choose_theory, get_mismatch
+   public :: new_theory, choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
 
    !> Relative errors are those of the larger of a value and this.
    real(dp), parameter :: least_value = 0.1_dp
+   !> Nothing is proved of less adhesion.
+   real(dp), parameter :: least_ratio = 1.0e-30_dp
+   !> Largest t^2 and u of a proof (see `theory_bounds`), which leave room for the neighbouring radii, and largest z (see `prove`).
+   real(dp), parameter :: largest_square = 0.08_dp, largest_cosine = 0.35_dp, largest_share = 0.09_dp
    !> What a term of an equation may be wrong by.
    real(dp), parameter :: round_off = 2*epsilon(1.0_dp)
+
+   !> What a choice needs that does not depend on what is held. It follows from its parameters alone.
+   type :: choice_t
+      !> The parameters; see `new_choice`.
+      real(dp) :: lambda = 0, ratio = 0, tolerance = 0
+      integer :: control = 0
+      logical :: needs_edge = .false.
+      !> The limit theory that may do.
+      type(limit_t) :: limit
+      type(jkr_t) :: jkr
+      type(dmt_t) :: dmt
+      !> Only between these values of what is held a proof is tried.
+      real(dp) :: low = huge(1.0_dp), high = -huge(1.0_dp)
+   end type choice_t
 
 contains
 
@@ -43,99 +61,176 @@ contains
       end select
    end subroutine new_theory
 
-   !> The simplest theory that is proved to be within a tolerance.
-   pure subroutine choose_theory(lambda, ratio, control, value, branch, needs_edge, tolerance, number, error)
+   !> What is looked for, and over which range of what is held.
+   pure subroutine new_choice(self, lambda, ratio, control, needs_edge, tolerance)
+      type(choice_t), intent(out) :: self
       real(dp), intent(in) :: lambda, ratio
+      !> One of `control_...`.
       integer, intent(in) :: control
-      real(dp), intent(in) :: value
-      integer, intent(in) :: branch
       !> Is the radius c of adhesion needed, too? Then DMT will not do.
       logical, intent(in) :: needs_edge
       !> Relative, of radii, load and approach.
       real(dp), intent(in) :: tolerance
+
+      self%lambda = lambda
+      self%ratio = ratio
+      self%control = control
+      self%needs_edge = needs_edge
+      self%tolerance = tolerance
+      if (.not. ratio > least_ratio) return
+      if (lambda >= 1) then
+         call new_limit(self%limit, theory_jkr, lambda, ratio)
+         self%jkr%ratio = ratio
+         call set_range_of_jkr(self)
+      else if (.not. needs_edge) then
+         call new_limit(self%limit, theory_dmt, lambda, ratio)
+         self%dmt%ratio = ratio
+         call set_range_of_dmt(self)
+      end if
+   end subroutine new_choice
+
+   !> Is it that of these parameters?
+   pure logical function is_choice_of(self, lambda, ratio, control, needs_edge, tolerance)
+      type(choice_t), intent(in) :: self
+      real(dp), intent(in) :: lambda, ratio
+      integer, intent(in) :: control
+      logical, intent(in) :: needs_edge
+      real(dp), intent(in) :: tolerance
+
+      is_choice_of = .not. (abs(lambda - self%lambda) > 0 .or. abs(ratio - self%ratio) > 0 .or. control /= self%control &
+         & .or. (needs_edge .neqv. self%needs_edge) .or. abs(tolerance - self%tolerance) > 0)
+   end function is_choice_of
+
+   !> Below a radius t^2 is too large for a proof, or c/a - 1, or what the far term of the bounds makes of load and approach, is
+   !> more than the tolerance.
+   pure subroutine set_range_of_jkr(self)
+      type(choice_t), intent(inout) :: self
+      type(contact_t) :: contact
+      real(dp) :: least
+
+      least = self%limit%far/self%tolerance
+      if (self%control /= control_radius) least = 4*least/3
+      least = max(least, self%limit%length/largest_square)
+      if (self%needs_edge) least = max(least, 1.2_dp*self%limit%length/self%tolerance)
+      call self%jkr%of_radius(least, contact)
+      self%low = least
+      if (self%control == control_load) then
+         self%low = -2*self%ratio
+         if (contact%is_stable) self%low = contact%load
+      else if (self%control == control_approach) then
+         ! JKR's least approach is about -0.91 X^(2/3), and at a^3 = X/6
+         self%low = -1
+         if (6*least**3 > self%ratio) self%low = contact%approach
+      end if
+      self%high = huge(1.0_dp)
+   end subroutine set_range_of_jkr
+
+   !> Above a radius u is too large; below another one the error of radius or approach is more than the tolerance, even where the
+   !> bounds are smallest.
+   pure subroutine set_range_of_dmt(self)
+      type(choice_t), intent(inout) :: self
+      real(dp) :: approach
+
+      approach = self%limit%far/self%tolerance
+      self%high = largest_cosine*self%limit%length
+      select case (self%control)
+      case (control_load)
+         self%low = max(2*self%ratio*self%limit%near/(3*self%tolerance), &
+            & (self%ratio/(self%limit%length**2*self%tolerance))**3)
+         if (approach > least_value) self%low = max(self%low, approach*sqrt(approach))
+         self%low = self%low - 2*self%ratio
+         self%high = self%high**3 - 2*self%ratio
+      case (control_approach)
+         self%low = approach/2
+         self%high = self%high**2
+      case default
+         self%low = 0
+         if (approach > least_value) self%low = sqrt(approach)
+      end select
+   end subroutine set_range_of_dmt
+
+   !> The simplest theory that is proved to be within the tolerance, and its contact. It depends on the parameters of the choice
+   !> and on what is held, and on nothing else.
+   pure subroutine choose_theory(self, value, branch, number, error, contact)
+      type(choice_t), intent(in) :: self
+      !> What is held.
+      real(dp), intent(in) :: value
+      integer, intent(in) :: branch
       !> One of `theory_...`.
       integer, intent(out) :: number
       !> What is proved; 0 for Maugis-Dugdale.
       real(dp), intent(out) :: error
-      type(jkr_t) :: jkr
-      type(dmt_t) :: dmt
+      !> None for Maugis-Dugdale.
+      type(contact_t), intent(out) :: contact
 
       number = theory_maugis_dugdale
       error = 0
-      if (branch /= branch_stable .or. .not. ratio > 0 .or. (lambda < 1 .and. needs_edge)) return
-      if (lambda < 1) then
-         dmt%ratio = ratio
-         call prove(dmt, theory_dmt, lambda, control, value, .false., error)
-         number = theory_dmt
+      if (branch /= branch_stable .or. .not. (value > self%low .and. value < self%high)) return
+      if (self%limit%theory == theory_dmt) then
+         call find_contact(self%dmt, self%control, value, branch, contact)
       else
-         jkr%ratio = ratio
-         call prove(jkr, theory_jkr, lambda, control, value, needs_edge, error)
-         number = theory_jkr
+         call find_contact(self%jkr, self%control, value, branch, contact)
       end if
-      if (error <= tolerance) return
-      number = theory_maugis_dugdale
+      if (contact%is_found .and. contact%is_converged .and. contact%is_stable .and. contact%radius > 0) then
+         call prove(self, contact, error)
+         if (error <= self%tolerance) number = self%limit%theory
+      end if
+      if (number == self%limit%theory) return
+      contact = contact_t()
       error = 0
    end subroutine choose_theory
 
-   !> Bound of the relative error of radius, load and approach; huge where there is none.
-   pure subroutine prove(theory, number, lambda, control, value, needs_edge, error)
-      class(theory_t), intent(in) :: theory
-      integer, intent(in) :: number
-      real(dp), intent(in) :: lambda
-      integer, intent(in) :: control
-      real(dp), intent(in) :: value
-      logical, intent(in) :: needs_edge
+   !> Bound of the relative error of radius, load and approach of a contact; huge where there is none.
+   !>
+   !> Where a load P is held, Maugis-Dugdale's radius lies between a (1 - s) and a (1 + s) if the bounds there leave no doubt on
+   !> which side of P its load is. With the bound E of the load, S = a dP/da, s0 = E/S and z = m s0, m = 3 a^3/S, that is so for
+   !> s = s0 (1 + 4 z), z <= 0.09:
+   !>
+   !> - Downwards P falls by S (s - m s^2) or more, and E falls.
+   !> - Upwards JKR's P grows by S s or more, E by (1 + s)^2 or less; DMT's by S s (1 + s), and (1 + s)^3.3.
+   !>
+   !> Where an approach is held it is the same with m = 2 a^2/S; E grows downwards, too, by (1 - s)^(-1/2) or less, and upwards by
+   !> 1 + s or less.
+   pure subroutine prove(self, contact, error)
+      type(choice_t), intent(in) :: self
+      type(contact_t), intent(in) :: contact
       real(dp), intent(out) :: error
-      type(contact_t) :: contact, low, high
-      real(dp) :: load, approach, edge, spread, load_slope, approach_slope
+      real(dp) :: load, approach, load_slope, approach_slope, s, z, cube, square
 
       error = huge(1.0_dp)
-      call find_contact(theory, control, value, branch_stable, contact)
-      if (.not. (contact%is_found .and. contact%is_stable .and. contact%radius > 0)) return
-      call get_theory_bounds(number, lambda, theory%ratio, contact%radius, load, approach, edge)
-      if (.not. max(load, approach) < 1) return
-      if (.not. needs_edge) edge = 0
-      spread = 0
-      if (control == control_load .or. control == control_approach) then
-         ! twice what the slope says is an interval of the radius; its ends must lie on either side for certain
-         call get_slopes(number, theory%ratio, contact%radius, load_slope, approach_slope)
-         if (control == control_load) then
-            if (.not. 2*load < 0.5_dp*contact%radius*load_slope) return
-            spread = 2*load/(contact%radius*load_slope)
-         else
-            if (.not. 2*approach < 0.5_dp*contact%radius*approach_slope) return
-            spread = 2*approach/(contact%radius*approach_slope)
+      call self%limit%get_bounds(contact%radius, load, approach)
+      if (.not. load < huge(load)) return
+      associate (a => contact%radius)
+         s = 0
+         if (self%control == control_load .or. self%control == control_approach) then
+            call get_slopes(self%limit%theory, self%ratio, a, load_slope, approach_slope)
+            load_slope = a*load_slope
+            approach_slope = a*approach_slope
+            square = a*a
+            cube = a*square
+            if (self%control == control_load) then
+               if (.not. load < load_slope) return
+               s = load/load_slope
+               z = s*3*cube/load_slope
+            else
+               if (.not. approach < approach_slope) return
+               s = approach/approach_slope
+               z = s*2*square/approach_slope
+            end if
+            if (.not. (s <= self%tolerance .and. z <= largest_share)) return
+            s = s*(1 + 4*z)
+            ! bounds at the radius of Maugis-Dugdale, and what the limit theory changes on the way to it
+            load = load*(1 + 4*s) + (abs(load_slope) + 3*cube*s*(1 + s))*s
+            approach = approach*(1 + s) + (approach_slope + 2*square*s)*s
+            if (self%control == control_load) load = 0
+            if (self%control == control_approach) approach = 0
          end if
-         if (.not. spread > 0) return
-         call theory%of_radius(contact%radius*(1 - spread), low)
-         call theory%of_radius(contact%radius*(1 + spread), high)
-         if (.not. (lies_beyond(low, -1) .and. lies_beyond(high, 1))) return
-         load = load + load_slope*contact%radius*spread
-         approach = approach + abs(approach_slope)*contact%radius*spread
-         if (control == control_load) load = 0
-         if (control == control_approach) approach = 0
-      end if
-      ! relative to the least that the values of Maugis-Dugdale can be
-      error = max(spread/(1 - spread) + 2*edge, load/max(abs(contact%load) - load, least_value), &
-         & approach/max(abs(contact%approach) - approach, least_value))
-
-   contains
-
-      !> Is the value of Maugis-Dugdale at the radius of a contact beyond what is held, however wrong the theory is?
-      pure logical function lies_beyond(other, side)
-         type(contact_t), intent(in) :: other
-         !> 1: above, -1: below.
-         integer, intent(in) :: side
-         real(dp) :: bounds(2)
-
-         call get_theory_bounds(number, lambda, theory%ratio, other%radius, bounds(1), bounds(2))
-         if (control == control_load) then
-            lies_beyond = side*(other%load - value) >= bounds(1)
-         else
-            lies_beyond = side*(other%approach - value) >= bounds(2)
-         end if
-      end function lies_beyond
-
+         ! relative to the least that the values of Maugis-Dugdale can be
+         error = s/(1 - s)
+         if (self%needs_edge) error = error + 1.2_dp*self%limit%length/a
+         error = max(error, load/max(abs(contact%load) - load, least_value), &
+            & approach/max(abs(contact%approach) - approach, least_value))
+      end associate
    end subroutine prove
 
    !> How well a contact is known: how far it is from fulfilling the equations of its theory at the place where it was found,
@@ -147,7 +242,7 @@ contains
       type(contact_t), intent(in) :: contact
       type(contact_t) :: again
       type(point_t) :: point
-      real(dp), dimension(3) :: values, others, terms, slopes, sizes
+      real(dp), dimension(3) :: values, others, terms, slopes, sizes, powers
       real(dp) :: shift
       integer :: held
 
@@ -180,8 +275,10 @@ contains
       held = 1
       if (control == control_load) held = 2
       if (control == control_approach) held = 3
-      ! at the end of stability what is held has no slope, and the place is known to the root of its round-off
-      shift = sqrt(round_off)
+      ! at the end of stability what is held has no slope, but a curvature of about that of a, a^3 or a^2
+      powers = [contact%radius, contact%radius**3, contact%radius**2]
+      shift = 0.5_dp
+      if (round_off*terms(held) < shift**2*powers(held)) shift = sqrt(round_off*terms(held)/powers(held))
       if (round_off*terms(held) < shift*abs(slopes(held))) shift = round_off*terms(held)/abs(slopes(held))
       mismatch = maxval((abs(others - values) + abs(slopes)*shift + round_off*terms)/sizes)
    end function get_mismatch
