@@ -104,7 +104,8 @@ contains
       if (axis == 1) n = merge(nint(values(v_n_y)), 1, nint(values(v_kind)) == kind_3d)
       allocate (coordinate(n), source=0.0_dp)
       if (n == 1 .or. size(self%profiles) == 0) return
-      coordinate = [(values(v_period)*(real(k, dp)/(n - 1) - 0.5_dp), k=0, n - 1)]
+      ! as far on one side of the crest as on the other, to the last digit
+      coordinate = [(values(v_period)*(real(2*k - (n - 1), dp)/(2*(n - 1))), k=0, n - 1)]
    end function get_profile_axis
 
    !> See `model_t`. Loads, and penetrations in 3-D, are solved in the order in which each leads to the next on its

@@ -26,29 +26,55 @@ contains
       real(dp), intent(in) :: x(:), y(:)
       !> Shape `(size(x), size(y), 4)`: pressure and shear stress [Pa], displacement and gap [m].
       real(dp), intent(out) :: profiles(:, :, :)
-      type(strip_t) :: strip
       type(steady_state_t) :: state
-      real(dp) :: share, xi, w, p, shear, pressure_unit, length_unit, slope
-      integer :: i, j
+      real(dp) :: share
+      integer :: j, mirror
 
       do j = 1, size(y)
-         share = max(share_at(two_pi*y(j)/point%period), flat)
-         call new_surface_strip(point%surface, penetration/point%height, share, strip)
-         call find_steady_state(strip, point%surface%branch, state)
-         length_unit = point%height*share/2
-         pressure_unit = point%pressure_unit*share/2
-         slope = two_pi*length_unit/point%period
-         do i = 1, size(x)
-            xi = two_pi*x(i)/point%period
-            call get_column(strip, state, xi, w, p)
-            shear = p*slope*sin(xi)
-            if (point%surface%steepness > 0) shear = shear_of_pressure(p, xi, slope)
-            profiles(i, j, 1) = p*pressure_unit
-            profiles(i, j, 2) = shear*pressure_unit
-            profiles(i, j, 3) = w*length_unit
-            profiles(i, j, 4) = max(w - profile(strip, xi), 0.0_dp)*length_unit
-         end do
+         ! the surface is even across its crest line
+         mirror = size(y) + 1 - j
+         if (mirror < j .and. .not. abs(y(j) + y(mirror)) > 0) then
+            profiles(:, j, :) = profiles(:, mirror, :)
+         else
+            share = max(share_at(two_pi*y(j)/point%period), flat)
+            call get_strip_profiles(point, penetration/point%height, x, share, state, profiles(:, j, :))
+         end if
       end do
    end subroutine get_profiles
+
+   !> Profiles along one strip.
+   pure subroutine get_strip_profiles(point, penetration, x, share, state, profiles)
+      type(wavy_case_t), intent(in) :: point
+      !> [h]
+      real(dp), intent(in) :: penetration
+      real(dp), intent(in) :: x(:)
+      !> Of the height, see `share_at`.
+      real(dp), intent(in) :: share
+      !> State of a strip nearby; out: of this one.
+      type(steady_state_t), intent(inout) :: state
+      !> Shape `(size(x), 4)`.
+      real(dp), intent(out) :: profiles(:, :)
+      type(strip_t) :: strip
+      type(steady_state_t) :: guess
+      real(dp) :: xi, w, p, shear, pressure_unit, length_unit, slope
+      integer :: i
+
+      guess = state
+      call new_surface_strip(point%surface, penetration, share, strip)
+      call find_steady_state(strip, point%surface%branch, state, guess)
+      length_unit = point%height*share/2
+      pressure_unit = point%pressure_unit*share/2
+      slope = two_pi*length_unit/point%period
+      do i = 1, size(x)
+         xi = two_pi*x(i)/point%period
+         call get_column(strip, state, xi, w, p)
+         shear = p*slope*sin(xi)
+         if (point%surface%steepness > 0) shear = shear_of_pressure(p, xi, slope)
+         profiles(i, 1) = p*pressure_unit
+         profiles(i, 2) = shear*pressure_unit
+         profiles(i, 3) = w*length_unit
+         profiles(i, 4) = max(w - profile(strip, xi), 0.0_dp)*length_unit
+      end do
+   end subroutine get_strip_profiles
 
 end module adfric_wavy_profiles
