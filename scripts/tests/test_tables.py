@@ -1,0 +1,38 @@
+"""The tables of the documents can be computed."""
+
+import os
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+SCRIPTS = Path(__file__).resolve().parents[1]
+
+
+@unittest.skipUnless("ADFRIC_PROGRAM" in os.environ, "ADFRIC_PROGRAM does not say where the program is")
+class TablesTest(unittest.TestCase):
+    """From inputs to tables."""
+
+    def check(self, name, *numbers):
+        """The tables are complete, and contain numbers that stand in the document."""
+        done = subprocess.run([sys.executable, SCRIPTS / f"{name}_tables.py", os.environ["ADFRIC_PROGRAM"]],
+                              capture_output=True, text=True)
+        self.assertEqual((0, ""), (done.returncode, done.stderr))
+        self.assertNotRegex(done.stdout, r"\bnan\b")
+        document = (SCRIPTS.parent / "docs" / f"{name}.md").read_text()
+        for number in numbers:
+            self.assertRegex(done.stdout, rf"\b{re.escape(number)}")
+            self.assertIn(number, document)
+
+    def test_wavy(self):
+        """Fig. 4 of Goryacheva and Makhovskaya with constants that fit together."""
+        self.check("wavy", "0.27428")
+
+    def test_sphere(self):
+        """Fig. 5 of Johnson."""
+        self.check("sphere", "136.53", "329.30")
+
+
+if __name__ == "__main__":
+    unittest.main()
