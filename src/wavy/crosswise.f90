@@ -1,28 +1,30 @@
 !> Sums the strips of a surface: one strip in 2-D; in 3-D an integral across the surface.
 !>
-!> The surface is symmetric about the crest line, so half a period is enough. Each panel of one regime is mapped by
-!> \( \theta = \theta_0 + \Delta (1 - \cos\phi)/2 \): near a panel's ends forces go like half-integer powers of the
-!> distance, which are smooth in \( \phi \). Gauss-Kronrod pairs on intervals that are halved where needed do the rest.
+!> The surface is symmetric about the crest line, so half a period is enough. Each panel of one regime is an interval of
+!> its own, whose rule is raised, or which is halved, until all together meet the tolerance.
 !> Saturated strips are summed in closed form, free ones not at all.
 module adfric_wavy_crosswise
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
-   use adfric_numerics_gauss, only: kronrod_nodes, kronrod_weights, kronrod_gauss_weights
+   use adfric_numerics_patterson, only: n_levels, n_half
+   use adfric_wavy_interval, only: interval_t, new_interval, raise_interval, split_interval, can_be_raised
    use adfric_wavy_panels, only: panel_t, division_t, divide_surface
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_saturated
-   use adfric_wavy_surface, only: negligible, surface_t, totals_t, new_surface_strip, share_at, add_strip, add_load_slope
+   use adfric_wavy_surface, only: negligible, surface_t, totals_t, new_surface_strip, share_at, add_strip, add_totals, &
+      & add_load_slope
    implicit none (type, external)
    private
    public :: memory_t, get_totals
 
-   integer, parameter :: n_nodes = size(kronrod_nodes)
-   !> Intervals that a surface may be divided into before the tolerance is given up.
-   integer, parameter :: max_intervals = 400
+   !> Intervals that a surface may be divided into before the tolerance is given up: some 10^4 strips.
+   integer, parameter :: max_intervals = 200
+   !> How much closer than the tolerance an error is brought, by its estimate, which may be too small.
+   real(dp), parameter :: margin = 4.0_dp
+   !> Intervals that there is room for at first.
+   integer, parameter :: n_usual = 8
    !> How many times more strips than usual are looked at in search of edges.
    integer, parameter :: finest = 32
-   !> Intervals whose strips are remembered.
-   integer, parameter :: n_remembered = 32
 
    !> Strips of the last surface that was summed, as first guesses for the next one.
    type :: memory_t
@@ -32,22 +34,10 @@ module adfric_wavy_crosswise
       logical :: is_even = .false.
       !> Is the change of the load with the penetration asked for?
       logical :: needs_slope = .true.
+      !> Strips at the nodes of the intervals, shape `(-n_half:n_half, n_places)`.
       type(steady_state_t), allocatable :: states(:, :)
       type(division_t) :: division
    end type memory_t
-
-   !> A stretch of the mapped phase on one panel, and what its strips add up to.
-   type :: interval_t
-      type(panel_t) :: panel
-      !> Number under which its strips are remembered.
-      integer :: place = 0
-      real(dp) :: start = 0, finish = pi
-      type(totals_t) :: totals
-      !> Errors of load and friction: of the rule, and of where the panel ends, which no finer rule takes away.
-      real(dp) :: error(2) = 0, blur(2) = 0
-      !> Are all strips in the regime of the panel?
-      logical :: is_uniform = .true.
-   end type interval_t
 
 contains
 
@@ -152,56 +142,82 @@ contains
       real(dp), intent(out) :: error(2)
       type(interval_t), allocatable :: intervals(:)
       type(totals_t) :: closed
-      integer :: n, worst, k, last_place, fineness
-      logical :: is_fine, is_uniform, was_tracked
+      integer :: n, k, fineness
+      logical :: is_fine, is_uniform, was_tracked, is_last
 
-      if (.not. allocated(memory%states)) allocate (memory%states(n_nodes, n_remembered))
-      allocate (intervals(n_remembered))
+      allocate (intervals(n_usual))
       closed = totals
       fineness = 1
       do
+         is_last = fineness > finest
          was_tracked = memory%division%n_panels > 0
          call divide_surface(surface, penetration, fineness, memory%division)
          totals%n_strips = totals%n_strips + memory%division%n_strips
          call start_intervals(surface, penetration, memory, intervals, n, totals, is_uniform)
-         if (is_uniform .or. fineness > finest) exit
+         if (is_uniform .or. is_last) &
+            & call refine_intervals(surface, penetration, memory, totals, is_last, intervals, n, is_uniform, is_fine)
+         if (is_uniform .or. is_last) exit
          ! an edge was born since the last surface, or lies between the strips that were looked at: look closer
          if (.not. was_tracked) fineness = 4*fineness
          memory%division%n_panels = 0
          closed%n_strips = totals%n_strips
          totals = closed
       end do
-      is_fine = n == 0
-      last_place = n
-      do while (.not. is_fine)
-         call find_worst(surface%tolerance, totals, intervals(:n), worst, is_fine)
-         if (is_fine .or. n == max_intervals) exit
-         if (n == size(intervals)) intervals = [intervals, intervals]
-         n = n + 1
-         intervals(n) = intervals(worst)
-         intervals(worst)%finish = (intervals(worst)%start + intervals(worst)%finish)/2
-         intervals(n)%start = intervals(worst)%finish
-         ! halves are remembered apart from the whole, which comes first next time
-         intervals(worst)%place = last_place + 1
-         intervals(n)%place = last_place + 2
-         last_place = last_place + 2
-         call integrate_interval(surface, penetration, intervals(worst), memory)
-         call integrate_interval(surface, penetration, intervals(n), memory)
-      end do
       error = 0
       do k = 1, n
-         call add_totals(totals, intervals(k)%totals)
+         call add_totals(totals, intervals(k)%sums(intervals(k)%level))
          error = error + intervals(k)%error + intervals(k)%blur
       end do
       totals%is_converged = totals%is_converged .and. is_fine
    end subroutine integrate_strips
+
+   !> Raise and halve intervals until all together meet the tolerance, or a strip of another regime is met.
+   pure subroutine refine_intervals(surface, penetration, memory, base, is_last, intervals, n, is_uniform, is_fine)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(memory_t), intent(inout) :: memory
+      !> What is summed in closed form.
+      type(totals_t), intent(in) :: base
+      !> Go on where a strip of another regime is met?
+      logical, intent(in) :: is_last
+      type(interval_t), allocatable, intent(inout) :: intervals(:)
+      integer, intent(inout) :: n
+      !> Are all strips of each panel in its regime?
+      logical, intent(inout) :: is_uniform
+      logical, intent(out) :: is_fine
+      real(dp) :: scales(2)
+      integer :: worst, n_whole, last_place
+
+      n_whole = n
+      last_place = n
+      is_fine = n == 0
+      do while (.not. is_fine)
+         call find_worst(surface%tolerance, base, intervals(:n), worst, scales, is_fine)
+         if (is_fine) exit
+         if (can_be_raised(intervals(worst), scales)) then
+            call raise(surface, penetration, intervals(worst), memory)
+            associate (this => intervals(worst))
+               ! the ends of a panel are not known so well that strips of the finest rule, or of parts, could not be beyond
+               if (this%place <= n_whole .and. this%level < n_levels) is_uniform = is_uniform .and. this%is_uniform
+            end associate
+            if (.not. (is_uniform .or. is_last)) exit
+         else
+            if (n == max_intervals) exit
+            if (n == size(intervals)) intervals = [intervals, intervals]
+            n = n + 1
+            call split_interval(intervals(worst), intervals(n), last_place)
+            call start_interval(surface, penetration, intervals(worst), memory)
+            call start_interval(surface, penetration, intervals(n), memory)
+         end if
+      end do
+   end subroutine refine_intervals
 
    !> One interval for every panel that has no closed form, which is added to the totals.
    pure subroutine start_intervals(surface, penetration, memory, intervals, n, totals, is_uniform)
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: penetration
       type(memory_t), intent(inout) :: memory
-      type(interval_t), intent(inout) :: intervals(:)
+      type(interval_t), allocatable, intent(inout) :: intervals(:)
       integer, intent(out) :: n
       type(totals_t), intent(inout) :: totals
       !> Are all strips of each panel in its regime?
@@ -219,28 +235,59 @@ contains
             cycle
          end if
          n = n + 1
-         intervals(n) = interval_t(panel, n)
-         call integrate_interval(surface, penetration, intervals(n), memory)
+         if (n > size(intervals)) intervals = [intervals, intervals]
+         intervals(n) = new_interval(panel, n)
+         call start_interval(surface, penetration, intervals(n), memory)
          is_uniform = is_uniform .and. intervals(n)%is_uniform
       end do
    end subroutine start_intervals
 
+   !> The first two rules of an interval, whose difference tells an error.
+   pure subroutine start_interval(surface, penetration, interval, memory)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(interval_t), intent(inout) :: interval
+      type(memory_t), intent(inout) :: memory
+
+      call raise(surface, penetration, interval, memory)
+      call raise(surface, penetration, interval, memory)
+   end subroutine start_interval
+
+   !> Raise an interval to the next rule.
+   pure subroutine raise(surface, penetration, interval, memory)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: penetration
+      type(interval_t), intent(inout) :: interval
+      type(memory_t), intent(inout) :: memory
+      type(steady_state_t), allocatable :: states(:, :)
+
+      if (.not. allocated(memory%states)) allocate (memory%states(-n_half:n_half, n_usual))
+      if (interval%place > size(memory%states, 2)) then
+         allocate (states(-n_half:n_half, 2*interval%place))
+         states(:, :size(memory%states, 2)) = memory%states
+         call move_alloc(states, memory%states)
+      end if
+      call raise_interval(surface, penetration, memory%needs_slope, interval, memory%states(:, interval%place))
+   end subroutine raise
+
    !> The interval with the largest error, and whether all errors together are within the tolerance.
-   pure subroutine find_worst(tolerance, base, intervals, worst, is_fine)
+   pure subroutine find_worst(tolerance, base, intervals, worst, scales, is_fine)
       real(dp), intent(in) :: tolerance
       !> What is summed in closed form.
       type(totals_t), intent(in) :: base
       type(interval_t), intent(in) :: intervals(:)
       integer, intent(out) :: worst
+      !> Sizes of load and friction that errors are relative to.
+      real(dp), intent(out) :: scales(2)
       logical, intent(out) :: is_fine
       type(totals_t) :: all_totals
-      real(dp) :: scales(2), error(2), largest, weight
+      real(dp) :: error(2), largest, weight
       integer :: k
 
       all_totals = base
       error = 0
       do k = 1, size(intervals)
-         call add_totals(all_totals, intervals(k)%totals)
+         call add_totals(all_totals, intervals(k)%sums(intervals(k)%level))
          error = error + intervals(k)%error
       end do
       ! a sum near zero cannot be had to a relative tolerance
@@ -248,7 +295,7 @@ contains
          & 0.01_dp*[all_totals%load_scale, all_totals%friction_scale], tiny(1.0_dp))
       ! nor can a friction that is nothing beside the load
       scales(2) = max(scales(2), negligible*scales(1))
-      is_fine = all(error <= tolerance*scales)
+      is_fine = all(margin*error <= tolerance*scales)
       worst = 1
       largest = -1
       do k = 1, size(intervals)
@@ -258,63 +305,6 @@ contains
          worst = k
       end do
    end subroutine find_worst
-
-   !> Gauss-Kronrod pair on one interval.
-   pure subroutine integrate_interval(surface, penetration, interval, memory)
-      type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: penetration
-      type(interval_t), intent(inout) :: interval
-      type(memory_t), intent(inout) :: memory
-      type(totals_t) :: node
-      type(strip_t) :: strip
-      type(steady_state_t) :: guess, state
-      real(dp) :: phi, width, share, values(2, n_nodes), peak(2), half
-      integer :: k
-
-      interval%totals = totals_t()
-      peak = 0
-      state = steady_state_t()
-      half = (interval%finish - interval%start)/2
-      associate (panel => interval%panel, place => interval%place)
-         do k = 1, n_nodes
-            phi = (interval%start + interval%finish)/2 + half*kronrod_nodes(k)
-            share = share_at(panel%start + (panel%finish - panel%start)*sin(phi/2)**2)
-            ! dy = d theta/(2 pi), twice for both sides of the crest line
-            width = (panel%finish - panel%start)/2*sin(phi)*half/pi
-            call new_surface_strip(surface, penetration, share, strip)
-            guess = state
-            if (place <= n_remembered) then
-               if (memory%states(k, place)%regime == panel%regime) guess = memory%states(k, place)
-            end if
-            call find_steady_state(strip, surface%branch, state, guess, guess%regime == panel%regime)
-            interval%is_uniform = interval%is_uniform .and. state%regime == panel%regime
-            if (place <= n_remembered) memory%states(k, place) = state
-            node = totals_t()
-            call add_strip(surface, strip, state, share, width, node)
-            if (memory%needs_slope) call add_load_slope(strip, state, width, node)
-            values(:, k) = [node%load, node%friction]
-            peak = max(peak, abs(values(:, k))/width)
-            call add_totals(interval%totals, node, kronrod_weights(k))
-         end do
-      end associate
-      ! an end that is not known well moves the integral by what stands there
-      interval%blur = interval%panel%blur/pi*peak
-      interval%error = estimate_error(values) &
-         & + epsilon(1.0_dp)*[interval%totals%load_scale, interval%totals%friction_scale]
-   end subroutine integrate_interval
-
-   !> Error of Kronrod's rule: its difference from Gauss's is the error of the lower rule; QUADPACK's exponent makes
-   !> of it that of the higher one.
-   pure function estimate_error(values) result(error)
-      !> Load and friction at the nodes.
-      real(dp), intent(in) :: values(2, n_nodes)
-      real(dp) :: error(2), mean(2), variation(2)
-
-      mean = matmul(values, kronrod_weights)/2
-      variation = matmul(abs(values - spread(mean, 2, n_nodes)), kronrod_weights)
-      error = abs(matmul(values, kronrod_weights - kronrod_gauss_weights))
-      where (variation > 0) error = min(error, variation*(200*error/max(variation, tiny(1.0_dp)))**1.5_dp)
-   end function estimate_error
 
    !> Saturated strips from start to finish in closed form (GM 17).
    pure subroutine add_saturated_panel(surface, penetration, panel, totals)
@@ -341,31 +331,5 @@ contains
       totals%n_strips = totals%n_strips + 1
       totals%n_closed_form = totals%n_closed_form + 1
    end subroutine add_saturated_panel
-
-   !> Add one sum to another, with a weight.
-   pure subroutine add_totals(totals, part, weight)
-      type(totals_t), intent(inout) :: totals
-      type(totals_t), intent(in) :: part
-      real(dp), intent(in), optional :: weight
-      real(dp) :: w
-
-      w = 1
-      if (present(weight)) w = weight
-      totals%load = totals%load + w*part%load
-      totals%friction = totals%friction + w*part%friction
-      totals%load_slope = totals%load_slope + w*part%load_slope
-      totals%contact = totals%contact + w*part%contact
-      totals%adhesion = totals%adhesion + w*part%adhesion
-      totals%dissipation = totals%dissipation + w*part%dissipation
-      totals%edge_loss = totals%edge_loss + w*part%edge_loss
-      totals%load_mismatch = totals%load_mismatch + w*part%load_mismatch
-      totals%energy_mismatch = totals%energy_mismatch + w*part%energy_mismatch
-      totals%slope_error = totals%slope_error + w*part%slope_error
-      totals%load_scale = totals%load_scale + w*part%load_scale
-      totals%friction_scale = totals%friction_scale + w*part%friction_scale
-      totals%n_strips = totals%n_strips + part%n_strips
-      totals%n_closed_form = totals%n_closed_form + part%n_closed_form
-      totals%is_converged = totals%is_converged .and. part%is_converged
-   end subroutine add_totals
 
 end module adfric_wavy_crosswise

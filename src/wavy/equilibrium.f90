@@ -79,7 +79,8 @@ contains
       end if
       equilibrium%status = merge(status_no_equilibrium, status_not_converged, &
          & low%totals%is_converged .and. high%totals%is_converged)
-      if (is_found) call finish(high, high%excess, equilibrium)
+      ! an error of the load is one of the penetration that carries it
+      if (is_found) call finish(high, abs(high%excess) + high%error(1), equilibrium)
    end subroutine solve_load
 
    !> Load at a penetration.
@@ -170,7 +171,7 @@ contains
       real(dp) :: ends(2)
 
       rough = surface
-      if (surface%is_3d .and. surface%stress > 0) rough%tolerance = max(surface%tolerance, rough_tolerance)
+      if (surface%is_3d .and. surface%stress > 0) rough%tolerance = rough_tolerance
       call bracket_load(rough, load, memory, low, high, has_bracket)
       if (.not. has_bracket .or. surface%tolerance >= rough%tolerance) return
       ends = [low%penetration, high%penetration]
@@ -377,7 +378,7 @@ contains
    !> What is known of the point, and how well.
    pure subroutine finish(trial, excess, equilibrium)
       type(trial_t), intent(in) :: trial
-      !> By how much the load differs from the one that is given.
+      !> By how much the load may differ from one that is given.
       real(dp), intent(in) :: excess
       type(equilibrium_t), intent(out) :: equilibrium
 

@@ -13,8 +13,8 @@ module adfric_wavy_surface
    use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, edge_continuous, regime_free
    implicit none (type, external)
    private
-   public :: negligible, share_of_scale, surface_t, totals_t, new_surface_strip, add_strip, add_load_slope, is_same_surface
-   public :: share_at, phase_of_share, get_relative_error
+   public :: negligible, share_of_scale, surface_t, totals_t, new_surface_strip, add_strip, add_totals, add_load_slope
+   public :: is_same_surface, share_at, phase_of_share, get_relative_error
 
    !> A balance that is violated by this share of its terms has not been solved.
    real(dp), parameter :: unbalanced = 1.0e-3_dp
@@ -24,6 +24,9 @@ module adfric_wavy_surface
    real(dp), parameter :: share_of_scale = 0.01_dp
    !> What the round-off of its terms grows to in friction, at most (`bench/error_estimates`).
    real(dp), parameter :: most_amplified = 1000.0_dp
+
+   !> How many times as fast as the load friction changes, towards pull-off (`bench/error_estimates`).
+   real(dp), parameter :: pull_off_amplified = 12.0_dp
 
    !> A wavy surface on its foundation.
    type :: surface_t
@@ -157,6 +160,32 @@ contains
          & <= unbalanced*max(losses, negligible*balance%load_scale) + tiny(losses)
    end function is_balanced
 
+   !> Add one sum to another, with a weight.
+   pure subroutine add_totals(totals, part, weight)
+      type(totals_t), intent(inout) :: totals
+      type(totals_t), intent(in) :: part
+      real(dp), intent(in), optional :: weight
+      real(dp) :: w
+
+      w = 1
+      if (present(weight)) w = weight
+      totals%load = totals%load + w*part%load
+      totals%friction = totals%friction + w*part%friction
+      totals%load_slope = totals%load_slope + w*part%load_slope
+      totals%contact = totals%contact + w*part%contact
+      totals%adhesion = totals%adhesion + w*part%adhesion
+      totals%dissipation = totals%dissipation + w*part%dissipation
+      totals%edge_loss = totals%edge_loss + w*part%edge_loss
+      totals%load_mismatch = totals%load_mismatch + w*part%load_mismatch
+      totals%energy_mismatch = totals%energy_mismatch + w*part%energy_mismatch
+      totals%slope_error = totals%slope_error + w*part%slope_error
+      totals%load_scale = totals%load_scale + w*part%load_scale
+      totals%friction_scale = totals%friction_scale + w*part%friction_scale
+      totals%n_strips = totals%n_strips + part%n_strips
+      totals%n_closed_form = totals%n_closed_form + part%n_closed_form
+      totals%is_converged = totals%is_converged .and. part%is_converged
+   end subroutine add_totals
+
    !> Add the change of a strip's load with the penetration.
    pure subroutine add_load_slope(strip, state, width, totals)
       type(strip_t), intent(in) :: strip
@@ -172,7 +201,7 @@ contains
       type(totals_t), intent(in) :: totals
       !> Errors of load and friction beside round-off and what the balances leave over.
       real(dp), intent(in) :: error(2)
-      !> By how much the load differs from one that is given.
+      !> By how much the load may differ from one that is given.
       real(dp), intent(in) :: excess
       real(dp) :: errors(2), sizes(2), scales(2), shares(2)
 
@@ -184,12 +213,11 @@ contains
       ! edges are known to the round-off of their phases, which shifts the load: that is friction, where there is any
       if (max(totals%contact, totals%adhesion) < 1) errors(2) = errors(2) &
          & + epsilon(1.0_dp)*min(4*totals%load_scale, most_amplified*totals%friction_scale)
-      ! towards pull-off friction changes several times as fast as the load
       errors(1) = errors(1) + abs(excess)
       if (abs(excess) < sizes(1)) then
-         errors(2) = errors(2) + 4*abs(excess)/sizes(1)*sizes(2)
+         errors(2) = errors(2) + pull_off_amplified*abs(excess)/sizes(1)*sizes(2)
       else
-         errors(2) = errors(2) + 4*sizes(2)
+         errors(2) = errors(2) + pull_off_amplified*sizes(2)
       end if
       ! an error as large as the number is known says no more than 1
       shares = merge(1.0_dp, 0.0_dp, errors > 0)
