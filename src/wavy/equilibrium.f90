@@ -70,6 +70,7 @@ contains
       type(memory_t), intent(inout) :: memory
       type(equilibrium_t), intent(out) :: equilibrium
       type(trial_t) :: low, high
+      real(dp) :: excess
       logical :: is_found
 
       call refine_guess(surface, load, guess, memory, high, is_found)
@@ -79,8 +80,11 @@ contains
       end if
       equilibrium%status = merge(status_no_equilibrium, status_not_converged, &
          & low%totals%is_converged .and. high%totals%is_converged)
-      ! an error of the load is one of the penetration that carries it
-      if (is_found) call finish(high, abs(high%excess) + high%error(1), equilibrium)
+      if (.not. is_found) return
+      excess = abs(high%excess)
+      ! an error of the load is one of the penetration that carries it; what so few strips as the user wants carry is their load
+      if (surface%n_strips == 0) excess = excess + high%error(1)
+      call finish(high, excess, equilibrium)
    end subroutine solve_load
 
    !> Load at a penetration.
