@@ -228,8 +228,41 @@ def scenes(folder):
     return figure
 
 
+def closed_forms(folder):
+    rows = table(folder, "closed_forms")
+    if not rows:
+        return None
+    figure, axis = plt.subplots(figsize=(7.5, 4))
+    names = [f"{row['model']}, {row['case']}: {row['swept']}" for row in rows]
+    us, low, high = (column(rows, key) for key in ("us", "us_least", "us_most"))
+    axis.barh(names, us, xerr=[us - low, high - us], color=COLOURS[2], ecolor="k", error_kw={"linewidth": 0.8})
+    axis.set(xscale="log", xlabel="time of a point [us]; the variable that is swept stands behind the colon")
+    axis.tick_params(axis="y", labelsize=7)
+    axis.invert_yaxis()
+    return figure
+
+
+def scaling(folder):
+    rows = table(folder, "scaling")
+    if not rows:
+        return None
+    figure, axis = plt.subplots(figsize=(6, 4))
+    for case, colour in zip(dict.fromkeys(row["case"] for row in rows), COLOURS[1:]):
+        for threads, mark in ((1, "o"), (2, "s")):
+            found = pick(rows, case=case, threads=threads)
+            axis.plot(column(found, "points"), column(found, "wall_seconds"), mark, color=colour, markersize=5,
+                      fillstyle="full" if threads == 1 else "none", label=f"{case}, {threads} thread" + "s" * (threads > 1))
+        found = pick(rows, case=case, threads=1)
+        axis.plot(column(found, "points"), column(found, "model_seconds"), "-", color=colour, linewidth=0.8,
+                  label="model, 1 thread")
+    axis.set(xscale="log", yscale="log", xlabel="points", ylabel="time of a run [s]")
+    axis.legend(fontsize=7)
+    return figure
+
+
 PICTURES = {"strips": strips, "surface_3d": surface_3d, "sphere": sphere, "wave_2d": wave_2d, "wave_1d": wave_1d,
-            "whole_program": whole_program, "error_estimates": error_estimates, "scenes": scenes}
+            "whole_program": whole_program, "error_estimates": error_estimates, "scenes": scenes,
+            "closed_forms": closed_forms, "scaling": scaling}
 
 
 def main():
