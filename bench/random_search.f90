@@ -24,8 +24,6 @@ program random_search
    print '(a, i0, a, i0, a)', 'random_search: ', seconds, ' s for all models, seed ', seed, '; what breaks goes to standard error'
    print '(a16, 6a12)', 'model', 'cases', 'solved', 'no state', 'no conv', 'us/point', 'slowest us'
    do k = 1, count_words(models)
-      ! it needs a file of heights
-      if (get_word(models, k) == 'surface_elastic') cycle
       call search_model(get_word(models, k), seed, huge(seed), real(seconds, dp)/count_words(models), longest, search)
       print '(a16, 4i12, 2f12.1)', get_word(models, k), search%n_cases, search%by_status, &
          1.0e6_dp*search%seconds/max(1, sum(search%by_status)), 1.0e6_dp*search%slowest

@@ -4,12 +4,13 @@
 !> some decades of what these make of its unit. What the model finds wrong with the values together is drawn anew, or left out.
 module search_draw
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: model_t, variable_t, kind_real, kind_integer, kind_logical, kind_choice
+   use adfric_base_model, only: model_t, variable_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: count_words
    use adfric_input_variable, only: is_in_range
    use random_dice, only: dice_t
+   use search_data, only: drawn_data_t, draw_data
    use search_units, only: n_dimensions, dimensions_of, unit_in_case
    implicit none (type, external)
    private
@@ -34,6 +35,8 @@ module search_draw
       real(dp), allocatable :: values(:, :)
       !> Place of the variable in which the points differ, rising.
       integer :: swept = 0
+      !> Datasets, whether the case takes them or not.
+      type(drawn_data_t), allocatable :: data(:)
    end type drawn_case_t
 
    !> What the numbers of a case are drawn about.
@@ -44,19 +47,23 @@ module search_draw
 
 contains
 
-   !> Draw a case that the model accepts; none if that was not to be had.
+   !> Draw a case that the model accepts; none if that was not to be had. The model has its datasets then.
    subroutine draw_case(model, dice, drawn, is_drawn)
-      class(model_t), intent(in) :: model
+      class(model_t), intent(inout) :: model
       type(dice_t), intent(inout) :: dice
       type(drawn_case_t), intent(out) :: drawn
       logical, intent(out) :: is_drawn
       real(dp), allocatable :: values(:)
+      type(drawn_data_t), allocatable :: data(:)
       type(sizes_t) :: sizes
 
       call draw_sizes(dice, sizes)
+      call draw_data(model, dice, sizes%logarithm, data, is_drawn)
+      if (.not. is_drawn) return
       call draw_values(model, dice, sizes, values)
       call mend_values(model, dice, sizes, values, is_drawn)
       if (is_drawn) call draw_neighbours(model, dice, sizes, values, drawn, is_drawn)
+      call move_alloc(data, drawn%data)
    end subroutine draw_case
 
    subroutine draw_sizes(dice, sizes)
@@ -121,7 +128,7 @@ contains
          case (kind_choice)
             call dice%choose(count_words(v%choices), number)
             values(k) = number
-         case (kind_logical)
+         case (kind_logical, kind_dataset)
             values(k) = 1
          case (kind_integer)
             ! the least, doubled a few times: counts that ask for a multiple are met

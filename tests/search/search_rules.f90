@@ -13,6 +13,7 @@ module search_rules
       & r_penetration, v_height, v_period, v_stress
    use model_calls, only: solve_values
    use random_dice, only: dice_t
+   use search_data, only: give_data, rescale_data
    use search_draw, only: drawn_case_t
    use search_units, only: n_dimensions, dimensions_of, unit_in_case
    implicit none (type, external)
@@ -154,6 +155,7 @@ contains
       type(dice_t), intent(inout) :: dice
       character(:), allocatable, intent(inout) :: fault
       type(drawn_case_t) :: other
+      class(model_t), allocatable :: other_model
       type(answer_t) :: scaled
       real(dp) :: powers(n_dimensions)
       logical :: is_valid
@@ -166,7 +168,14 @@ contains
       end do
       call rescale(model, drawn, powers, other, is_valid)
       if (.not. is_valid) return
-      call answer_case(model, other, scaled)
+      if (size(other%data) > 0) then
+         allocate (other_model, source=model)
+         call give_data(other_model, other%data, is_valid)
+         if (.not. is_valid) return
+         call answer_case(other_model, other, scaled)
+      else
+         call answer_case(model, other, scaled)
+      end if
       do k = 1, size(results)
          associate (power => dot_product(powers, dimensions_of(results(k)%unit)))
             scaled%results(k, :) = scaled%results(k, :)*2.0_dp**(-power)
@@ -204,6 +213,7 @@ contains
          end associate
       end do
       if (.not. is_valid) return
+      call rescale_data(model, powers, other%data)
       is_swept = .false.
       is_swept(other%swept) = .true.
       do i = 1, size(other%values, 2)
@@ -304,14 +314,15 @@ contains
       type(drawn_case_t), intent(in) :: drawn
       type(answer_t), intent(in) :: answer
       character(:), allocatable, intent(inout) :: fault
-      character(*), parameter :: rising(3, 7) = reshape([character(20) :: &
+      character(*), parameter :: rising(3, 8) = reshape([character(20) :: &
          & 'wavy_sliding', 'load', 'penetration', &
          & 'hertz', 'load', 'contact_half_width', &
          & 'rigid_punch', 'load', 'contact_half_width', &
          & 'wave_1d', 'mean_pressure', 'penetration', &
          & 'wave_1d', 'mean_pressure', 'contact_fraction', &
          & 'wave_2d_elastic', 'mean_pressure', 'penetration', &
-         & 'wave_2d_elastic', 'mean_pressure', 'area_fraction'], [3, 7])
+         & 'wave_2d_elastic', 'mean_pressure', 'area_fraction', &
+         & 'surface_elastic', 'mean_pressure', 'penetration'], [3, 8])
       real(dp) :: last, error
       integer :: row, k, i
       logical :: is_first

@@ -1,9 +1,10 @@
 !> A drawn case as an input that `adfric run` repeats, to every digit.
 module search_text
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: model_t, variable_t, kind_real, kind_integer, kind_logical, kind_choice
+   use adfric_base_model, only: model_t, variable_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: get_word
+   use search_data, only: data_text
    use search_draw, only: drawn_case_t
    implicit none (type, external)
    private
@@ -41,6 +42,7 @@ contains
          do k = 1, size(drawn%values, 2)
             list = list//' '//value_text(v, drawn%values(drawn%swept, k))
          end do
+         text = text//data_text(model, drawn%data)
          text = text//'&sweep variable = '''//v%group//'%'//v%name//''', values ='//list//' /'//newline
       end associate
    end function input_of
@@ -54,6 +56,9 @@ contains
       select case (v%kind)
       case (kind_choice)
          text = ''''//get_word(v%choices, nint(value))//''''
+      case (kind_dataset)
+         ! its values stand in comments
+         text = '''drawn.h5:/'//v%name//''''
       case (kind_logical)
          text = merge('.true. ', '.false.', value > 0)
       case (kind_integer)
