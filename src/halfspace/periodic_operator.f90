@@ -10,7 +10,10 @@ module adfric_halfspace_periodic_operator
    use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
    implicit none (type, external)
    private
-   public :: periodic_operator_t, new_periodic_operator
+   public :: periodic_operator_t, new_periodic_operator, is_too_long
+
+   !> Cells may be so many times as long as wide; beyond that modes along and across differ by more digits than there are.
+   real(dp), parameter :: longest_cell = 1.0e6_dp
 
    !> Stiffness and compliance on a grid of cells. Not to be copied; one for each thread.
    type :: periodic_operator_t
@@ -50,6 +53,9 @@ contains
       if (.not. all(period > 0)) then
          call set_error(error, input_failure, 'the periods of a surface must be positive')
          return
+      else if (is_too_long(n_cells, period)) then
+         call set_error(error, input_failure, 'the cells of a surface are far longer than wide')
+         return
       end if
       call new_spectral_filter(self%filter, n_cells(1), n_cells(2), is_quarter, is_measured, error)
       if (allocated(error)) return
@@ -69,6 +75,17 @@ contains
          end do
       end associate
    end subroutine new_periodic_operator
+
+   !> Are the cells longer, or wider, than can be?
+   pure logical function is_too_long(n_cells, period)
+      !> In each direction; a line has 1 in one of them.
+      integer, intent(in) :: n_cells(2)
+      real(dp), intent(in) :: period(2)
+
+      associate (sizes => period/n_cells)
+         is_too_long = all(n_cells > 1) .and. .not. maxval(sizes) <= longest_cell*minval(sizes)
+      end associate
+   end function is_too_long
 
    !> Number of waves of a mode along the second direction.
    pure real(dp) function wave_number(mode, n_points, is_quarter) result(number)

@@ -13,6 +13,7 @@ module adfric_halfspace_surface_model
    use adfric_halfspace_halfspace_table, only: positive, dataset
    use adfric_halfspace_periodic_grids, only: n_grids_of
    use adfric_halfspace_periodic_model, only: periodic_model_t
+   use adfric_halfspace_periodic_operator, only: is_too_long
    use adfric_halfspace_periodic_point, only: periodic_surface_t
    use adfric_halfspace_periodic_solver, only: grids_for_error
    use adfric_halfspace_periodic_table, only: v_contact_modulus
@@ -87,6 +88,10 @@ contains
       if (.not. is_set(values(v_heights))) return
       if (.not. self%is_line()) then
          call need(self%variables, values, [v_length_y], problems)
+         if (is_set(values(v_length_x)) .and. is_set(values(v_length_y))) then
+            if (is_too_long(shape(self%depths), values([v_length_x, v_length_y]))) call problems%add('surface', 'length_y', &
+               & 'and length_x make cells more than 1e6 times as long as wide')
+         end if
       else if (is_set(values(v_length_y))) then
          call problems%add('surface', 'length_y', 'is given, but the heights have one dimension, x')
       end if

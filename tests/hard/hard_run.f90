@@ -170,7 +170,8 @@ contains
          if (size(axes) > 0) n = size(axes(size(axes))%values)
          if (size(axes) > 0) drawn%swept = axes(size(axes))%variable
       end associate
-      allocate (drawn%values(size(run%input%plan%base), n))
+      ! no hard case has datasets
+      allocate (drawn%values(size(run%input%plan%base), n), drawn%data(0))
       do line = 1, size(run%status)/n
          call run%input%plan%get_values(int(n*(line - 1) + 1, i8), drawn%values)
          call answer_case(run%model, drawn, answer)
