@@ -82,8 +82,10 @@ contains
       integer, intent(in) :: n_cells(2)
       real(dp), intent(in) :: period(2)
 
+      is_too_long = .false.
+      if (any(n_cells <= 1)) return
       associate (sizes => period/n_cells)
-         is_too_long = all(n_cells > 1) .and. .not. maxval(sizes) <= longest_cell*minval(sizes)
+         is_too_long = .not. maxval(sizes) <= longest_cell*minval(sizes)
       end associate
    end function is_too_long
 
