@@ -213,18 +213,24 @@ def error_estimates(folder):
     return figure
 
 
+def bars(rows, names, keys, label):
+    """A bar for each row, with its range; keys: value, least, most."""
+    figure, axis = plt.subplots(figsize=(7.5, 4))
+    value, low, high = (column(rows, key) for key in keys)
+    axis.barh(names, value, xerr=[value - low, high - value], color=COLOURS[2], ecolor="k", error_kw={"linewidth": 0.8})
+    axis.set(xscale="log", xlabel=label)
+    axis.tick_params(axis="y", labelsize=7)
+    axis.invert_yaxis()
+    return figure, axis
+
+
 def scenes(folder):
     rows = table(folder, "scenes")
     if not rows:
         return None
-    figure, axis = plt.subplots(figsize=(7.5, 4))
-    names = [f"{row['saving']} ({row['scene']})" for row in rows]
-    ratio, low, high = (column(rows, key) for key in ("ratio", "ratio_least", "ratio_most"))
-    axis.barh(names, ratio, xerr=[ratio - low, high - ratio], color=COLOURS[2], ecolor="k", error_kw={"linewidth": 0.8})
+    figure, axis = bars(rows, [f"{row['saving']} ({row['scene']})" for row in rows], ("ratio", "ratio_least", "ratio_most"),
+                        "time without the saving over time with it")
     axis.axvline(1, color="k", linewidth=0.8)
-    axis.set(xscale="log", xlabel="time without the saving over time with it")
-    axis.tick_params(axis="y", labelsize=7)
-    axis.invert_yaxis()
     return figure
 
 
@@ -232,14 +238,8 @@ def closed_forms(folder):
     rows = table(folder, "closed_forms")
     if not rows:
         return None
-    figure, axis = plt.subplots(figsize=(7.5, 4))
     names = [f"{row['model']}, {row['case']}: {row['swept']}" for row in rows]
-    us, low, high = (column(rows, key) for key in ("us", "us_least", "us_most"))
-    axis.barh(names, us, xerr=[us - low, high - us], color=COLOURS[2], ecolor="k", error_kw={"linewidth": 0.8})
-    axis.set(xscale="log", xlabel="time of a point [us]; the variable that is swept stands behind the colon")
-    axis.tick_params(axis="y", labelsize=7)
-    axis.invert_yaxis()
-    return figure
+    return bars(rows, names, ("us", "us_least", "us_most"), "time of a point [us]; the variable that is swept stands behind the colon")[0]
 
 
 def scaling(folder):
