@@ -239,7 +239,8 @@ def closed_forms(folder):
     if not rows:
         return None
     names = [f"{row['model']}, {row['case']}: {row['swept']}" for row in rows]
-    return bars(rows, names, ("us", "us_least", "us_most"), "time of a point [us]; the variable that is swept stands behind the colon")[0]
+    label = "time of a point [us]; the variable that is swept stands behind the colon"
+    return bars(rows, names, ("us", "us_least", "us_most"), label)[0]
 
 
 def scaling(folder):
