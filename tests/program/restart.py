@@ -203,7 +203,7 @@ class Restart(Runs):
         self.assertEqual(resumed.splitlines()[:-2], whole.splitlines()[:-2])
 
     def test_two_runs_at_once(self):
-        self.write(LOADS.format(strips=16, count=8000))
+        self.write(LOADS.format(strips=16, count=6 * self.count_of_lasting(LOADS)))
         process = self.start("run", "--quiet", "run.nml")
         self.wait_for("run.h5.partial")
         for options in ([], ["--resume"], ["--force"], ["--resume", "--force"]):

@@ -209,7 +209,7 @@ class Shards(Runs):
             self.assertEqual(self.run_script("run.nml", number, "other.h5")[0], 2)
 
     def test_job_script_at_the_end_of_its_time(self):
-        self.write(LOADS.format(strips=16, count=8000))
+        self.write(LOADS.format(strips=16, count=4 * self.count_of_lasting(LOADS)))
         task = ("--solve", PROGRAM, "run.nml", "2", "run.h5")
         process = self.script(*task, task=1)
         self.wait_for_points(self.part(1, 2) + ".partial")
