@@ -3,7 +3,7 @@ module sphere_limits
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
    use adfric_sphere_contact, only: theory_jkr, theory_dmt
-   use adfric_sphere_theory_bounds, only: get_theory_bounds
+   use adfric_sphere_theory_bounds, only: limit_t, new_limit
    use measure, only: spread_t, spread_of, open_table
    use quad_dugdale, only: qp, state_t, of_radius, least_value
    use sphere_timing, only: logarithmic
@@ -46,6 +46,7 @@ contains
       integer, intent(in) :: table, number
       real(dp), intent(in) :: lambda
       integer, intent(inout) :: n_broken
+      type(limit_t) :: bounds
       type(state_t) :: truth
       real(dp) :: radii(n_radii), bound(2), error(2), scale(2), ratios(2, n_radii), any_error(2), proved_error(2), &
          proved_bound(2)
@@ -58,6 +59,7 @@ contains
       proved_error = 0
       proved_bound = 0
       n = 0
+      call new_limit(bounds, number, lambda, 1.0_dp)
       do k = 1, n_radii
          truth = of_radius(lambda, radii(k))
          a = radii(k)
@@ -66,7 +68,7 @@ contains
          scale = real(max(abs(truth%value(2:3)), real(least_value, qp)), dp)
          error = real(abs(limit - truth%value(2:3)), dp)/scale
          any_error = max(any_error, error)
-         call get_theory_bounds(number, lambda, 1.0_dp, radii(k), bound(1), bound(2))
+         call bounds%get_bounds(radii(k), bound(1), bound(2))
          if (.not. maxval(bound) < 1.0e10_dp) cycle
          n = n + 1
          bound = bound/scale

@@ -6,7 +6,7 @@ module sphere_points
    use adfric_sphere_dmt, only: dmt_t
    use adfric_sphere_jkr, only: jkr_t
    use adfric_sphere_maugis_dugdale, only: maugis_t
-   use adfric_sphere_theory_bounds, only: get_theory_bounds
+   use adfric_sphere_theory_bounds, only: limit_t, new_limit
    use adfric_sweep_clock, only: wall_clock
    use measure, only: spread_t, spread_of, open_table
    use plain_dugdale, only: solve_plain
@@ -123,9 +123,11 @@ contains
       !> Of the larger of a value and `least_value`.
       real(dp) function bound_of(number)
          integer, intent(in) :: number
+         type(limit_t) :: limit
          real(dp) :: bounds(2)
 
-         call get_theory_bounds(number, lambda, 1.0_dp, radius, bounds(1), bounds(2))
+         call new_limit(limit, number, lambda, 1.0_dp)
+         call limit%get_bounds(radius, bounds(1), bounds(2))
          bound_of = min(maxval(bounds/max(abs(real(truth%value(2:3), dp)), least_value)), 1.0e9_dp)
       end function bound_of
 

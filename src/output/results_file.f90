@@ -255,15 +255,8 @@ contains
       !> Time that the run took since it began or was resumed [s].
       real(dp), intent(in) :: wall_seconds
       type(error_t), allocatable, intent(out) :: error
-      type(hdf5_calls_t) :: calls
 
-      call self%make_safe(error)
-      if (.not. allocated(error)) then
-         call write_means(calls, self%file, self%layout, self%datasets)
-         call write_seconds(calls, self%file, self%seconds_before + wall_seconds)
-         call self%close_all(calls)
-         call calls%get_error(self%path//': cannot complete', error)
-      end if
+      call close_with_time(self, wall_seconds, .true., error)
       if (.not. allocated(error)) then
          if (is_same(self%id, id_of_file(self%path_now))) then
             call move_file(self%path_now, self%path, self%overwrite, error)
@@ -285,14 +278,8 @@ contains
       !> Time that the run took since it began or was resumed [s].
       real(dp), intent(in) :: wall_seconds
       type(error_t), allocatable, intent(out) :: error
-      type(hdf5_calls_t) :: calls
 
-      call self%make_safe(error)
-      if (.not. allocated(error)) then
-         call write_seconds(calls, self%file, self%seconds_before + wall_seconds)
-         call self%close_all(calls)
-         call calls%get_error(self%path//': cannot write', error)
-      end if
+      call close_with_time(self, wall_seconds, .false., error)
       if (.not. allocated(error)) call synchronise(self%path_now, error)
       if (allocated(error)) then
          call self%abandon(error)
@@ -300,6 +287,24 @@ contains
          call self%lock%release()
       end if
    end subroutine stop_writing
+
+   !> Bring everything to the disk, say how long it took, and close the file.
+   subroutine close_with_time(self, wall_seconds, is_complete, error)
+      class(results_file_t), intent(inout) :: self
+      !> Time that the run took since it began or was resumed [s].
+      real(dp), intent(in) :: wall_seconds
+      !> Are all points solved? Then the means over them are written, too.
+      logical, intent(in) :: is_complete
+      type(error_t), allocatable, intent(out) :: error
+      type(hdf5_calls_t) :: calls
+
+      call self%make_safe(error)
+      if (allocated(error)) return
+      if (is_complete) call write_means(calls, self%file, self%layout, self%datasets)
+      call write_seconds(calls, self%file, self%seconds_before + wall_seconds)
+      call self%close_all(calls)
+      call calls%get_error(self%path//': cannot '//trim(merge('complete', 'write   ', is_complete)), error)
+   end subroutine close_with_time
 
    !> Close the file after an error; the error says what is left of it.
    subroutine abandon(self, error)

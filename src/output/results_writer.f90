@@ -21,8 +21,8 @@ module adfric_output_results_writer
    !> Least time between two moments at which everything is brought to the disk [s], and in times of what that takes.
    real(dp), parameter :: least_interval = 0.1_dp, interval_by_duration = 50
 
-   !> So much is written before the system is asked to begin to bring it to the disk [bytes].
-   real(dp), parameter :: much = 4e6_dp
+   !> So many numbers are written before the system is asked to begin to bring them to the disk.
+   integer, parameter :: many = 500000
 
    !> A file that is being written.
    type, extends(sink_t) :: results_writer_t
@@ -35,8 +35,8 @@ module adfric_output_results_writer
       real(dp) :: safe_at = 0, safe_took = 0
       !> States that wait for their results to be on the disk.
       type(status_log_t), private :: log
-      !> What has been written since the system was last asked to bring it to the disk [bytes].
-      real(dp), private :: n_bytes = 0
+      !> Numbers written since the system was last asked to bring them to the disk.
+      integer(i8), private :: n_numbers = 0
       !> Do several processes write the file now?
       logical, private :: is_shared = .false.
    contains
@@ -118,7 +118,7 @@ contains
       if (.not. allocated(error)) call self%put_counts(first, counts, error)
       if (allocated(error)) return
       call self%log%add(row, status)
-      call begin_to_bring(self, storage_size(results)/8.0_dp*size(results))
+      call begin_to_bring(self, size(results))
       waiting = wall_clock() - self%safe_at
       if (waiting > max(least_interval, interval_by_duration*self%safe_took)) call self%make_safe(error)
    end subroutine put
@@ -148,19 +148,19 @@ contains
       call calls%silence()
       call self%datasets%write_profiles(calls, self%layout, self%layout%row_of(point), profiles)
       call calls%get_error(self%path//': cannot write', error)
-      call begin_to_bring(self, storage_size(profiles)/8.0_dp*size(profiles))
+      call begin_to_bring(self, size(profiles))
    end subroutine put_profiles
 
    !> From time to time ask the system to begin to bring to the disk what has been written.
-   subroutine begin_to_bring(self, n_bytes)
+   subroutine begin_to_bring(self, n_numbers)
       class(results_writer_t), intent(inout) :: self
       !> Written since it was called last.
-      real(dp), intent(in) :: n_bytes
+      integer, intent(in) :: n_numbers
 
-      self%n_bytes = self%n_bytes + n_bytes
-      if (self%n_bytes < much) return
+      self%n_numbers = self%n_numbers + n_numbers
+      if (self%n_numbers < many) return
       call begin_to_synchronise(self%path_now)
-      self%n_bytes = 0
+      self%n_numbers = 0
    end subroutine begin_to_bring
 
    !> Bring the results so far to the disk, and then say that they are there.

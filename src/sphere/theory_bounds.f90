@@ -17,7 +17,7 @@ module adfric_sphere_theory_bounds
    use adfric_sphere_dugdale_curve, only: get_disc_radius
    implicit none (type, external)
    private
-   public :: limit_t, new_limit, get_theory_bounds
+   public :: limit_t, new_limit
 
    !> Largest t^2 for which JKR is bounded, and largest u for which DMT is.
    real(dp), parameter :: largest_square = 0.1_dp, largest_cosine = 0.5_dp
@@ -92,19 +92,5 @@ contains
          approach = self%far*root
       end if
    end subroutine get_bounds
-
-   !> The same for a single radius.
-   elemental subroutine get_theory_bounds(theory, lambda, ratio, radius, load, approach)
-      !> `theory_jkr` or `theory_dmt`.
-      integer, intent(in) :: theory
-      !> > 0.
-      real(dp), intent(in) :: lambda, ratio, radius
-      !> Huge where nothing is proved.
-      real(dp), intent(out) :: load, approach
-      type(limit_t) :: limit
-
-      call new_limit(limit, theory, lambda, ratio)
-      call limit%get_bounds(radius, load, approach)
-   end subroutine get_theory_bounds
 
 end module adfric_sphere_theory_bounds

@@ -5,7 +5,7 @@ module adfric_sweep_batch
    use adfric_sweep_sink, only: sink_t
    implicit none (type, external)
    private
-   public :: batch_t, batch_store_t, new_batch_store, batch_bytes
+   public :: batch_store_t, new_batch_store, batch_bytes
 
    !> Where a thread finds room for the next batch while others wait for the sink.
    type :: batch_store_t

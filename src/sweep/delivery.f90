@@ -13,7 +13,7 @@ module adfric_sweep_delivery
    use adfric_sweep_sink, only: sink_t
    implicit none (type, external)
    private
-   public :: delivery_t, new_delivery, profile_gate_t, leave_batch, end_leaving, deliver, has_failed, most_waiting
+   public :: delivery_t, new_delivery, profile_gate_t, prepare_sink, leave_batch, end_leaving, deliver, has_failed, most_waiting
 
    !> Number of batches that may wait for the sink.
    integer, parameter :: most_waiting = 32
@@ -27,8 +27,10 @@ module adfric_sweep_delivery
       type(error_t), allocatable :: error
       !> Time in the sink [s].
       real(dp) :: seconds = 0
-      !> Threads that solve, and those of them that still do.
-      integer, private :: n_workers = 0, n_working = 0
+      !> Threads that solve.
+      integer :: n_workers = 0
+      !> Those of them that still do.
+      integer, private :: n_working = 0
       !> Places of the batches that wait, the longest first, and how many these are.
       integer, allocatable, private :: queue(:)
       integer, private :: n_waiting = 0
@@ -141,10 +143,7 @@ contains
       type(delivery_t), intent(inout) :: self
       integer :: place, i
 
-      !$omp critical (adfric_sweep_sink)
       call prepare_sink(sink, self)
-      !$omp end critical (adfric_sweep_sink)
-      if (.not. self%has_writer) return
       do
          call self%bell%wait()
          !$omp critical (adfric_sweep_store)
@@ -167,16 +166,19 @@ contains
       end do
    end subroutine deliver
 
-   !> Make the sink ready, unless it is so already.
+   !> Make the sink ready, unless it is so already. It must be before a batch is put into it.
    subroutine prepare_sink(sink, self)
       class(sink_t), intent(inout) :: sink
       type(delivery_t), intent(inout) :: self
       type(error_t), allocatable :: error
 
-      if (self%is_prepared) return
-      call sink%prepare(error)
-      call keep_error(error, self%error)
-      self%is_prepared = .true.
+      !$omp critical (adfric_sweep_sink)
+      if (.not. self%is_prepared) then
+         call sink%prepare(error)
+         call keep_error(error, self%error)
+         self%is_prepared = .true.
+      end if
+      !$omp end critical (adfric_sweep_sink)
    end subroutine prepare_sink
 
    !> Put a batch into the sink; it is empty then.
@@ -189,7 +191,6 @@ contains
 
       !$omp critical (adfric_sweep_sink)
       start = wall_clock()
-      call prepare_sink(sink, self)
       if (.not. allocated(self%error)) then
          call self%store%batches(place)%put_into(sink, error)
          call keep_error(error, self%error)
@@ -211,9 +212,10 @@ contains
 
       arrival = wall_clock()
       associate (delivery => self%delivery)
+         ! the thread that writes may not have come to it
+         call prepare_sink(self%sink, delivery)
          !$omp critical (adfric_sweep_sink)
          start = wall_clock()
-         call prepare_sink(self%sink, delivery)
          if (.not. allocated(delivery%error)) then
             call self%sink%put_profiles(self%first + place - 1, profiles, error)
             call keep_error(error, delivery%error)

@@ -15,8 +15,8 @@ module adfric_sweep_runner
    use adfric_sweep_block_source, only: block_source_t, block_list_t, new_block_list
    use adfric_sweep_clock, only: wall_clock
    use adfric_sweep_counts, only: find_counts, pick_counts
-   use adfric_sweep_delivery, only: delivery_t, new_delivery, profile_gate_t, leave_batch, end_leaving, deliver, &
-      & has_failed, most_waiting
+   use adfric_sweep_delivery, only: delivery_t, new_delivery, profile_gate_t, prepare_sink, leave_batch, &
+      & end_leaving, deliver, has_failed, most_waiting
    use adfric_sweep_interruption, only: caught_signal
    use adfric_sweep_plan, only: plan_t
    use adfric_sweep_progress, only: progress_t
@@ -36,8 +36,6 @@ module adfric_sweep_runner
    !> What the threads share.
    type :: sweep_t
       integer(i8) :: n_solved = 0
-      !> Threads that solve.
-      integer :: n_workers = 1
       type(delivery_t) :: delivery
       !> Shape of the profiles of a point; (0, 0, 0) if there are none.
       integer :: profile_shape(3) = 0
@@ -96,6 +94,7 @@ contains
       class(block_source_t), intent(inout) :: source
       type(sweep_t) :: sweep
       real(dp) :: start
+      integer :: n_threads
 
       start = wall_clock()
       if (model%wants_profiles(plan%base)) sweep%profile_shape = profile_shape_of(model, plan)
@@ -103,17 +102,17 @@ contains
       call new_summary(sweep%summary, model%results)
       sweep%n_solved = source%n_points_before
       call progress%report(sweep%n_solved, source%blocks%n_points())
-      sweep%n_workers = omp_get_max_threads()
-      !$omp parallel default(none) shared(model, plan, sink, progress, source, sweep) &
-      !$omp& num_threads(sweep%n_workers + merge(1, 0, sink%has_own_thread))
+      n_threads = omp_get_max_threads()
+      !$omp parallel default(none) shared(model, plan, sink, progress, source, sweep, n_threads) &
+      !$omp& num_threads(n_threads + merge(1, 0, sink%has_own_thread))
       !$omp single
-      call share_work(sink, source, size(model%results), sweep)
+      call share_work(sink, source, size(model%results), n_threads, sweep)
       !$omp end single
       ! the last thread is the one that writes
-      if (omp_get_thread_num() < sweep%n_workers) then
+      if (omp_get_thread_num() < sweep%delivery%n_workers) then
          call work(model, plan, sink, progress, source, sweep)
          call end_leaving(sweep%delivery)
-      else
+      else if (sweep%delivery%has_writer) then
          call deliver(sink, sweep%delivery)
       end if
       !$omp end parallel
@@ -126,17 +125,19 @@ contains
    end subroutine run_source
 
    !> Say who solves and who writes, as far as the threads that there are allow it.
-   subroutine share_work(sink, source, n_results, sweep)
+   subroutine share_work(sink, source, n_results, n_threads, sweep)
       class(sink_t), intent(inout) :: sink
       class(block_source_t), intent(in) :: source
       integer, intent(in) :: n_results
+      !> That may solve.
+      integer, intent(in) :: n_threads
       type(sweep_t), intent(inout) :: sweep
 
-      sweep%n_workers = min(sweep%n_workers, omp_get_num_threads())
-      call new_delivery(sweep%delivery, sweep%n_workers, n_results, size(sweep%counts), source%blocks%size, largest_batch)
-      if (omp_get_num_threads() > sweep%n_workers) call sweep%delivery%make_writer()
-      ! else each writes its own
-      if (.not. sweep%delivery%has_writer) call deliver(sink, sweep%delivery)
+      call new_delivery(sweep%delivery, min(n_threads, omp_get_num_threads()), n_results, size(sweep%counts), source%blocks%size, &
+         largest_batch)
+      if (omp_get_num_threads() > sweep%delivery%n_workers) call sweep%delivery%make_writer()
+      ! the thread that writes does that itself, while the others begin
+      if (.not. sweep%delivery%has_writer) call prepare_sink(sink, sweep%delivery)
    end subroutine share_work
 
    !> Memory that a run needs beside that of its plan [bytes].
@@ -244,7 +245,7 @@ contains
       n = 0
       if (must_end(sweep)) return
       !$omp critical (adfric_sweep_shared)
-      share = source%n_left/(2*sweep%n_workers)
+      share = source%n_left/(2*sweep%delivery%n_workers)
       call source%take_blocks(int(max(1_i8, min(share, int(n_wanted, i8)))), first, n)
       !$omp end critical (adfric_sweep_shared)
    end subroutine take_blocks

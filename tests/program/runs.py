@@ -96,19 +96,15 @@ class Runs(unittest.TestCase):
     def case_of(self, seconds):
         """An input that takes so long on one thread, whatever the build and the machine; the name of its file is big.h5."""
         text = EVEN.replace("run.h5", "big.h5")
-        took, count = 0.0, 250
-        while took < 0.5:
-            count *= 2
-            self.write(text.format(count=count), "trial.nml")
-            start = time.monotonic()
-            self.run_program("run", "--quiet", "--force", "trial.nml", "--output", "trial.h5", threads=1)
-            took = time.monotonic() - start
-        (self.folder / "trial.h5").unlink()
-        (self.folder / "trial.nml").unlink()
+        count, took = self.lasting(text)
         return text.format(count=int(count*seconds/took))
 
-    def count_of_lasting(self, template, seconds=0.5, threads=1):
-        """Count with which a run takes so long, and long enough that it can be met with results on the disk."""
+    def count_of_lasting(self, template, threads=1):
+        """Count with which a run lasts, see there."""
+        return self.lasting(template, threads)[0]
+
+    def lasting(self, template, threads=1, seconds=0.5):
+        """Count with which a run takes so long, and long enough that it can be met with results on the disk; its time."""
         count, first, duration = 100, 0.0, 0.0
         while duration < max(seconds, 5 * first):
             count *= 2
@@ -122,7 +118,7 @@ class Runs(unittest.TestCase):
             self.assertIn(process.returncode, IN_ORDER, errors)
             (self.folder / "trial.h5").unlink()
         (self.folder / "trial.nml").unlink()
-        return count
+        return count, duration
 
     def wait_for(self, name, patience=60):
         """Wait until there is a file of this name."""

@@ -1,6 +1,7 @@
 !> Random datasets for models that take them from files.
 module search_data
    use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
    use adfric_base_model, only: model_t, variable_t, kind_dataset
    use adfric_base_problems, only: problems_t
    use random_dice, only: dice_t
@@ -64,7 +65,6 @@ contains
       type(variable_t), intent(in) :: v
       type(dice_t), intent(inout) :: dice
       real(dp), intent(out) :: values(:, :)
-      real(dp), parameter :: pi = acos(-1.0_dp)
       integer :: i, j, kind, number
       logical :: is_far
 
@@ -81,7 +81,7 @@ contains
                ! one value apart from the others
                values(i, j) = merge(1.0_dp, 0.0_dp, i == 2 .and. j == 1)
             case (3)
-               values(i, j) = cos(2*pi*(i - 0.5_dp)/size(values, 1)) + cos(2*pi*(j - 0.5_dp)/size(values, 2))
+               values(i, j) = cos(two_pi*(i - 0.5_dp)/size(values, 1)) + cos(two_pi*(j - 0.5_dp)/size(values, 2))
             case (4)
                ! few different values
                call dice%choose(3, number)
