@@ -2,7 +2,9 @@
 !>
 !> random_strips [NUMBER [SEED [TABLE.csv]]]
 program random_strips
+   use, intrinsic :: iso_c_binding, only: c_int
    use adfric_base_kinds, only: dp
+   use adfric_base_program_end, only: end_program
    use adfric_sweep_clock, only: wall_clock
    use adfric_wavy_balance, only: balance_t, get_balance
    use adfric_wavy_steady_state, only: find_steady_state
@@ -45,7 +47,7 @@ program random_strips
    call judge_all(cases)
    call report(cases, n_broken)
    call print_times(cases, cold_spread, warm_spread)
-   if (n_broken > 0) stop 1, quiet=.true.
+   if (n_broken > 0) call end_program(1_c_int)
 
 contains
 

@@ -1,8 +1,9 @@
 !> The program `adfric`: see `adfric help`.
 program main
-   use, intrinsic :: iso_c_binding, only: c_funptr
+   use, intrinsic :: iso_c_binding, only: c_funptr, c_int
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use adfric_base_error, only: error_t
+   use adfric_base_program_end, only: end_program
    use adfric_base_version, only: program_version, git_revision
    use adfric_command_check, only: check_case
    use adfric_command_help, only: give_help
@@ -52,5 +53,5 @@ program main
    end if
    call share_status(world, outcome%exit_status)
    call world%stop()
-   if (outcome%exit_status /= exit_success) stop outcome%exit_status, quiet=.true.
+   if (outcome%exit_status /= exit_success) call end_program(int(outcome%exit_status, c_int))
 end program main

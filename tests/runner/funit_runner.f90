@@ -3,7 +3,9 @@
 !> Options of a test program: `--verbose` names each test before it starts, `--filter TEXT` runs only
 !> the tests whose name contains the text. Exit status: 0 if all passed, else 2.
 module funit_runner
+   use, intrinsic :: iso_c_binding, only: c_int
    use, intrinsic :: iso_fortran_env, only: error_unit, int64, output_unit
+   use adfric_base_program_end, only: end_program
    use funit_exceptions, only: anyExceptions, failure_t, take_failures
    implicit none (type, external)
    private
@@ -70,7 +72,7 @@ contains
             ', Errors: 0'
          write (output_unit, '(a)') '*** Encountered 1 or more failures/errors during testing ***'
          flush (output_unit)
-         stop 2, quiet=.true.
+         call end_program(2_c_int)
       end if
    end subroutine finish_tests
 
@@ -124,7 +126,7 @@ contains
             filter = trim(argument)
          case default
             write (error_unit, '(a)') 'unknown option '//trim(argument)//'; known: --verbose, --filter TEXT'
-            stop 2, quiet=.true.
+            call end_program(2_c_int)
          end select
          i = i + 1
       end do

@@ -2,7 +2,9 @@
 !>
 !> Exit status 1 and a line `FILE.pf:line: error: ...` if the file holds anything this runner does not know.
 program pf_preprocess
+   use, intrinsic :: iso_c_binding, only: c_int
    use, intrinsic :: iso_fortran_env, only: error_unit, iostat_end
+   use adfric_base_program_end, only: end_program
    use pf_translate, only: finish_file, new_test_file, test_file_t, translate_line
    implicit none (type, external)
 
@@ -35,7 +37,7 @@ program pf_preprocess
    if (problem /= '') then
       close (output, status='delete')
       write (error_unit, '(a, i0, a)') trim(source)//':', file%line, ': error: '//problem
-      stop 1, quiet=.true.
+      call end_program(1_c_int)
    end if
    close (output)
 end program pf_preprocess
