@@ -10,7 +10,7 @@ module adfric_base_model
    use adfric_base_words, only: count_words, get_word
    implicit none (type, external)
    private
-   public :: model_t, variable_t, result_t, profile_t, attribute_t
+   public :: model_t, variable_t, result_t, profile_t, attribute_t, derived_t
    public :: positive_variable
    public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
    public :: status_solved, status_no_equilibrium, status_not_converged, n_status
@@ -46,6 +46,8 @@ module adfric_base_model
       logical :: lower_open = .false., upper_open = .false.
       !> Number of dimensions that a dataset may have at most, 1 or 2, and of values that it needs along each.
       integer :: largest_rank = 1, least_count = 1
+      !> Where several groups have the name: may a sweep mean this one without the group?
+      logical :: has_bare_name = .true.
    end type variable_t
 
    !> A result per point.
@@ -75,6 +77,15 @@ module adfric_base_model
       real(dp) :: value = 0
    end type attribute_t
 
+   !> A quantity that follows from the values of the variables.
+   type :: derived_t
+      character(:), allocatable :: name
+      !> SI unit, `-` for a pure number.
+      character(:), allocatable :: unit
+      character(:), allocatable :: long_name
+      real(dp) :: value = unset
+   end type derived_t
+
    !> A model.
    type, abstract :: model_t
       !> Name in `&job model = ...`.
@@ -100,6 +111,7 @@ module adfric_base_model
       procedure :: solve_block_and_profiles
       procedure :: take_dataset
       procedure :: describe_results
+      procedure :: get_derived
       procedure :: describe_case
       procedure :: describe_profiles
       procedure :: describe_profile_axis
@@ -234,6 +246,19 @@ contains
       associate (unused => values)
       end associate
    end function describe_results
+
+   !> Quantities that follow from the values of a point and were not given, such as a contact modulus of Young's moduli. Here there
+   !> are none.
+   function get_derived(self, values) result(list)
+      class(model_t), intent(in) :: self
+      !> Checked.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: list(:)
+
+      allocate (list(0))
+      associate (unused => self, unused_too => values)
+      end associate
+   end function get_derived
 
    !> The resolved case in words, a line each, for `adfric check`: derived quantities with units. Here there are none.
    function describe_case(self, values) result(text)

@@ -1,6 +1,6 @@
 !> `adfric check`: read and validate an input, and say what it means.
 module adfric_command_check
-   use adfric_base_model, only: model_t, kind_dataset
+   use adfric_base_model, only: model_t, derived_t, kind_dataset
    use adfric_base_unset, only: is_set
    use adfric_command_case, only: open_case
    use adfric_command_line, only: command_t
@@ -32,6 +32,7 @@ contains
       if (len(run%title) > 0) call outcome%say(run%title//newline)
       call outcome%say(pad('model', name_width)//model%name//newline)
       call outcome%say(describe_values(model, run))
+      call outcome%say(describe_derived(model, run))
       text = model%describe_case(run%plan%base)
       if (len(text) > 0) then
          call outcome%say(text)
@@ -70,6 +71,22 @@ contains
          end associate
       end do
    end function describe_values
+
+   !> What follows from the values.
+   function describe_derived(model, run) result(lines)
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(in) :: run
+      character(:), allocatable :: lines
+      type(derived_t), allocatable :: list(:)
+      integer :: i
+
+      lines = ''
+      list = model%get_derived(run%plan%base)
+      if (size(list) > 0) lines = 'derived'//newline
+      do i = 1, size(list)
+         lines = lines//pad('  '//list(i)%name, name_width)//show_number(list(i)%value)//show_unit(list(i)%unit)//newline
+      end do
+   end function describe_derived
 
    !> The swept variables, the slowest first.
    function describe_sweep(model, run) result(lines)

@@ -1,7 +1,7 @@
 !> What all models of the half-space share: points that are solved one by one, and profiles along axes that the user sets.
 module adfric_halfspace_halfspace_model
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: model_t, variable_t, result_t, attribute_t, profile_t, status_solved
+   use adfric_base_model, only: model_t, variable_t, result_t, attribute_t, profile_t, derived_t, status_solved
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_requirements, only: need
@@ -9,6 +9,7 @@ module adfric_halfspace_halfspace_model
    use adfric_base_words, only: count_words, get_word
    use adfric_halfspace_halfspace_table, only: set_output_axis, output_switch
    use adfric_halfspace_point_memory, only: point_memory_t
+   use adfric_material_contact_modulus, only: derive_contact_modulus
    implicit none (type, external)
    private
    public :: halfspace_model_t, contact_profiles
@@ -19,9 +20,12 @@ module adfric_halfspace_halfspace_model
    type, abstract, extends(model_t) :: halfspace_model_t
       !> Place of the switch of the profiles; begin, end and number of each axis follow.
       integer :: output = 0
+      !> First and last place of the rows of the contact modulus; (0, -1) if there are none.
+      integer :: solids(2) = [0, -1]
    contains
       procedure :: set_tables
       procedure :: check_values
+      procedure :: get_derived
       procedure :: wants_profiles
       procedure :: get_profile_axis
       procedure :: solve_block
@@ -131,6 +135,21 @@ contains
             & self%variables(at + 1)%name, 'is not larger than '//self%variables(at)%name)
       end do
    end subroutine check_values
+
+   !> See `model_t`.
+   function get_derived(self, values) result(list)
+      class(halfspace_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: list(:)
+
+      if (self%solids(1) > 0) then
+         associate (first => self%solids(1), last => self%solids(2))
+            list = derive_contact_modulus(self%variables(first:last), values(first:last))
+         end associate
+      else
+         allocate (list(0))
+      end if
+   end function get_derived
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)

@@ -8,23 +8,24 @@ module adfric_halfspace_hertz_model
    use adfric_base_requirements, only: need, need_one
    use adfric_base_unset, only: is_set
    use adfric_halfspace_halfspace_model, only: halfspace_model_t, contact_profiles
-   use adfric_halfspace_halfspace_table, only: positive, choice, number, poisson_ratio_row
+   use adfric_halfspace_halfspace_table, only: positive, choice, number
    use adfric_halfspace_hertz_ellipse, only: ellipse_t, ellipse_shape_t, find_curvatures, find_shape, ellipse_of_load, &
       & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
    use adfric_halfspace_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap, line_misfit
    use adfric_halfspace_hertz_unit, only: unit_contact_t, find_unit_line, find_unit_ellipse
    use adfric_halfspace_point_memory, only: point_memory_t
+   use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
    implicit none (type, external)
    private
    public :: hertz_model_t, new_hertz_model
 
    !> Places of the variables, of the words of the kind, and of the results.
    integer, parameter, public :: v_kind = 1, v_radius = 2, v_radius_1x = 3, v_radius_1y = 4, v_radius_2x = 5, v_radius_2y = 6, &
-      & v_angle = 7, v_contact_modulus = 8, v_poisson_ratio = 9, v_load = 10, v_approach = 11
+      & v_angle = 7, v_contact_modulus = 8, v_poisson_ratio = 10, v_second_poisson_ratio = 12, v_load = 13, v_approach = 14
    integer, parameter, public :: kind_line = 1, kind_circular = 2, kind_elliptical = 3
    integer, parameter, public :: r_load = 1, r_approach = 2, r_half_width = 3, r_minor = 4, r_peak_pressure = 5, &
       & r_mean_pressure = 6, r_contact_area = 7, r_direction = 8, r_shear = 9, r_shear_depth = 10, r_violation = 11
-   integer, parameter :: n_variables = 11, n_results = 11
+   integer, parameter :: n_variables = 14, n_results = 11
 
    type, extends(halfspace_model_t) :: hertz_model_t
    contains
@@ -48,15 +49,15 @@ contains
       v(v_radius_2x) = number('contact', 'radius_2x', 'm', 'principal radius of the second body')
       v(v_radius_2y) = number('contact', 'radius_2y', 'm', 'its other principal radius')
       v(v_angle) = number('contact', 'angle', 'rad', 'from the first principal direction of body 1 to that of body 2', 0.0_dp)
-      v(v_contact_modulus) = positive('solid', 'contact_modulus', 'Pa', 'E*, 1/E* = sum of (1 - nu^2)/E')
-      v(v_poisson_ratio) = poisson_ratio_row()
-      v(v_poisson_ratio)%meaning = 'Poisson''s ratio, for the largest shear stress; a line without it: that in the plane'
+      call set_modulus_rows(positive('solid', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_second_poisson_ratio))
+      v(v_poisson_ratio)%meaning = 'of the first body, and for the largest shear stress; a line without it: that in the plane'
       v(v_load) = number('operating', 'load', 'N; N/m for line', 'load')
       v(v_load)%lower = 0
       v(v_approach) = number('operating', 'approach', 'm', 'of distant points, instead of the load; not for a line')
       v(v_approach)%lower = 0
       call self%set_tables('hertz', 'smooth elastic bodies in contact along a line, on a circle or an ellipse', v, &
          & get_results(.false.), contact_profiles(), 'y x', .false.)
+      self%solids = [v_contact_modulus, v_second_poisson_ratio]
    end subroutine new_hertz_model
 
    !> The table of results.
@@ -97,7 +98,9 @@ contains
       real(dp) :: a, b, direction
       integer :: i
 
-      call need(self%variables, values, [v_kind, v_contact_modulus], problems)
+      call need(self%variables, values, [v_kind], problems)
+      call check_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
+         & values(v_contact_modulus:v_second_poisson_ratio), problems, .true.)
       if (.not. is_set(values(v_kind))) return
       if (nint(values(v_kind)) == kind_line) then
          call need(self%variables, values, [v_load], problems)
@@ -123,6 +126,13 @@ contains
       if (.not. a > 0) call problems%add('contact', 'radius_1x', &
          & 'and the other radii do not make a gap that opens in all directions: there is no ellipse of contact')
    end subroutine check_case
+
+   !> E* [Pa].
+   pure real(dp) function modulus_of(values)
+      real(dp), intent(in) :: values(:)
+
+      modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+   end function modulus_of
 
    !> Curvatures A <= B of the gap A x^2 + B y^2; A <= 0 where there is no ellipse of contact.
    pure subroutine get_curvatures(values, a, b, direction)
@@ -177,7 +187,7 @@ contains
       type(line_contact_t) :: line
       real(dp) :: misfit
 
-      line = line_of_load(values(v_radius), values(v_contact_modulus), values(v_load))
+      line = line_of_load(values(v_radius), modulus_of(values), values(v_load))
       call find_unit_line(values(v_poisson_ratio), memory, unit_contact)
       results([r_load, r_half_width, r_peak_pressure]) = [values(v_load), line%half_width, line%peak_pressure]
       results([r_mean_pressure, r_contact_area]) = [pi/4*line%peak_pressure, 2*line%half_width]
@@ -212,7 +222,7 @@ contains
       if (.not. s%minor > 0) return
       if (is_set(values(v_poisson_ratio))) results([r_shear, r_shear_depth]) = [unit_contact%shear*s%peak_pressure, &
          & unit_contact%depth*s%major]
-      misfit = ellipse_misfit(s, a, b, values(v_contact_modulus))
+      misfit = ellipse_misfit(s, a, b, modulus_of(values))
       error_estimate = max(error_estimate, misfit)
       results(r_violation) = max(misfit, unit_contact%violation)
    end subroutine solve_ellipse
@@ -226,9 +236,9 @@ contains
       type(ellipse_t), intent(out) :: s
 
       if (is_set(values(v_load))) then
-         call ellipse_of_load(a, b, values(v_contact_modulus), values(v_load), shape, s)
+         call ellipse_of_load(a, b, modulus_of(values), values(v_load), shape, s)
       else
-         call ellipse_of_approach(a, b, values(v_contact_modulus), values(v_approach), shape, s)
+         call ellipse_of_approach(a, b, modulus_of(values), values(v_approach), shape, s)
       end if
    end subroutine get_ellipse
 
@@ -245,7 +255,7 @@ contains
       integer :: j
 
       if (nint(values(v_kind)) == kind_line) then
-         line = line_of_load(values(v_radius), values(v_contact_modulus), values(v_load))
+         line = line_of_load(values(v_radius), modulus_of(values), values(v_load))
          profiles(:, :, 1) = spread(line_pressure(line, fast), 2, size(slow))
          profiles(:, :, 2) = spread(line_gap(line, fast), 2, size(slow))
          return
@@ -257,7 +267,7 @@ contains
       call get_ellipse(values, a, b, shape, s)
       do j = 1, size(slow)
          profiles(:, j, 1) = ellipse_pressure(s, fast, slow(j))
-         profiles(:, j, 2) = ellipse_gap(s, values(v_contact_modulus), fast, slow(j))
+         profiles(:, j, 2) = ellipse_gap(s, modulus_of(values), fast, slow(j))
          if (.not. s%minor > 0) profiles(:, j, 2) = a*fast**2 + b*slow(j)**2
       end do
       associate (unused => self, unused_too => results)

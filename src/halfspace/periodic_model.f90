@@ -2,7 +2,7 @@
 module adfric_halfspace_periodic_model
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
-   use adfric_base_model, only: model_t, variable_t, attribute_t, status_solved, status_no_equilibrium, &
+   use adfric_base_model, only: model_t, variable_t, attribute_t, derived_t, status_solved, status_no_equilibrium, &
       & status_not_converged
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
@@ -15,6 +15,7 @@ module adfric_halfspace_periodic_model
       & find_full_pressure
    use adfric_halfspace_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
    use adfric_halfspace_periodic_table
+   use adfric_material_contact_modulus, only: check_contact_modulus, derive_contact_modulus
    implicit none (type, external)
    private
    public :: periodic_model_t
@@ -25,6 +26,7 @@ module adfric_halfspace_periodic_model
    contains
       procedure :: set_tables
       procedure :: check_values
+      procedure :: get_derived
       procedure :: wants_profiles
       procedure :: get_profile_axis
       procedure :: solve_block
@@ -113,9 +115,22 @@ contains
       type(problems_t), intent(inout) :: problems
 
       call self%check_surface(values, is_swept, problems)
-      call need(self%variables, values, [self%n_own + v_contact_modulus], problems)
+      associate (first => self%n_own + v_contact_modulus, last => self%n_own + v_second_poisson_ratio)
+         call check_contact_modulus(self%variables(first:last), values(first:last), problems, .false.)
+      end associate
       call need_one(self%variables, values, self%n_own + [v_mean_pressure, v_penetration], .true., problems)
    end subroutine check_values
+
+   !> See `model_t`.
+   function get_derived(self, values) result(list)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: list(:)
+
+      associate (first => self%n_own + v_contact_modulus, last => self%n_own + v_second_poisson_ratio)
+         list = derive_contact_modulus(self%variables(first:last), values(first:last))
+      end associate
+   end function get_derived
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
@@ -149,7 +164,7 @@ contains
       associate (v => values(self%n_own + 1:))
          goal%tolerance = v(v_relative_tolerance)
          goal%is_pressure = is_set(v(v_mean_pressure))
-         if (goal%is_pressure) goal%value = v(v_mean_pressure)/v(v_contact_modulus)
+         if (goal%is_pressure) goal%value = v(v_mean_pressure)/modulus_of(v)
          if (.not. goal%is_pressure) goal%value = v(v_penetration)
       end associate
    end function get_goal
@@ -215,7 +230,7 @@ contains
          error_estimate(i) = 0
          if (solution%area%error > 0) error_estimate(i) = solution%area%error/max(solution%area%corrected, solution%area%error)
          if (.not. present(receiver)) cycle
-         call set_maps(solution, values(self%n_own + v_contact_modulus, i), profiles)
+         call set_maps(solution, modulus_of(values(self%n_own + 1:, i)), profiles)
          call receiver%take(i, profiles, goes_on)
          if (.not. goes_on) return
       end do
@@ -240,7 +255,7 @@ contains
       real(dp), intent(out) :: results(:)
 
       associate (s => solution, v => values(self%n_own + 1:))
-         results(r_mean_pressure) = s%mean_pressure*v(v_contact_modulus)
+         results(r_mean_pressure) = s%mean_pressure*modulus_of(v)
          results(r_penetration) = s%penetration
          ! what was given comes back to the last digit
          if (is_set(v(v_mean_pressure))) results(r_mean_pressure) = v(v_mean_pressure)
@@ -270,7 +285,7 @@ contains
       call self%get_surface(values, surface)
       call solve_periodic(surface, get_goal(self, values), memory, solution, error)
       if (allocated(error)) return
-      call set_maps(solution, values(self%n_own + v_contact_modulus), profiles)
+      call set_maps(solution, modulus_of(values(self%n_own + 1:)), profiles)
    end subroutine solve_profiles
 
    !> See `model_t`.

@@ -3,14 +3,15 @@ module adfric_halfspace_periodic_table
    use adfric_base_kinds, only: dp
    use adfric_base_model, only: variable_t, result_t, kind_real, kind_logical
    use adfric_halfspace_halfspace_table, only: positive, number
+   use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of
    implicit none (type, external)
    private
-   public :: set_periodic_variables, get_periodic_results
+   public :: set_periodic_variables, get_periodic_results, modulus_of
 
    !> Places among the last rows of the variables.
-   integer, parameter, public :: v_relative_tolerance = 1, v_contact_modulus = 2, v_mean_pressure = 3, v_penetration = 4, &
-      & v_profiles = 5
-   integer, parameter, public :: n_periodic_variables = 5
+   integer, parameter, public :: v_relative_tolerance = 1, v_contact_modulus = 2, v_second_poisson_ratio = 6, &
+      & v_mean_pressure = 7, v_penetration = 8, v_profiles = 9
+   integer, parameter, public :: n_periodic_variables = 9
 
    !> Places of the results.
    integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_area_fraction = 3, r_area_fraction_error = 4, &
@@ -24,7 +25,7 @@ contains
       !> Shape `(n_periodic_variables)`.
       type(variable_t), intent(inout) :: v(:)
 
-      v(v_contact_modulus) = positive('solid', 'contact_modulus', 'Pa', 'E*, 1/E* = sum of (1 - nu^2)/E')
+      call set_modulus_rows(positive('solid', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_second_poisson_ratio))
       v(v_mean_pressure) = number('operating', 'mean_pressure', 'Pa', 'load over nominal area')
       v(v_mean_pressure)%lower = 0
       v(v_penetration) = number('operating', 'penetration', 'm', &
@@ -34,6 +35,14 @@ contains
       v(v_profiles) = variable_t('output', 'profiles', kind_logical, '', 'write maps of pressure and gap for every point', '', &
          & 0.0_dp)
    end subroutine set_periodic_variables
+
+   !> E* [Pa].
+   pure real(dp) function modulus_of(values)
+      !> Of these rows.
+      real(dp), intent(in) :: values(:)
+
+      modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+   end function modulus_of
 
    !> The table of results.
    function get_periodic_results() result(r)

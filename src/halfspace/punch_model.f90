@@ -16,13 +16,15 @@ module adfric_halfspace_punch_model
    use adfric_halfspace_punch_profiles, only: polynomial_t, power_load, wedge_load, wedge_pressure, wedge_gap
    use adfric_halfspace_punch_stress, only: punch_stress
    use adfric_halfspace_rigid_punch, only: punch_contact_t, solve_punch, solve_punch_of_width
+   use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, has_contact_modulus, &
+      & check_contact_modulus
    implicit none (type, external)
    private
    public :: punch_model_t, new_punch_model
 
    !> Places of the variables, of the words of the kind, and of the results.
    integer, parameter, public :: v_kind = 1, v_face = 2, v_slope = 3, v_radius = 4, v_coefficient_2 = 5, v_coefficient_8 = 8, &
-      & v_contact_modulus = 9, v_load = 10, v_contact_half_width = 11, v_points = 12
+      & v_contact_modulus = 9, v_poisson_ratio = 11, v_load = 12, v_contact_half_width = 13, v_points = 14
    integer, parameter, public :: kind_flat = 1, kind_wedge = 2, kind_cylinder = 3, kind_polynomial = 4
    integer, parameter, public :: r_load = 1, r_contact_half_width = 2, r_mean_pressure = 3, r_centre_pressure = 4, &
       & r_edge_intensity = 5, r_violation = 6
@@ -62,7 +64,7 @@ contains
    !> The model with its tables.
    subroutine new_punch_model(self)
       type(punch_model_t), intent(out) :: self
-      type(variable_t) :: v(12)
+      type(variable_t) :: v(v_points)
       character(1) :: degree, power
       character(:), allocatable :: name, unit, meaning
       integer :: i
@@ -82,13 +84,14 @@ contains
          v(v_coefficient_2 + i - 1)%upper = largest_coefficient
       end do
       v(v_coefficient_2)%unit = '1/m'
-      v(v_contact_modulus) = positive('solid', 'contact_modulus', 'Pa', 'E* = E/(1 - nu^2)')
+      call set_modulus_rows(positive('solid', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_poisson_ratio))
       v(v_load) = positive('operating', 'load', 'N/m', 'load per length')
       v(v_contact_half_width) = positive('operating', 'contact_half_width', 'm', 'instead of the load; not for a flat punch')
       v(v_points) = variable_t('numerics', 'points', kind_integer, '-', 'points of collocation, even', '', 32.0_dp, &
          & 8.0_dp, 1000.0_dp)
       call self%set_tables('rigid_punch', 'a rigid punch on an elastic half-plane, plane strain', v, get_results(), &
          & get_profile_table(), 'y x', .true.)
+      self%solids = [v_contact_modulus, v_poisson_ratio]
    end subroutine new_punch_model
 
    !> The table of profiles.
@@ -121,7 +124,9 @@ contains
       real(dp), intent(in) :: values(:)
       type(problems_t), intent(inout) :: problems
 
-      call need(self%variables, values, [v_kind, v_contact_modulus], problems)
+      call need(self%variables, values, [v_kind], problems)
+      call check_contact_modulus(self%variables(v_contact_modulus:v_poisson_ratio), &
+         & values(v_contact_modulus:v_poisson_ratio), problems, .false.)
       if (modulo(nint(values(v_points)), 2) /= 0) call problems%add('numerics', 'points', 'is odd, allowed: an even number')
       if (.not. is_set(values(v_kind))) return
       select case (nint(values(v_kind)))
@@ -137,7 +142,7 @@ contains
       case default
          if (.not. maxval(values(v_coefficient_2:v_coefficient_8)) > 0) call problems%add('punch', 'coefficient_2', &
             & 'is 0 like all coefficients; give one of them, or kind = ''flat''')
-         call check_coefficients(self, values, problems)
+         if (has_contact_modulus(values(v_contact_modulus:v_poisson_ratio))) call check_coefficients(self, values, problems)
       end select
       call need_one(self%variables, values, [v_load, v_contact_half_width], .true., problems)
       if (is_set(values(v_contact_half_width)) .and. is_set(values(v_face))) then
@@ -145,6 +150,13 @@ contains
             & 'is larger than the half_width of the face')
       end if
    end subroutine check_case
+
+   !> E* [Pa].
+   pure real(dp) function modulus_of(values)
+      real(dp), intent(in) :: values(:)
+
+      modulus_of = contact_modulus_of(values(v_contact_modulus:v_poisson_ratio))
+   end function modulus_of
 
    !> Coefficients that are no numbers beside what is given.
    subroutine check_coefficients(self, values, problems)
@@ -168,7 +180,7 @@ contains
       is_carried = .true.
       if (.not. (is_set(values(v_contact_half_width)) .and. values(i) > 0)) return
       is_carried = log10(values(i)) + 2*(i - v_coefficient_2 + 1)*log10(values(v_contact_half_width)) &
-         & + log10(values(v_contact_modulus)) < largest_load
+         & + log10(modulus_of(values)) < largest_load
    end function is_carried
 
    !> Is there such a contact? A sweep may lead to a contact wider than the face, or to a polynomial without terms and end.
@@ -190,7 +202,7 @@ contains
       real(dp) :: load, width, modulus
       integer :: n
 
-      modulus = values(v_contact_modulus)
+      modulus = modulus_of(values)
       ! a sweep may pass odd numbers
       n = 2*(nint(values(v_points))/2)
       load = values(v_load)

@@ -16,7 +16,7 @@ module adfric_halfspace_surface_model
    use adfric_halfspace_periodic_operator, only: is_too_long
    use adfric_halfspace_periodic_point, only: periodic_surface_t
    use adfric_halfspace_periodic_solver, only: grids_for_error
-   use adfric_halfspace_periodic_table, only: v_contact_modulus
+   use adfric_halfspace_periodic_table, only: modulus_of
    implicit none (type, external)
    private
    public :: surface_model_t, new_surface_model
@@ -115,7 +115,7 @@ contains
       real(dp), intent(in) :: values(:)
       real(dp), intent(in) :: on_cells
 
-      get_full_pressure = values(self%n_own + v_contact_modulus)*on_cells
+      get_full_pressure = modulus_of(values(self%n_own + 1:))*on_cells
    end function get_full_pressure
 
    !> See `periodic_model_t`: that of a cell.
@@ -124,7 +124,7 @@ contains
       real(dp), intent(in) :: values(:)
       real(dp), intent(in) :: pressure(:, :)
 
-      get_peak_pressure = values(self%n_own + v_contact_modulus)*maxval(pressure)
+      get_peak_pressure = modulus_of(values(self%n_own + 1:))*maxval(pressure)
    end function get_peak_pressure
 
    !> See `periodic_model_t`.

@@ -12,7 +12,7 @@ module adfric_halfspace_wave_2d_model
    use adfric_halfspace_halfspace_table, only: positive
    use adfric_halfspace_periodic_model, only: periodic_model_t
    use adfric_halfspace_periodic_point, only: periodic_surface_t
-   use adfric_halfspace_periodic_table, only: v_contact_modulus
+   use adfric_halfspace_periodic_table, only: modulus_of
    implicit none (type, external)
    private
    public :: wave_2d_model_t, new_wave_2d_model
@@ -83,7 +83,7 @@ contains
       real(dp), intent(in) :: values(:)
       real(dp), intent(in) :: on_cells
 
-      get_full_pressure = two_pi*values(self%n_own + v_contact_modulus)*(values(v_amplitude)/values(v_period))
+      get_full_pressure = two_pi*modulus_of(values(self%n_own + 1:))*(values(v_amplitude)/values(v_period))
       associate (unused => on_cells)
       end associate
    end function get_full_pressure
@@ -95,7 +95,7 @@ contains
       real(dp), intent(in) :: pressure(:, :)
 
       associate (p => pressure)
-         get_peak_pressure = values(self%n_own + v_contact_modulus)*(81*p(1, 1) - 9*p(2, 1) - 9*p(1, 2) + p(2, 2))/64
+         get_peak_pressure = modulus_of(values(self%n_own + 1:))*(81*p(1, 1) - 9*p(2, 1) - 9*p(1, 2) + p(2, 2))/64
       end associate
    end function get_peak_pressure
 

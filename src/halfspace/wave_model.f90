@@ -12,12 +12,14 @@ module adfric_halfspace_wave_model
    use adfric_halfspace_point_memory, only: point_memory_t
    use adfric_halfspace_westergaard, only: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, &
       & find_wave_pressure
+   use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
    implicit none (type, external)
    private
    public :: wave_model_t, new_wave_model
 
    !> Places of the variables and of the results.
-   integer, parameter, public :: v_period = 1, v_amplitude = 2, v_contact_modulus = 3, v_mean_pressure = 4, v_penetration = 5
+   integer, parameter, public :: v_period = 1, v_amplitude = 2, v_contact_modulus = 3, v_second_poisson_ratio = 7, &
+      & v_mean_pressure = 8, v_penetration = 9
    integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_width = 3, r_contact_fraction = 4, &
       & r_peak_pressure = 5, r_mean_gap = 6, r_largest_gap = 7, r_full_contact_pressure = 8, r_regime = 9, r_violation = 10
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2
@@ -36,12 +38,12 @@ contains
    !> The model with its tables.
    subroutine new_wave_model(self)
       type(wave_model_t), intent(out) :: self
-      type(variable_t) :: v(5)
+      type(variable_t) :: v(v_penetration)
       type(result_t) :: r(10)
 
       v(v_period) = positive('surface', 'period', 'm', 'wavelength l')
       v(v_amplitude) = positive('surface', 'amplitude', 'm', 'D of the wave z = D (1 - cos 2 pi x/l)')
-      v(v_contact_modulus) = positive('solid', 'contact_modulus', 'Pa', 'E*, 1/E* = sum of (1 - nu^2)/E')
+      call set_modulus_rows(positive('solid', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_second_poisson_ratio))
       v(v_mean_pressure) = number('operating', 'mean_pressure', 'Pa', 'load over nominal area')
       v(v_mean_pressure)%lower = 0
       v(v_penetration) = number('operating', 'penetration', 'm', 'approach of the mean planes since first touch, instead')
@@ -57,6 +59,7 @@ contains
       r(r_violation) = result_t('contact_violation', '-', 'largest violation of g >= 0, p >= 0, g p = 0', '')
       call self%set_tables('wave_1d', 'a sinusoidal wave on an elastic half-plane: pressure and gap up to full contact', v, r, &
          & contact_profiles(), 'x', .false.)
+      self%solids = [v_contact_modulus, v_second_poisson_ratio]
    end subroutine new_wave_model
 
    !> See `halfspace_model_t`.
@@ -65,7 +68,9 @@ contains
       real(dp), intent(in) :: values(:)
       type(problems_t), intent(inout) :: problems
 
-      call need(self%variables, values, [v_period, v_amplitude, v_contact_modulus], problems)
+      call need(self%variables, values, [v_period, v_amplitude], problems)
+      call check_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
+         & values(v_contact_modulus:v_second_poisson_ratio), problems, .false.)
       call need_one(self%variables, values, [v_mean_pressure, v_penetration], .true., problems)
    end subroutine check_case
 
@@ -73,7 +78,7 @@ contains
    pure real(dp) function full_pressure(values)
       real(dp), intent(in) :: values(:)
 
-      full_pressure = pi*values(v_contact_modulus)*(values(v_amplitude)/values(v_period))
+      full_pressure = pi*contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))*(values(v_amplitude)/values(v_period))
    end function full_pressure
 
    !> See `halfspace_model_t`. Beyond full contact the penetration of a half-plane is undefined.

@@ -130,7 +130,8 @@ contains
          variable = model%index_of(name(:percent - 1), bare_name)
          if (variable == 0) flaw = 'unknown variable, given '''//name//''', it belongs to &'//join_words(groups, ' or &')
       else if (count_words(groups) > 1) then
-         flaw = 'stands in several groups, given '''//name//''', allowed: '''// &
+         variable = find_bare_name(model, name)
+         if (variable == 0) flaw = 'stands in several groups, given '''//name//''', allowed: '''// &
             join_words(groups, '%'//name//''' or ''')//'%'//name//''''
       else
          variable = model%index_of(groups, name)
@@ -140,6 +141,23 @@ contains
       flaw = 'not a number, it cannot be swept, given '''//name//''', allowed: '//join_words(list_swept(model), ', ')
       variable = 0
    end subroutine look_up
+
+   !> The only variable of this name that may be meant without its group; 0 if none is, or several are.
+   pure integer function find_bare_name(model, name)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: name
+      integer :: i
+
+      find_bare_name = 0
+      do i = 1, size(model%variables)
+         if (model%variables(i)%name /= name .or. .not. model%variables(i)%has_bare_name) cycle
+         if (find_bare_name > 0) then
+            find_bare_name = 0
+            return
+         end if
+         find_bare_name = i
+      end do
+   end function find_bare_name
 
    !> Is a variable of the model a number?
    pure logical function is_numeric(model, variable)

@@ -6,6 +6,7 @@ module adfric_sphere_case
    use adfric_numerics_powers, only: cube_root
    use adfric_sphere_contact, only: theory_hertz, control_load, control_approach, control_radius
    use adfric_sphere_variables
+   use adfric_material_contact_modulus, only: contact_modulus_of
    implicit none (type, external)
    private
    public :: sphere_case_t, resolve_case, theory_auto
@@ -53,12 +54,13 @@ contains
    pure subroutine resolve_units(values, self)
       real(dp), intent(in) :: values(:)
       type(sphere_case_t), intent(inout) :: self
-      real(dp) :: work
+      real(dp) :: work, e
 
       work = get_work(values)
       if (.not. work > 0) self%theory = theory_hertz
-      if (self%theory == theory_hertz) work = values(v_contact_modulus)*values(v_radius)
-      associate (r => values(v_radius), e => values(v_contact_modulus))
+      e = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+      if (self%theory == theory_hertz) work = e*values(v_radius)
+      associate (r => values(v_radius))
          self%force_unit = pi*work*r
          self%length_unit = cube_root(0.75_dp*self%force_unit*r/e)
          self%approach_unit = self%length_unit**2/r

@@ -9,6 +9,7 @@ module adfric_sphere_check
    use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale, control_radius, branch_stable
    use adfric_sphere_interaction, only: is_valid_interaction
    use adfric_sphere_variables
+   use adfric_material_contact_modulus, only: check_contact_modulus
    implicit none (type, external)
    private
    public :: check_sphere_values
@@ -42,8 +43,9 @@ contains
       end subroutine add
 
       subroutine check_sphere()
-         integer, parameter :: si_only(*) = [v_radius, v_contact_modulus, v_work_of_adhesion, v_adhesion_stress, &
-            & v_adhesion_range, v_critical_slip]
+         integer, parameter :: si_only(*) = [v_radius, v_contact_modulus, v_young_modulus, v_body_poisson_ratio, &
+            & v_second_young_modulus, v_second_poisson_ratio, v_work_of_adhesion, v_adhesion_stress, v_adhesion_range, &
+            & v_critical_slip]
          integer :: theory, k
          logical :: has_adhesion
 
@@ -54,7 +56,10 @@ contains
             end do
             if (theory == theory_auto .or. theory == theory_maugis_dugdale) call need(variables, values, [v_lambda], problems)
          else
-            call need(variables, values, [v_radius, v_contact_modulus], problems)
+            call need(variables, values, [v_radius], problems)
+            associate (first => v_contact_modulus, last => v_second_poisson_ratio)
+               call check_contact_modulus(variables(first:last), values(first:last), problems, .false.)
+            end associate
             if (theory /= theory_hertz) call need(variables, values, [v_work_of_adhesion], problems)
             has_adhesion = .false.
             if (is_set(values(v_work_of_adhesion))) has_adhesion = values(v_work_of_adhesion) > 0
@@ -110,7 +115,7 @@ contains
       !> Values that are possible one by one, and not together.
       subroutine check_reduced()
          integer, parameter :: held(*) = [v_load, v_approach, v_contact_radius], of_units(*) = [v_radius, &
-            & v_contact_modulus, v_work_of_adhesion]
+            & v_contact_modulus, v_young_modulus, v_second_young_modulus, v_work_of_adhesion]
          type(sphere_case_t) :: resolved
          integer :: k
 

@@ -1,12 +1,13 @@
 !> The model `sphere`: a smooth sphere on a plane, its adhesion and its friction (Johnson 1997).
 module adfric_sphere_model
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, status_solved
+   use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, derived_t, status_solved
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_requirements, only: refuse_swept_axes
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: quantity_line
+   use adfric_material_contact_modulus, only: derive_contact_modulus
    use adfric_sphere_case, only: sphere_case_t, resolve_case
    use adfric_sphere_check, only: check_sphere_values
    use adfric_sphere_contact, only: theory_maugis_dugdale, theory_dmt
@@ -21,6 +22,7 @@ module adfric_sphere_model
    type, extends(model_t) :: sphere_model_t
    contains
       procedure :: check_values
+      procedure :: get_derived
       procedure :: describe_results
       procedure :: describe_profiles
       procedure :: describe_profile_axis
@@ -56,6 +58,17 @@ contains
       call check_sphere_values(self%variables, values, problems)
       if (self%wants_profiles(values)) call refuse_swept_axes(self%variables, is_swept, [v_r_max, v_n_r], problems)
    end subroutine check_values
+
+   !> See `model_t`.
+   function get_derived(self, values) result(list)
+      class(sphere_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: list(:)
+
+      associate (first => v_contact_modulus, last => v_second_poisson_ratio)
+         list = derive_contact_modulus(self%variables(first:last), values(first:last))
+      end associate
+   end function get_derived
 
    !> See `model_t`.
    function describe_results(self, values) result(results)

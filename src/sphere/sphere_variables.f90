@@ -4,18 +4,20 @@ module adfric_sphere_variables
    use adfric_base_model, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, &
       & positive => positive_variable
    use adfric_base_unset, only: unset
+   use adfric_material_contact_modulus, only: set_modulus_rows
    implicit none (type, external)
    private
    public :: get_sphere_variables, get_sphere_results, get_sphere_profiles
 
    !> Places of the variables.
-   integer, parameter, public :: v_units = 1, v_radius = 2, v_contact_modulus = 3, v_work_of_adhesion = 4, &
-      & v_adhesion_stress = 5, v_adhesion_range = 6, v_lambda = 7, v_shear_strength = 8, v_poisson_ratio = 9, &
-      & v_edge_fraction = 10, v_interaction = 11, v_critical_slip = 12, v_slip_energy_ratio = 13, v_load = 14, &
-      & v_approach = 15, v_contact_radius = 16, v_branch = 17, v_state = 18, v_tangential_force = 19, &
-      & v_tangential_displacement = 20, v_theory = 21, v_relative_tolerance = 22, v_events = 23, v_profiles = 24, &
-      & v_n_r = 25, v_r_max = 26
-   integer, parameter, public :: n_sphere_variables = 26
+   integer, parameter, public :: v_units = 1, v_radius = 2, v_contact_modulus = 3, v_young_modulus = 4, &
+      & v_body_poisson_ratio = 5, v_second_young_modulus = 6, v_second_poisson_ratio = 7, v_work_of_adhesion = 8, &
+      & v_adhesion_stress = 9, v_adhesion_range = 10, &
+      & v_lambda = 11, v_shear_strength = 12, v_poisson_ratio = 13, v_edge_fraction = 14, &
+      & v_interaction = 15, v_critical_slip = 16, v_slip_energy_ratio = 17, v_load = 18, v_approach = 19, &
+      & v_contact_radius = 20, v_branch = 21, v_state = 22, v_tangential_force = 23, v_tangential_displacement = 24, &
+      & v_theory = 25, v_relative_tolerance = 26, v_events = 27, v_profiles = 28, v_n_r = 29, v_r_max = 30
+   integer, parameter, public :: n_sphere_variables = 30
 
    !> Places of the words in the choices.
    integer, parameter, public :: units_si = 1, units_reduced = 2, state_static = 1, state_sliding = 2
@@ -39,7 +41,9 @@ contains
       v(v_units) = variable_t('sphere', 'units', kind_choice, '', &
          & 'SI, or the reduced units of Johnson (2.11) for everything', 'si reduced', 1.0_dp)
       v(v_radius) = positive('sphere', 'radius', 'm', 'radius R of the sphere')
-      v(v_contact_modulus) = positive('sphere', 'contact_modulus', 'Pa', 'E*, 1/E* = sum of (1 - nu^2)/E')
+      call set_modulus_rows(positive('sphere', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_second_poisson_ratio))
+      ! without its group a sweep means that of friction, which was there before
+      v(v_contact_modulus:v_second_poisson_ratio)%has_bare_name = .false.
       v(v_work_of_adhesion) = variable_t('sphere', 'work_of_adhesion', kind_real, 'J/m^2', 'w; 0: no adhesion', '', &
          & unset, 0.0_dp)
       v(v_adhesion_stress) = positive('sphere', 'adhesion_stress', 'Pa', 'sigma0, the stress of Dugdale''s law')

@@ -1,0 +1,147 @@
+!> The contact modulus E* of elastic bodies, given as such or by the moduli of the bodies:
+!>
+!>    1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2
+!>
+!> (K. L. Johnson, Contact Mechanics, 1985, section 4.2). A body without moduli is rigid. Every model with a contact modulus has
+!> these rows in its table, one behind the other, and reads them here.
+module adfric_material_contact_modulus
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: variable_t, derived_t, kind_real
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: unset, is_set
+   implicit none (type, external)
+   private
+   public :: set_modulus_rows, contact_modulus_of, has_contact_modulus, check_contact_modulus, derive_contact_modulus
+   public :: n_one_body, n_two_bodies
+
+   !> Number of rows where one body is elastic, and where both may be.
+   integer, parameter :: n_one_body = 3, n_two_bodies = 5
+   !> Places among the rows.
+   integer, parameter :: contact = 1, young = 2, poisson = 3, second_young = 4, second_poisson = 5
+
+contains
+
+   !> The rows of the contact modulus and of the bodies.
+   subroutine set_modulus_rows(first, rows)
+      !> Group, unit and range of the contact modulus, and with them those of Young's moduli.
+      type(variable_t), intent(in) :: first
+      !> Shape `(n_one_body)` or `(n_two_bodies)`.
+      type(variable_t), intent(out) :: rows(:)
+
+      rows(:) = first
+      rows(contact)%name = 'contact_modulus'
+      rows(contact)%meaning = 'E*, 1/E* = sum of (1 - nu^2)/E'
+      if (size(rows) == n_one_body) rows(contact)%meaning = 'E* = E/(1 - nu^2)'
+      rows(young)%name = 'young_modulus'
+      rows(young)%meaning = 'E of an elastic body, instead of contact_modulus'
+      rows(poisson) = poisson_row(first%group, 'poisson_ratio', 'Poisson''s ratio nu of this body')
+      if (size(rows) == n_one_body) return
+      rows(second_young)%name = 'second_young_modulus'
+      rows(second_young)%meaning = 'E of the other body; rigid if not given'
+      rows(second_poisson) = poisson_row(first%group, 'second_poisson_ratio', 'Poisson''s ratio nu of the other body')
+   end subroutine set_modulus_rows
+
+   !> A row of Poisson's ratio.
+   function poisson_row(group, name, meaning) result(row)
+      character(*), intent(in) :: group, name, meaning
+      type(variable_t) :: row
+
+      row = variable_t(group, name, kind_real, '-', meaning, '', unset, -1.0_dp, 0.5_dp, .true.)
+   end function poisson_row
+
+   !> E* [Pa] of values that have been checked.
+   pure real(dp) function contact_modulus_of(values) result(modulus)
+      !> Of the rows.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: other
+
+      modulus = values(contact)
+      if (is_set(modulus)) return
+      modulus = plane_strain_modulus(values(young), values(poisson))
+      if (size(values) == n_one_body) return
+      if (.not. is_set(values(second_young))) return
+      other = plane_strain_modulus(values(second_young), values(second_poisson))
+      ! the same bits whichever body comes first
+      modulus = min(modulus, other)/(1 + min(modulus, other)/max(modulus, other))
+   end function contact_modulus_of
+
+   !> E/(1 - nu^2) [Pa].
+   elemental real(dp) function plane_strain_modulus(young_modulus, poisson_ratio) result(modulus)
+      !> E [Pa], > 0.
+      real(dp), intent(in) :: young_modulus
+      !> nu [-], -1 < nu <= 1/2.
+      real(dp), intent(in) :: poisson_ratio
+
+      modulus = young_modulus/((1 - poisson_ratio)*(1 + poisson_ratio))
+   end function plane_strain_modulus
+
+   !> Do the values say what E* is?
+   pure logical function has_contact_modulus(values)
+      !> Of the rows.
+      real(dp), intent(in) :: values(:)
+
+      has_contact_modulus = is_set(values(contact)) .or. all(is_set(values([young, poisson])))
+      if (is_set(values(contact)) .or. size(values) == n_one_body) return
+      has_contact_modulus = has_contact_modulus .and. (is_set(values(second_young)) .eqv. is_set(values(second_poisson)))
+   end function has_contact_modulus
+
+   !> Add to `problems` what is missing or stands beside another.
+   subroutine check_contact_modulus(rows, values, problems, has_own_poisson_ratio)
+      type(variable_t), intent(in) :: rows(:)
+      !> Of the rows.
+      real(dp), intent(in) :: values(:)
+      type(problems_t), intent(inout) :: problems
+      !> Has Poisson's ratio of the first body a use of its own beside the contact modulus?
+      logical, intent(in) :: has_own_poisson_ratio
+      logical :: is_given(size(rows))
+      integer :: k
+
+      is_given = is_set(values)
+      if (is_given(contact)) then
+         if (has_own_poisson_ratio) is_given(poisson) = .false.
+         do k = young, size(rows)
+            if (.not. is_given(k)) cycle
+            call add(contact, 'stands beside '//rows(k)%name//'; give contact_modulus, or young_modulus and poisson_ratio')
+            return
+         end do
+      else if (.not. is_given(young)) then
+         call add(contact, 'is missing [Pa]; give it, or young_modulus and poisson_ratio')
+      else
+         if (.not. is_given(poisson)) call add(poisson, 'is missing [-]; young_modulus needs it')
+         if (size(rows) == n_one_body) return
+         if (is_given(second_young) .and. .not. is_given(second_poisson)) &
+            & call add(second_poisson, 'is missing [-]; second_young_modulus needs it')
+         if (is_given(second_poisson) .and. .not. is_given(second_young)) &
+            & call add(second_young, 'is missing [Pa]; second_poisson_ratio needs it')
+      end if
+
+   contains
+
+      subroutine add(place, text)
+         integer, intent(in) :: place
+         character(*), intent(in) :: text
+
+         call problems%add(rows(place)%group, rows(place)%name, text)
+      end subroutine add
+
+   end subroutine check_contact_modulus
+
+   !> The contact modulus where it follows from the moduli of the bodies; nothing where it is given itself.
+   function derive_contact_modulus(rows, values) result(list)
+      type(variable_t), intent(in) :: rows(:)
+      !> Of the rows.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: list(:)
+
+      logical :: is_derived
+
+      is_derived = has_contact_modulus(values) .and. .not. is_set(values(contact))
+      allocate (list(merge(1, 0, is_derived)))
+      if (.not. is_derived) return
+      list(1)%name = rows(contact)%name
+      list(1)%unit = rows(contact)%unit
+      list(1)%long_name = rows(contact)%meaning
+      list(1)%value = contact_modulus_of(values)
+   end function derive_contact_modulus
+
+end module adfric_material_contact_modulus
