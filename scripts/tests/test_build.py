@@ -35,8 +35,8 @@ end module unused
 """
 
 
-class BuildScriptTest(unittest.TestCase):
-    """scripts/build in a tree of its own."""
+class TreeTest(unittest.TestCase):
+    """Scripts in a tree of their own, with a CMake that only notes how it is called."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -46,7 +46,8 @@ class BuildScriptTest(unittest.TestCase):
         (self.tree / "scripts").mkdir()
         (self.tree / "bin").mkdir()
         (self.tree / "CMakePresets.json").write_text("{}")
-        shutil.copy(ROOT / "scripts/build", self.tree / "scripts/build")
+        for name in ("build", "install"):
+            shutil.copy(ROOT / "scripts" / name, self.tree / "scripts" / name)
         self.write_program("scripts/setup", "#!/bin/sh\n")
         self.write_program("bin/cmake", CMAKE)
         self.program = self.tree / "build/release/adfric"
@@ -58,11 +59,19 @@ class BuildScriptTest(unittest.TestCase):
         (self.tree / name).write_text(text)
         (self.tree / name).chmod(0o755)
 
-    def build(self, *arguments):
-        """Run the script."""
+    def run_script(self, name, *arguments):
+        """Run one of them in the tree."""
         path = f"{self.tree / 'bin'}:{os.environ['PATH']}"
-        return subprocess.run([self.tree / "scripts/build", *arguments], capture_output=True, text=True, check=False,
-                              env={**os.environ, "PATH": path, "CALLS": str(self.calls)})
+        return subprocess.run([self.tree / "scripts" / name, *arguments], capture_output=True, text=True, check=False,
+                              cwd=self.tree, env={**os.environ, "PATH": path, "CALLS": str(self.calls)})
+
+
+class BuildScriptTest(TreeTest):
+    """scripts/build."""
+
+    def build(self, *arguments):
+        """Run it."""
+        return self.run_script("build", *arguments)
 
     def test_log_that_cannot_be_written(self):
         """It is a failure, and no CMake is run."""
@@ -96,6 +105,35 @@ class BuildScriptTest(unittest.TestCase):
             self.assertEqual(2, done.returncode)
             self.assertIn("usage: ", done.stderr)
         self.assertFalse(self.calls.exists())
+
+
+class InstallScriptTest(TreeTest):
+    """scripts/install."""
+
+    def test_prefix(self):
+        """A relative folder is seen from where the command is given; the folder that is missing in the path is named."""
+        for prefix in ("there", str(self.tree / "there")):
+            self.calls.write_text("")
+            done = self.run_script("install", prefix)
+            self.assertEqual(0, done.returncode, done.stderr)
+            self.assertIn(f"--install {self.tree}/build/release --prefix {self.tree}/there\n", self.calls.read_text())
+            self.assertIn(f"install: {self.tree}/there/bin/adfric\n", done.stdout)
+            self.assertIn(f'export PATH="{self.tree}/there/bin:$PATH"', done.stdout)
+
+    def test_path(self):
+        """Nothing is said of a folder that is in the path."""
+        self.assertNotIn("PATH", self.run_script("install", str(self.tree)).stdout)
+
+    def test_failures(self):
+        """A program that cannot be built or copied is not installed."""
+        self.write_program("bin/cmake", '#!/bin/sh\n[ "$1" != --install ] || { echo no room; exit 1; }\n')
+        done = self.run_script("install", "there")
+        self.assertEqual((3, ""), (done.returncode, done.stdout))
+        self.assertIn("no room\ninstall: could not install to ", done.stderr)
+        self.write_program("bin/cmake", "#!/bin/sh\nexit 1\n")
+        self.assertEqual((1, ""), (self.run_script("install").returncode, self.run_script("install", "there").stdout))
+        self.assertEqual(2, self.run_script("install", "--prefix=there").returncode)
+        self.assertEqual(2, self.run_script("install", "a", "b").returncode)
 
 
 class CompilerTest(unittest.TestCase):

@@ -14,7 +14,7 @@ module adfric_base_model
    public :: positive_variable
    public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
    public :: status_solved, status_no_equilibrium, status_not_converged, n_status
-   public :: status_meanings
+   public :: status_meanings, explain_status, results_of_every_run
 
    !> Kinds of namelist variables.
    integer, parameter :: kind_real = 1, kind_integer = 2, kind_logical = 3, kind_choice = 4, kind_dataset = 5
@@ -185,6 +185,36 @@ module adfric_base_model
    end interface
 
 contains
+
+   !> What a status means, in a sentence.
+   pure function explain_status(status) result(text)
+      !> One of `status_...`.
+      integer, intent(in) :: status
+      character(:), allocatable :: text
+
+      select case (status)
+      case (status_solved)
+         text = 'the state was found; the point has its results'
+      case (status_no_equilibrium)
+         text = 'there is no such state, which is an answer; results that need one are NaN'
+      case default
+         text = 'the state was not found to the tolerance; the results are NaN'
+      end select
+   end function explain_status
+
+   !> The results that every model has beside those of its table: of a point, the last ones of the file.
+   pure function results_of_every_run() result(results)
+      type(result_t) :: results(2)
+
+      results(1)%name = 'error_estimate'
+      results(1)%unit = '-'
+      results(1)%long_name = 'relative error of the main result, estimated'
+      results(1)%flag_meanings = ''
+      results(2)%name = 'status'
+      results(2)%unit = '-'
+      results(2)%long_name = 'whether the point was solved'
+      results(2)%flag_meanings = status_meanings
+   end function results_of_every_run
 
    !> A real variable > 0 without default.
    function positive_variable(group, name, unit, meaning) result(variable)

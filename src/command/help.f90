@@ -2,25 +2,22 @@
 module adfric_command_help
    use adfric, only: new_model, known_models
    use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_base_model, only: model_t, variable_t
-   use adfric_base_unset, only: is_set
-   use adfric_base_words, only: count_words, get_word, pad
+   use adfric_base_words, only: count_words, get_word
+   use adfric_command_help_entries, only: entries_t
+   use adfric_command_help_lists, only: model_box_t, list_topics, show_list
+   use adfric_command_help_names, only: describe_model, describe_outputs, describe_name, describe_common, list_names
    use adfric_command_help_pages, only: usage_page, input_page, outputs_head
-   use adfric_command_line, only: command_t
+   use adfric_command_line, only: command_t, known_commands
    use adfric_command_outcome, only: outcome_t
-   use adfric_command_values, only: show_input_value
    use adfric_input_suggestion, only: did_you_mean
-   use adfric_input_text, only: newline
-   use adfric_input_variable, only: describe_allowed
-   use adfric_input_vocabulary, only: has_word, list_groups, list_variables
+   use adfric_input_text, only: newline, to_lower
+   use adfric_input_vocabulary, only: has_word, job_names, sweep_names
    implicit none (type, external)
    private
    public :: give_help
 
-   !> Topics that are not names of the models' tables.
-   character(*), parameter :: fixed_topics = 'input outputs run merge check help'
-   !> Width of the column of names.
-   integer, parameter :: name_width = 34
+   !> Topics that are pages, and names of the groups that every input has.
+   character(*), parameter :: page_topics = 'input outputs', common_groups = 'job sweep'
 
 contains
 
@@ -28,10 +25,12 @@ contains
    subroutine give_help(command, outcome)
       type(command_t), intent(in) :: command
       type(outcome_t), intent(inout) :: outcome
+      type(model_box_t), allocatable :: models(:)
       type(error_t), allocatable :: error
       character(:), allocatable :: text
 
-      call find_page(command%subject, text, error)
+      call make_models(models, error)
+      if (.not. allocated(error)) call find_page(models, plain_topic(command%subject), text, error)
       if (allocated(error)) then
          call outcome%fail(error)
       else
@@ -39,126 +38,104 @@ contains
       end if
    end subroutine give_help
 
+   !> Every model.
+   subroutine make_models(models, error)
+      type(model_box_t), allocatable, intent(out) :: models(:)
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i
+
+      allocate (models(count_words(known_models)))
+      do i = 1, size(models)
+         call new_model(models(i)%model, get_word(known_models, i), error)
+         if (allocated(error)) return
+      end do
+   end subroutine make_models
+
+   !> A topic in small letters, and without the & of a group.
+   pure function plain_topic(topic) result(plain)
+      character(*), intent(in) :: topic
+      character(:), allocatable :: plain
+
+      plain = to_lower(trim(topic))
+      if (index(plain, '&') == 1) plain = plain(2:)
+   end function plain_topic
+
    !> The page of a topic; the first page if the topic is empty.
-   subroutine find_page(topic, text, error)
+   subroutine find_page(models, topic, text, error)
+      type(model_box_t), intent(in) :: models(:)
       character(*), intent(in) :: topic
       !> Lines with their line ends.
       character(:), allocatable, intent(out) :: text
       type(error_t), allocatable, intent(out) :: error
-      class(model_t), allocatable :: model
-      character(:), allocatable :: topics
-      integer :: i
+      character(:), allocatable :: named
 
-      text = ''
-      topics = fixed_topics//' job sweep '//known_models
-      if (has_word('run merge check help', topic) .or. len_trim(topic) == 0) text = usage_page
-      if (has_word('input job sweep', topic)) text = input_page
-      if (topic == 'outputs') text = outputs_head
-      if (len_trim(topic) == 0) text = text//'Models'//newline
-      do i = 1, count_words(known_models)
-         call new_model(model, get_word(known_models, i), error)
-         if (allocated(error)) return
-         if (len_trim(topic) == 0) then
-            text = text//pad('  '//model%name, name_width)//model%summary//newline
-         else
-            text = text//describe_topic(model, topic)
-         end if
-         topics = topics//' '//list_groups(model)//' '//list_variables(model, '')
-      end do
+      if (len(topic) == 0) then
+         text = usage_page//show_list(models, 'models')
+      else if (has_word(list_topics, topic)) then
+         text = show_list(models, topic)
+         ! a variable may have the name of a list
+         named = explain(models, topic)
+         if (len(named) > 0) text = text//newline//named
+      else if (topic == 'outputs') then
+         text = outputs_head//newline//describe_common('')//newline//describe_every_model(models, topic)
+      else if (topic == 'input') then
+         text = input_page
+      else
+         text = explain(models, topic)
+      end if
       if (len(text) == 0) call set_error(error, input_failure, 'adfric: help: unknown topic, given '''//topic &
-         //''', allowed: '//fixed_topics//', a model ('//known_models//'), a group or a variable' &
-         //did_you_mean(topic, topics))
+         //''', allowed: '//list_topics//' '//page_topics//', or a name that stands there'//did_you_mean(topic, every_name(models)))
    end subroutine find_page
 
-   !> What a model has to say of a topic; empty if it is nothing.
-   function describe_topic(model, topic) result(text)
-      class(model_t), intent(in) :: model
+   !> What there is to say of a name; empty if nothing knows it.
+   function explain(models, topic) result(text)
+      type(model_box_t), intent(in) :: models(:)
       character(*), intent(in) :: topic
       character(:), allocatable :: text
+      character(:), allocatable :: of_models
 
       text = ''
-      if (topic == 'outputs') then
-         text = newline//'model = '''//model%name//''''//newline//describe_results(model)
-      else if (topic == model%name) then
-         text = 'model = '''//model%name//''': '//model%summary//newline//describe_variables(model, '', '') &
-            //'Results'//newline//describe_results(model)
-      else if (has_word(list_groups(model), topic)) then
-         text = 'model = '''//model%name//''''//newline//describe_variables(model, topic, '')
-      else if (has_word(list_variables(model, ''), topic)) then
-         text = 'model = '''//model%name//''''//newline//describe_variables(model, '', topic)
-      end if
-   end function describe_topic
+      if (has_word(known_commands, topic)) text = usage_page
+      if (has_word(common_groups//' '//job_names//' '//sweep_names, topic)) text = input_page
+      text = text//describe_common(topic)
+      of_models = describe_every_model(models, topic)
+      if (len(text) > 0 .and. len(of_models) > 0) text = text//newline
+      text = text//of_models
+   end function explain
 
-   !> The variables of a model; those of a group, or of a name, if it is not empty.
-   function describe_variables(model, group, name) result(text)
-      class(model_t), intent(in) :: model
-      character(*), intent(in) :: group
-      character(*), intent(in) :: name
+   !> What the models say of a topic, each thing once.
+   function describe_every_model(models, topic) result(text)
+      type(model_box_t), intent(in) :: models(:)
+      character(*), intent(in) :: topic
       character(:), allocatable :: text
-      character(:), allocatable :: last_group
+      type(entries_t) :: entries
       integer :: i
 
-      text = ''
-      last_group = ''
-      do i = 1, size(model%variables)
-         associate (variable => model%variables(i))
-            if (len(group) > 0 .and. variable%group /= group) cycle
-            if (len(name) > 0 .and. variable%name /= name) cycle
-            if (variable%group /= last_group) text = text//'&'//variable%group//newline
-            last_group = variable%group
-            text = text//describe_variable(variable)
+      do i = 1, size(models)
+         associate (model => models(i)%model)
+            if (topic == 'outputs') then
+               call entries%add(describe_outputs(model), model%name)
+            else if (topic == model%name) then
+               call entries%add(describe_model(model), model%name)
+            else
+               call entries%add(describe_name(model, topic), model%name)
+            end if
          end associate
       end do
-   end function describe_variables
+      text = entries%show_pages()
+   end function describe_every_model
 
-   !> A variable: meaning on the first line, what it may be on the second.
-   function describe_variable(variable) result(text)
-      type(variable_t), intent(in) :: variable
-      character(:), allocatable :: text
-
-      text = '  '//variable%name
-      if (len_trim(variable%unit) > 0) text = text//' ['//variable%unit//']'
-      text = pad(text, name_width)//variable%meaning//newline
-      text = text//repeat(' ', name_width)//'  '//describe_allowed(variable)
-      if (is_set(variable%default)) text = text//'; default '//show_input_value(variable, variable%default)
-      text = text//newline
-   end function describe_variable
-
-   !> The results and the profiles of a model.
-   function describe_results(model) result(text)
-      class(model_t), intent(in) :: model
-      character(:), allocatable :: text
+   !> Every name that there is help on, separated by a blank.
+   function every_name(models) result(names)
+      type(model_box_t), intent(in) :: models(:)
+      character(:), allocatable :: names
       integer :: i
 
-      text = ''
-      do i = 1, size(model%results)
-         associate (result => model%results(i))
-            text = text//pad('  '//result%name//' ['//result%unit//']', name_width)//result%long_name//newline
-            if (result%n_states() == 0) cycle
-            text = text//repeat(' ', name_width)//'  '//list_states(result%flag_meanings)//newline
-         end associate
+      names = list_topics//' '//page_topics//' '//known_commands//' '//common_groups//' '//job_names//' '//sweep_names &
+         //' '//known_models
+      do i = 1, size(models)
+         names = names//' '//list_names(models(i)%model)
       end do
-      if (size(model%profiles) > 0) text = text//'Profiles'//newline
-      do i = 1, size(model%profiles)
-         associate (profile => model%profiles(i))
-            text = text//pad('  '//profile%name//' ['//profile%unit//']', name_width)//profile%long_name//newline
-         end associate
-      end do
-   end function describe_results
-
-   !> States with their numbers.
-   function list_states(meanings) result(text)
-      character(*), intent(in) :: meanings
-      character(:), allocatable :: text
-      character(4) :: number
-      integer :: i
-
-      text = ''
-      do i = 1, count_words(meanings)
-         write (number, '(i0)') i - 1
-         if (i > 1) text = text//', '
-         text = text//trim(number)//' '//get_word(meanings, i)
-      end do
-   end function list_states
+   end function every_name
 
 end module adfric_command_help

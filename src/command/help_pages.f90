@@ -21,7 +21,8 @@ module adfric_command_help_pages
       '  adfric check INPUT.nml'//newline// &
       '      read and validate only; print the resolved case and the number of points'//newline// &
       '  adfric help [TOPIC]'//newline// &
-      '      topics: input, outputs, the name of a model, of a group or of a variable'//newline// &
+      '      topics: models, groups, variables, results, units, input, outputs, and any name of these:'//newline// &
+      '      a model, a group, a variable, a result, a status, a word that one of them may be'//newline// &
       '  adfric --version'//newline// &
       newline// &
       'Exit status: 0 every point is answered, 1 some points did not converge,'//newline// &
@@ -57,9 +58,6 @@ module adfric_command_help_pages
       'is not written again. Every dataset has units and long_name, every enumerated one flag_values and'//newline// &
       'flag_meanings; -1 is an enumerated result without a value.'//newline// &
       newline// &
-      'On every run'//newline// &
-      '  status [-]                      0 solved, 1 no_equilibrium, 2 not_converged'//newline// &
-      '  error_estimate [-]              relative error of the main result, estimated'//newline// &
       '  attributes of the file          title, model, adfric_version, git_revision, compiler, created,'//newline// &
       '                                  wall_seconds, case_hash, input (the whole text); datasets, and dataset_NAME'//newline// &
       '                                  and checksum_NAME (64-bit FNV-1a of the values) for each that the input names'//newline

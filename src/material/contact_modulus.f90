@@ -133,11 +133,11 @@ contains
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: list(:)
 
-      logical :: is_derived
-
-      is_derived = has_contact_modulus(values) .and. .not. is_set(values(contact))
-      allocate (list(merge(1, 0, is_derived)))
-      if (.not. is_derived) return
+      if (is_set(values(contact)) .or. .not. has_contact_modulus(values)) then
+         allocate (list(0))
+         return
+      end if
+      allocate (list(1))
       list(1)%name = rows(contact)%name
       list(1)%unit = rows(contact)%unit
       list(1)%long_name = rows(contact)%meaning

@@ -1,7 +1,7 @@
 !> Which datasets a results file has, of what shape and size.
 module adfric_output_layout
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, status_meanings
+   use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, results_of_every_run
    use adfric_base_words, only: count_words
    use adfric_sweep_blocks, only: blocks_t, part_t, new_blocks
    use adfric_sweep_counts, only: find_counts
@@ -140,10 +140,14 @@ contains
    !> The last fields of every layout.
    pure subroutine set_status_fields(fields)
       type(field_t), intent(inout) :: fields(2)
+      type(result_t) :: results(2)
+      integer :: i
 
-      call set_field(fields(1), 'error_estimate', '-', 'relative error of the main result, estimated')
-      call set_field(fields(2), 'status', '-', 'whether the point was solved')
-      fields(2)%flag_meanings = status_meanings
+      results = results_of_every_run()
+      do i = 1, 2
+         call set_field(fields(i), results(i)%name, results(i)%unit, results(i)%long_name)
+         fields(i)%flag_meanings = results(i)%flag_meanings
+      end do
    end subroutine set_status_fields
 
    !> Set what is written beside a dataset of real numbers.

@@ -1,0 +1,178 @@
+!> Lists of all models, groups, variables, results and units, from the tables of the models.
+module adfric_command_help_lists
+   use adfric_base_model, only: model_t, results_of_every_run
+   use adfric_base_words, only: pad
+   use adfric_command_help_entries, only: entries_t
+   use adfric_input_text, only: newline
+   implicit none (type, external)
+   private
+   public :: model_box_t, list_topics, show_list
+
+   !> Topics that are lists.
+   character(*), parameter :: list_topics = 'models groups variables results units'
+   !> Width of the column of names.
+   integer, parameter :: name_width = 40
+   !> Who has what no model has for itself.
+   character(*), parameter :: everyone = 'all'
+
+   !> One of the models.
+   type :: model_box_t
+      class(model_t), allocatable :: model
+   end type model_box_t
+
+contains
+
+   !> The list of a topic.
+   function show_list(models, topic) result(text)
+      type(model_box_t), intent(in) :: models(:)
+      !> One of `list_topics`.
+      character(*), intent(in) :: topic
+      character(:), allocatable :: text
+
+      select case (topic)
+      case ('models')
+         text = show_models(models)//newline//'adfric help NAME shows the groups, variables and results of a model.'//newline
+      case ('groups')
+         text = show_groups(models)//newline//'adfric help NAME shows the variables of a group.'//newline
+      case ('variables')
+         text = show_variables(models)//newline//'adfric help NAME says what a variable is, and what it may be.'//newline
+      case ('results')
+         text = show_results(models)//newline//'adfric help NAME says what a result is.'//newline
+      case default
+         text = show_units(models)
+      end select
+   end function show_list
+
+   !> Models, a line each.
+   function show_models(models) result(text)
+      type(model_box_t), intent(in) :: models(:)
+      character(:), allocatable :: text
+      integer :: i
+
+      text = 'Models'//newline
+      do i = 1, size(models)
+         text = text//pad('  '//models(i)%model%name, 20)//models(i)%model%summary//newline
+      end do
+   end function show_models
+
+   !> Groups, with the models that have them.
+   function show_groups(models) result(text)
+      type(model_box_t), intent(in) :: models(:)
+      character(:), allocatable :: text
+      type(entries_t) :: entries
+      integer :: i, k
+
+      call entries%add('&job', everyone)
+      call entries%add('&sweep', everyone)
+      do i = 1, size(models)
+         do k = 1, size(models(i)%model%variables)
+            call entries%add('&'//models(i)%model%variables(k)%group, models(i)%model%name)
+         end do
+      end do
+      text = 'Groups'//newline//entries%show_table(20, .false.)
+   end function show_groups
+
+   !> Variables with their groups and units, and the models that have them.
+   function show_variables(models) result(text)
+      type(model_box_t), intent(in) :: models(:)
+      character(:), allocatable :: text
+      type(entries_t) :: entries
+      integer :: i, k
+
+      do i = 1, size(models)
+         do k = 1, size(models(i)%model%variables)
+            associate (variable => models(i)%model%variables(k))
+               call entries%add(pad(with_unit(variable%name, variable%unit), name_width - 2)//'&'//variable%group, &
+                  models(i)%model%name)
+            end associate
+         end do
+      end do
+      text = 'Variables'//newline//entries%show_table(name_width + 14, .true.)
+   end function show_variables
+
+   !> Results and profiles with their units, and the models that have them.
+   function show_results(models) result(text)
+      type(model_box_t), intent(in) :: models(:)
+      character(:), allocatable :: text
+      type(entries_t) :: results, profiles
+      integer :: i, k
+
+      associate (common => results_of_every_run())
+         do k = 1, size(common)
+            call results%add(with_unit(common(k)%name, common(k)%unit), everyone)
+         end do
+      end associate
+      do i = 1, size(models)
+         associate (model => models(i)%model)
+            do k = 1, size(model%results)
+               call results%add(with_unit(model%results(k)%name, model%results(k)%unit), model%name)
+            end do
+            do k = 1, size(model%profiles)
+               call profiles%add(with_unit(model%profiles(k)%name, model%profiles(k)%unit), model%name)
+            end do
+         end associate
+      end do
+      text = 'Results'//newline//results%show_table(name_width, .true.)//'Profiles'//newline &
+         //profiles%show_table(name_width, .true.)
+   end function show_results
+
+   !> Units, with the names of what is given in them.
+   function show_units(models) result(text)
+      type(model_box_t), intent(in) :: models(:)
+      character(:), allocatable :: text
+      type(entries_t) :: entries
+      integer :: i, k
+
+      do i = 1, size(models)
+         associate (model => models(i)%model)
+            do k = 1, size(model%variables)
+               call add_units(entries, model%variables(k)%unit, model%variables(k)%name)
+            end do
+            do k = 1, size(model%results)
+               call entries%add(model%results(k)%unit, model%results(k)%name)
+            end do
+            do k = 1, size(model%profiles)
+               call entries%add(model%profiles(k)%unit, model%profiles(k)%name)
+            end do
+         end associate
+      end do
+      text = 'SI units in inputs and results; - is a pure number.'//newline//newline &
+         //'Units'//newline//entries%show_table(12, .true.)
+   end function show_units
+
+   !> The units that a variable may have, such as `N; N/m for wave_2d`.
+   pure subroutine add_units(entries, units, name)
+      type(entries_t), intent(inout) :: entries
+      !> Empty if it has none.
+      character(*), intent(in) :: units
+      !> Of the variable.
+      character(*), intent(in) :: name
+      integer :: first, last
+
+      first = 1
+      do while (first <= len_trim(units))
+         last = index(units(first:)//';', ';') + first - 2
+         call entries%add(unit_alone(units(first:last)), name)
+         first = last + 2
+      end do
+   end subroutine add_units
+
+   !> A unit without the case that it is for.
+   pure function unit_alone(text) result(unit)
+      character(*), intent(in) :: text
+      character(:), allocatable :: unit
+
+      unit = trim(adjustl(text))
+      unit = trim(unit(:index(unit//' for ', ' for ') - 1))
+   end function unit_alone
+
+   !> A name with its unit in brackets.
+   pure function with_unit(name, unit) result(text)
+      character(*), intent(in) :: name, unit
+      character(:), allocatable :: text
+
+      text = name
+      if (len_trim(unit) > 0) text = text//' ['//unit//']'
+   end function with_unit
+
+end module adfric_command_help_lists

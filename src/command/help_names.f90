@@ -1,0 +1,194 @@
+!> What a model has to say of the names in its tables: groups, variables, results, profiles, and the words that they may be.
+module adfric_command_help_names
+   use adfric_base_model, only: model_t, variable_t, result_t, explain_status, results_of_every_run, status_meanings, kind_choice
+   use adfric_base_unset, only: is_set
+   use adfric_base_words, only: count_words, get_word, pad
+   use adfric_command_values, only: show_input_value
+   use adfric_input_text, only: newline
+   use adfric_input_variable, only: describe_allowed
+   use adfric_input_vocabulary, only: has_word, list_groups, list_variables
+   implicit none (type, external)
+   private
+   public :: describe_model, describe_outputs, describe_name, describe_common, list_names
+
+   !> Width of the column of names.
+   integer, parameter :: name_width = 34
+
+contains
+
+   !> All that there is to say of a model, without its name.
+   function describe_model(model) result(text)
+      class(model_t), intent(in) :: model
+      character(:), allocatable :: text
+
+      text = model%summary//newline//newline//describe_variables(model, '')//newline//describe_outputs(model)
+   end function describe_model
+
+   !> Results and profiles of a model.
+   function describe_outputs(model) result(text)
+      class(model_t), intent(in) :: model
+      character(:), allocatable :: text
+
+      text = with_head('Results', describe_results(model%results, ''))//with_head('Profiles', describe_profiles(model, ''))
+   end function describe_outputs
+
+   !> What a model says of a name, or of `group%name`; empty if the name does not occur in its tables.
+   function describe_name(model, name) result(text)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+
+      text = describe_variables(model, name)
+      text = text//with_head('Results', describe_results(model%results, name))
+      text = text//with_head('Profiles', describe_profiles(model, name))
+   end function describe_name
+
+   !> What stands in the file of every model: the results of that name; all of them if it is empty.
+   function describe_common(name) result(text)
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+      integer :: i
+
+      text = with_head('On every run', describe_results(results_of_every_run(), name))
+      if (.not. (len(name) == 0 .or. name == 'status' .or. has_word(status_meanings, name))) return
+      do i = 1, count_words(status_meanings)
+         if (has_word(status_meanings, name) .and. get_word(status_meanings, i) /= name) cycle
+         text = text//pad('    '//get_word(status_meanings, i), name_width)//explain_status(i - 1)//newline
+      end do
+   end function describe_common
+
+   !> A heading and what stands under it; nothing if that is nothing.
+   pure function with_head(head, lines) result(text)
+      character(*), intent(in) :: head, lines
+      character(:), allocatable :: text
+
+      text = ''
+      if (len(lines) > 0) text = head//newline//lines
+   end function with_head
+
+   !> The variables that a name means: of a group, of this name, or with this word among their choices; all if it is empty.
+   function describe_variables(model, name) result(text)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+      character(:), allocatable :: last_group
+      integer :: i
+
+      text = ''
+      last_group = ''
+      do i = 1, size(model%variables)
+         associate (variable => model%variables(i))
+            if (.not. is_meant(variable, name)) cycle
+            if (variable%group /= last_group) text = text//'&'//variable%group//newline
+            last_group = variable%group
+            text = text//describe_variable(variable)
+         end associate
+      end do
+   end function describe_variables
+
+   !> Does a name mean this variable?
+   pure logical function is_meant(variable, name)
+      type(variable_t), intent(in) :: variable
+      character(*), intent(in) :: name
+
+      is_meant = len(name) == 0 .or. name == variable%group .or. name == variable%name &
+         .or. name == variable%group//'%'//variable%name
+      if (.not. is_meant .and. variable%kind == kind_choice) is_meant = has_word(variable%choices, name)
+   end function is_meant
+
+   !> A variable: meaning on the first line, what it may be on the second.
+   function describe_variable(variable) result(text)
+      type(variable_t), intent(in) :: variable
+      character(:), allocatable :: text
+
+      text = '  '//variable%name
+      if (len_trim(variable%unit) > 0) text = text//' ['//variable%unit//']'
+      text = pad(text, name_width)//variable%meaning//newline
+      text = text//repeat(' ', name_width)//'  '//describe_allowed(variable)
+      if (is_set(variable%default)) text = text//'; default '//show_input_value(variable, variable%default)
+      text = text//newline
+   end function describe_variable
+
+   !> The results of a name, or that may be in a state of that name; all if it is empty.
+   pure function describe_results(results, name) result(text)
+      type(result_t), intent(in) :: results(:)
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+      logical :: has_state
+      integer :: i
+
+      text = ''
+      do i = 1, size(results)
+         associate (result => results(i))
+            has_state = result%n_states() > 0
+            if (.not. (len(name) == 0 .or. name == result%name)) then
+               if (.not. has_state) cycle
+               if (.not. has_word(result%flag_meanings, name)) cycle
+            end if
+            text = text//pad('  '//result%name//' ['//result%unit//']', name_width)//result%long_name//newline
+            if (has_state) text = text//repeat(' ', name_width)//'  '//list_states(result%flag_meanings)//newline
+         end associate
+      end do
+   end function describe_results
+
+   !> The profiles of a name; all if it is empty.
+   pure function describe_profiles(model, name) result(text)
+      class(model_t), intent(in) :: model
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, size(model%profiles)
+         associate (profile => model%profiles(i))
+            if (.not. (len(name) == 0 .or. name == profile%name)) cycle
+            text = text//pad('  '//profile%name//' ['//profile%unit//']', name_width)//profile%long_name//newline
+         end associate
+      end do
+   end function describe_profiles
+
+   !> States with their numbers.
+   pure function list_states(meanings) result(text)
+      character(*), intent(in) :: meanings
+      character(:), allocatable :: text
+      character(4) :: number
+      integer :: i
+
+      text = ''
+      do i = 1, count_words(meanings)
+         write (number, '(i0)') i - 1
+         if (i > 1) text = text//', '
+         text = text//trim(number)//' '//get_word(meanings, i)
+      end do
+   end function list_states
+
+   !> Every name that a model has something to say of, and those of every run, separated by a blank.
+   function list_names(model) result(names)
+      class(model_t), intent(in) :: model
+      character(:), allocatable :: names
+      integer :: i
+
+      names = list_groups(model)//' '//list_variables(model, '')
+      do i = 1, size(model%variables)
+         if (model%variables(i)%kind == kind_choice) names = names//' '//model%variables(i)%choices
+      end do
+      names = names//list_results(model%results)//list_results(results_of_every_run())
+      do i = 1, size(model%profiles)
+         names = names//' '//model%profiles(i)%name
+      end do
+   end function list_names
+
+   !> Names of results and of the states that they may be in, each after a blank.
+   pure function list_results(results) result(names)
+      type(result_t), intent(in) :: results(:)
+      character(:), allocatable :: names
+      integer :: i
+
+      names = ''
+      do i = 1, size(results)
+         names = names//' '//results(i)%name
+         if (results(i)%n_states() > 0) names = names//' '//results(i)%flag_meanings
+      end do
+   end function list_results
+
+end module adfric_command_help_names
