@@ -18,11 +18,17 @@ module adfric_base_problems
       character(:), allocatable :: text
    end type problem_t
 
+   !> So many are enough: an input with more is not what somebody meant to write, and each takes time and a line.
+   integer, parameter :: most_problems = 100
+
    !> The problems found so far, in the order in which they were found.
    type :: problems_t
       type(problem_t), allocatable :: items(:)
+      !> Has the reading been given up, so that nothing may be concluded from what has not been found?
+      logical :: is_given_up = .false.
    contains
       procedure :: add
+      procedure :: is_enough
       procedure :: count => count_problems
       procedure :: line_of
    end type problems_t
@@ -48,6 +54,13 @@ contains
       if (.not. allocated(self%items)) allocate (self%items(0))
       self%items = [self%items, item]
    end subroutine add
+
+   !> Is it time to stop looking for more?
+   pure logical function is_enough(self)
+      class(problems_t), intent(in) :: self
+
+      is_enough = self%is_given_up .or. self%count() >= most_problems
+   end function is_enough
 
    !> Number of problems.
    pure integer function count_problems(self)

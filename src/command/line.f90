@@ -1,6 +1,7 @@
 !> The command line: `adfric COMMAND ARGUMENT ... OPTION ...`.
 module adfric_command_line
    use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_printable, only: shell_word
    use adfric_input_suggestion, only: did_you_mean
    use adfric_sweep_blocks, only: part_t
    implicit none (type, external)
@@ -61,16 +62,21 @@ contains
       type(command_t), intent(out) :: command
       type(error_t), allocatable, intent(out) :: error
       integer :: i, n_others
+      logical :: are_names
 
       command%name = ''
       command%subject = ''
       command%output = ''
       allocate (command%others(size(arguments)))
       n_others = 0
+      are_names = .false.
       i = 0
       do while (i < size(arguments))
          i = i + 1
-         if (is_option(arguments(i)%text)) then
+         if (arguments(i)%text == '--' .and. .not. are_names) then
+            ! what follows are names, with dashes or without
+            are_names = .true.
+         else if (is_option(arguments(i)%text) .and. .not. are_names) then
             call parse_option(arguments, i, command, error)
          else
             call parse_word(arguments(i)%text, command, n_others, error)
@@ -129,9 +135,27 @@ contains
          command%name = 'version'
       case default
          call set_error(error, input_failure, 'adfric: unknown option, given '//name//', allowed: ' &
-            //known_options//did_you_mean(name, known_options))
+            //known_options//say_meant(name))
       end select
    end subroutine parse_option
+
+   !> What may be meant by an unknown option: another one, or a file.
+   pure function say_meant(name) result(text)
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+
+      text = did_you_mean(name, known_options)
+      if (len(text) == 0) text = say_file(name)
+   end function say_meant
+
+   !> How to write the name of a file that is taken for an option; empty if it is not.
+   pure function say_file(name) result(text)
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+
+      text = ''
+      if (is_option(name)) text = '; a file of this name is written '//shell_word(name)
+   end function say_file
 
    !> Set the name of the results file.
    subroutine set_output(text, command, error)
@@ -141,7 +165,7 @@ contains
 
       if (len_trim(text) == 0 .or. is_option(text)) then
          call set_error(error, input_failure, 'adfric: --output: the name of a file is missing, given ''' &
-            //text//'''')
+            //text//''''//say_file(text))
       else if (len(command%output) > 0) then
          call set_error(error, input_failure, 'adfric: --output: given twice, '//command%output//' and '//text)
       else

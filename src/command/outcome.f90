@@ -1,6 +1,9 @@
 !> What a command leaves behind: what it has to say, and how it ended.
+!>
+!> Whatever it says comes through here, so that here, once for all, text from outside is made fit to be shown.
 module adfric_command_outcome
    use adfric_base_error, only: error_t
+   use adfric_base_printable, only: printable
    use adfric_base_problems, only: problems_t
    use adfric_input_text, only: newline
    implicit none (type, external)
@@ -33,7 +36,7 @@ contains
       character(*), intent(in) :: lines
 
       if (.not. allocated(self%output)) self%output = ''
-      self%output = self%output//lines
+      self%output = self%output//printable(lines, has_lines=.true.)
    end subroutine say
 
    !> End with an error.
@@ -42,7 +45,7 @@ contains
       type(error_t), intent(in) :: error
 
       if (.not. allocated(self%errors)) self%errors = ''
-      self%errors = self%errors//error%message//newline
+      self%errors = self%errors//printable(error%message)//newline
       self%exit_status = error%code
    end subroutine fail
 
@@ -56,8 +59,10 @@ contains
 
       if (.not. allocated(self%errors)) self%errors = ''
       do i = 1, problems%count()
-         self%errors = self%errors//problems%line_of(i, file)//newline
+         self%errors = self%errors//printable(problems%line_of(i, file))//newline
       end do
+      if (problems%is_enough()) self%errors = self%errors//printable(file)// &
+         ': the rest of the input has not been examined, there may be more to mend'//newline
       self%exit_status = exit_input
    end subroutine fail_with_problems
 

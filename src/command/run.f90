@@ -2,6 +2,7 @@
 module adfric_command_run
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure
    use adfric_base_model, only: model_t, status_not_converged
+   use adfric_base_printable, only: shell_word
    use adfric_command_case, only: open_case
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_success, exit_not_converged, exit_signal
@@ -151,8 +152,8 @@ contains
          //show_count(blocks%n_points())//' points are in '//partial_name(run%output)//'; adfric run --resume'
       if (.not. command%part%is_whole()) &
          text = text//' --shard '//show_count(command%part%number)//'/'//show_count(command%part%of)
-      if (len(command%output) > 0) text = text//' --output '//command%output
-      text = text//' '//command%subject//' goes on'
+      if (len(command%output) > 0) text = text//' --output '//shell_word(command%output)
+      text = text//' '//shell_word(command%subject)//' goes on'
    end function say_stopped
 
 end module adfric_command_run

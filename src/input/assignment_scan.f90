@@ -2,11 +2,14 @@
 module adfric_input_assignment_scan
    use adfric_base_problems, only: problems_t
    use adfric_input_group_scan, only: group_t
-   use adfric_input_source_text, only: end_of_quote, line_at
-   use adfric_input_text, only: newline, name_length, to_lower, is_name, is_separator, show_text, strip
+   use adfric_input_source_text, only: source_t, end_of_quote
+   use adfric_input_text, only: newline, name_length, to_lower, is_name, is_separator, show_count, show_text, strip
    implicit none (type, external)
    private
    public :: assignment_t, scan_assignments
+
+   !> Assignments that a file may have: more than all variables of a model and a sweep of each of them.
+   integer, parameter :: most_assignments = 2000
 
    !> A `variable = value`.
    type :: assignment_t
@@ -23,52 +26,58 @@ module adfric_input_assignment_scan
 contains
 
    !> Find the assignments of all groups.
-   subroutine scan_assignments(bare, groups, assignments, problems)
-      !> Text without comments.
-      character(*), intent(in) :: bare
+   subroutine scan_assignments(source, groups, assignments, problems)
+      type(source_t), intent(in) :: source
+      !> A group in which something makes no sense is marked.
       type(group_t), intent(inout) :: groups(:)
+      !> In the order of the file.
       type(assignment_t), allocatable, intent(out) :: assignments(:)
+      !> What is wrong with the form of the file is added here.
       type(problems_t), intent(inout) :: problems
+      type(assignment_t), allocatable :: found(:)
       integer :: i, n
 
-      n = 0
-      do i = 1, len(bare)
-         if (bare(i:i) == '=') n = n + 1
-      end do
-      allocate (assignments(n))
+      allocate (found(most_assignments))
       n = 0
       do i = 1, size(groups)
-         call scan_group(bare, groups(i), i, assignments, n, problems)
+         if (problems%is_enough()) exit
+         call scan_group(source, groups(i), i, found, n, problems)
       end do
-      assignments = assignments(:n)
+      assignments = found(:n)
    end subroutine scan_assignments
 
    !> Find the assignments of one group.
-   subroutine scan_group(bare, group, number, assignments, n, problems)
-      character(*), intent(in) :: bare
+   subroutine scan_group(source, group, number, assignments, n, problems)
+      type(source_t), intent(in) :: source
+      !> It is marked if something in it makes no sense.
       type(group_t), intent(inout) :: group
       !> Number of the group.
       integer, intent(in) :: number
+      !> Room for the assignments of all groups.
       type(assignment_t), intent(inout) :: assignments(:)
       !> Assignments found so far.
       integer, intent(inout) :: n
+      !> What is wrong is added here.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name
       integer :: equals, next_equals, name_first, next_first
 
-      call find_assignment(bare, group%body_first, group%body_last, name_first, equals)
-      call check_start(bare, group, name_first, problems)
-      do while (equals <= group%body_last)
-         call find_assignment(bare, equals + 1, group%body_last, next_first, next_equals)
-         name = strip(bare(name_first:equals - 1))
-         if (is_name(name)) then
+      call find_assignment(source%bare, group%body_first, group%body_last, name_first, equals)
+      call check_start(source, group, name_first, problems)
+      do while (equals <= group%body_last .and. .not. problems%is_enough())
+         call find_assignment(source%bare, equals + 1, group%body_last, next_first, next_equals)
+         name = strip(source%bare(name_first:equals - 1))
+         if (.not. is_name(name)) then
+            call report_name(source, group, name, equals, problems)
+         else if (n == size(assignments)) then
+            call problems%add('', '', 'no input has more than '//show_count(n)//' variables', line=source%line_at(equals))
+            problems%is_given_up = .true.
+         else
             n = n + 1
             assignments(n)%group = number
             assignments(n)%name = to_lower(name)
             assignments(n)%first = name_first
-            call trim_value(bare, equals + 1, next_first - 1, assignments(n))
-         else
-            call report_name(bare, group, name, equals, problems)
+            call trim_value(source%bare, equals + 1, next_first - 1, assignments(n))
          end if
          equals = next_equals
          name_first = next_first
@@ -127,28 +136,34 @@ contains
    end function skip_blanks_back
 
    !> Report what stands between the name of a group and its first assignment.
-   subroutine check_start(bare, group, name_first, problems)
-      character(*), intent(in) :: bare
+   subroutine check_start(source, group, name_first, problems)
+      type(source_t), intent(in) :: source
+      !> It is marked if there is something.
       type(group_t), intent(inout) :: group
+      !> Where its first assignment begins.
       integer, intent(in) :: name_first
+      !> It is added here.
       type(problems_t), intent(inout) :: problems
       integer :: first
 
-      first = group%body_first + verify(bare(group%body_first:name_first - 1), ' '//newline) - 1
+      first = group%body_first + verify(source%bare(group%body_first:name_first - 1), ' '//newline) - 1
       if (first < group%body_first) return
       group%is_garbled = .true.
       call problems%add(trim(group%name), '', 'not an assignment, given '// &
-         show_text(strip(bare(first:name_first - 1)))//', allowed: variable = value', &
-         index=group%shown_index, line=line_at(bare, first))
+         show_text(strip(source%bare(first:name_first - 1)))//', allowed: variable = value', &
+         index=group%shown_index, line=source%line_at(first))
    end subroutine check_start
 
    !> Report what cannot be the name of a variable.
-   subroutine report_name(bare, group, name, equals, problems)
-      character(*), intent(in) :: bare
+   subroutine report_name(source, group, name, equals, problems)
+      type(source_t), intent(in) :: source
+      !> It is marked.
       type(group_t), intent(inout) :: group
       !> What stands for a name.
       character(*), intent(in) :: name
+      !> Position of the `=` behind it.
       integer, intent(in) :: equals
+      !> It is added here.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: what
 
@@ -156,7 +171,7 @@ contains
       what = 'not a name of a variable'
       if (scan(name, '(%') > 0) what = 'subscripts and components are not known here'
       call problems%add(trim(group%name), '', what//', given '//show_text(name//' =')// &
-         ', allowed: variable = value', index=group%shown_index, line=line_at(bare, equals))
+         ', allowed: variable = value', index=group%shown_index, line=source%line_at(equals))
    end subroutine report_name
 
    !> Set where the value of an assignment stands.

@@ -37,6 +37,7 @@ contains
       class(model_t), intent(in) :: model
       type(case_t), intent(out) :: input
       type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: groups
       integer :: i, n
 
       n = size(model%variables)
@@ -45,10 +46,12 @@ contains
       allocate (input%datasets(n))
       input%values = [(model%variables(i)%default, i=1, n)]
       call check_group_names(file, model, input, problems)
+      groups = list_groups(model)
       do i = 1, size(file%assignments)
+         if (problems%is_enough()) exit
          associate (assignment => file%assignments(i))
             if (file%groups(assignment%group)%index > 1) cycle
-            if (.not. has_word(list_groups(model), file%groups(assignment%group)%name)) cycle
+            if (.not. has_word(groups, file%groups(assignment%group)%name)) cycle
             if (file%find_assignment(assignment%group, trim(assignment%name)) /= i) cycle
             call read_assignment(file, i, model, input, problems)
          end associate
@@ -61,14 +64,17 @@ contains
       class(model_t), intent(in) :: model
       type(case_t), intent(inout) :: input
       type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: known
       integer :: i
 
+      known = 'job sweep '//list_groups(model)
       do i = 1, size(file%groups)
+         if (problems%is_enough()) exit
          associate (group => file%groups(i))
             if (group%is_garbled) call mark_group(model, trim(group%name), input)
-            if (has_word('job sweep '//list_groups(model), group%name)) cycle
+            if (has_word(known, group%name)) cycle
             call file%report(problems, i, '', say_unknown_group(model, trim(group%name)), group%first)
-            call mark_group(model, find_nearest(trim(group%name), 'job sweep '//list_groups(model)), input)
+            call mark_group(model, find_nearest(trim(group%name), known), input)
          end associate
       end do
    end subroutine check_group_names

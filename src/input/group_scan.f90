@@ -5,14 +5,16 @@
 !> Everything is a position in the text, so that each problem can be reported with its line.
 module adfric_input_group_scan
    use adfric_base_problems, only: problems_t
-   use adfric_input_source_text, only: end_of_quote, is_closed, end_of_line, line_at
-   use adfric_input_text, only: newline, name_length, to_lower, is_letter, is_name_character, show_text
+   use adfric_input_source_text, only: source_t, end_of_quote, is_closed, end_of_line
+   use adfric_input_text, only: newline, name_length, to_lower, is_letter, is_name_character, show_count, show_text
    implicit none (type, external)
    private
    public :: group_t, scan_groups
 
    !> The group that may stand more than once.
    character(*), parameter :: repeatable = 'sweep'
+   !> Groups that a file may have: more than all groups of a model and a sweep of each of its variables.
+   integer, parameter :: most_groups = 1000
 
    !> A namelist group.
    type :: group_t
@@ -28,78 +30,97 @@ module adfric_input_group_scan
       integer :: body_first = 0, body_last = 0
       !> Does something in it make no sense, so that any of its variables may have been meant?
       logical :: is_garbled = .false.
+      !> Is there a `/` or `&end`?
+      logical :: has_end = .false.
    end type group_t
 
 contains
 
    !> Find the groups.
-   subroutine scan_groups(bare, groups, problems)
-      !> Text without comments.
-      character(*), intent(in) :: bare
+   subroutine scan_groups(source, groups, problems)
+      type(source_t), intent(in) :: source
+      !> In the order of the file.
       type(group_t), allocatable, intent(out) :: groups(:)
+      !> What is wrong with the form of the file is added here.
       type(problems_t), intent(inout) :: problems
-      integer :: position, n, i
+      type(group_t), allocatable :: found(:)
+      integer :: position, n
 
-      n = 0
-      do i = 1, len(bare)
-         if (bare(i:i) == '&') n = n + 1
-      end do
-      allocate (groups(n))
+      allocate (found(most_groups))
       n = 0
       position = 1
-      do
-         call skip_to_group(bare, position, problems)
-         if (position > len(bare)) exit
+      do while (.not. problems%is_enough())
+         call skip_to_group(source, position, problems)
+         if (position > len(source%bare)) exit
+         if (n == most_groups) then
+            call problems%add('', '', 'no input has more than '//show_count(most_groups)//' groups', &
+               line=source%line_at(position))
+            problems%is_given_up = .true.
+            exit
+         end if
          n = n + 1
-         call read_group_name(bare, position, groups(n))
-         groups(n)%index = 1 + count(groups(:n - 1)%name == groups(n)%name)
-         if (groups(n)%index > 1 .or. groups(n)%name == repeatable) groups(n)%shown_index = groups(n)%index
-         call skip_to_group_end(bare, position, groups(n), problems)
+         associate (group => found(n))
+            call read_group_name(source%bare, position, group)
+            group%index = 1 + count(found(:n - 1)%name == group%name)
+            if (group%index > 1 .or. group%name == repeatable) group%shown_index = group%index
+            call skip_to_group_end(source, position, group, problems)
+         end associate
       end do
-      groups = groups(:n)
+      groups = found(:n)
    end subroutine scan_groups
 
    !> Move to the next group; what stands before it is a problem.
-   subroutine skip_to_group(bare, position, problems)
-      character(*), intent(in) :: bare
+   subroutine skip_to_group(source, position, problems)
+      type(source_t), intent(in) :: source
+      !> Where to look; then the `&` of the group, or the end of the text.
       integer, intent(inout) :: position
+      !> What stands before the group is added here.
       type(problems_t), intent(inout) :: problems
       logical :: is_reported
 
       is_reported = .false.
-      do while (position <= len(bare))
-         if (is_group_start(bare, position)) return
-         if (.not. (bare(position:position) == ' ' .or. bare(position:position) == newline)) then
-            if (.not. is_reported) call report_outside(bare, position, problems)
+      do while (position <= len(source%bare))
+         select case (source%bare(position:position))
+         case (' ', newline)
+         case default
+            if (is_group_start(source%bare, position)) return
+            if (.not. is_reported) call report_outside(source, position, problems)
             is_reported = .true.
-         end if
+         end select
          position = position + 1
       end do
    end subroutine skip_to_group
 
    !> Report text that belongs to no group.
-   subroutine report_outside(bare, position, problems)
-      character(*), intent(in) :: bare
+   subroutine report_outside(source, position, problems)
+      type(source_t), intent(in) :: source
+      !> Where it begins.
       integer, intent(in) :: position
+      !> It is added here.
       type(problems_t), intent(inout) :: problems
 
       call problems%add('', '', 'text outside of any group, given '// &
-         show_text(trim(bare(position:end_of_line(bare, position))))// &
-         ', allowed: groups &name ... / that start on a line of their own', line=line_at(bare, position))
+         show_text(trim(source%bare(position:end_of_line(source%bare, position))))// &
+         ', allowed: groups &name ... / that start on a line of their own', line=source%line_at(position))
    end subroutine report_outside
 
    !> Does a group begin at this position?
    pure logical function is_group_start(bare, position)
       character(*), intent(in) :: bare
+      !> Where to look.
       integer, intent(in) :: position
-      integer :: line_first
+      integer :: i
 
       is_group_start = .false.
       if (bare(position:position) /= '&' .or. position == len(bare)) return
       if (.not. is_letter(bare(position + 1:position + 1))) return
       if (is_group_end(bare, position)) return
-      line_first = index(bare(:position), newline, back=.true.) + 1
-      is_group_start = verify(bare(line_first:position - 1), ' ') == 0
+      ! only blanks lie between it and the end of the line before
+      do i = position - 1, 1, -1
+         if (bare(i:i) == newline) exit
+         if (bare(i:i) /= ' ') return
+      end do
+      is_group_start = .true.
    end function is_group_start
 
    !> Does a group end with the word `&end` at this position?
@@ -125,18 +146,37 @@ contains
          if (.not. is_name_character(bare(position:position))) exit
          position = position + 1
       end do
-      group%name = to_lower(bare(group%first + 1:position - 1))
+      group%name = to_lower(bare(group%first + 1:min(position - 1, group%first + name_length)))
    end subroutine read_group_name
 
    !> Find the end of a group, and move behind it.
-   subroutine skip_to_group_end(bare, position, group, problems)
-      character(*), intent(in) :: bare
+   subroutine skip_to_group_end(source, position, group, problems)
+      type(source_t), intent(in) :: source
+      !> Behind the name of the group, then behind the group.
       integer, intent(inout) :: position
+      !> Its end is set.
       type(group_t), intent(inout) :: group
+      !> A missing end is added here.
       type(problems_t), intent(inout) :: problems
+
+      call find_group_end(source%bare, position, group)
+      ! a quote that is not closed is reported with its variable, and takes the / with it
+      if (group%has_end .or. group%is_garbled) return
+      call problems%add(trim(group%name), '', 'the / that ends the group is missing', &
+         index=group%shown_index, line=source%line_at(group%first))
+   end subroutine skip_to_group_end
+
+   !> Find the end of a group, with its `/` or without.
+   pure subroutine find_group_end(bare, position, group)
+      character(*), intent(in) :: bare
+      !> Behind the name of the group, then behind the group.
+      integer, intent(inout) :: position
+      !> Its end is set.
+      type(group_t), intent(inout) :: group
       integer :: last
 
       group%body_first = position
+      group%has_end = .true.
       do while (position <= len(bare))
          group%body_last = position - 1
          select case (bare(position:position))
@@ -157,10 +197,7 @@ contains
          position = position + 1
       end do
       if (position > len(bare)) group%body_last = len(bare)
-      ! a quote that is not closed is reported with its variable, and takes the / with it
-      if (group%is_garbled) return
-      call problems%add(trim(group%name), '', 'the / that ends the group is missing', &
-         index=group%shown_index, line=line_at(bare, group%first))
-   end subroutine skip_to_group_end
+      group%has_end = .false.
+   end subroutine find_group_end
 
 end module adfric_input_group_scan

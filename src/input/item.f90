@@ -4,7 +4,7 @@
 module adfric_input_item
    use adfric_base_kinds, only: i8
    use adfric_input_source_text, only: end_of_quote
-   use adfric_input_text, only: newline, is_name, is_separator, show_text
+   use adfric_input_text, only: newline, is_name, show_text
    implicit none (type, external)
    private
    public :: item_t, next_item, take_only_word
@@ -34,8 +34,12 @@ contains
       if (position > len(text)) return
       item%first = position
       do while (position <= len(text))
-         if (is_separator(text(position:position))) exit
-         if (scan(text(position:position), '''"') > 0) position = end_of_quote(text, position)
+         select case (text(position:position))
+         case (' ', newline, ',')
+            exit
+         case ('''', '"')
+            position = end_of_quote(text, position)
+         end select
          position = position + 1
       end do
       item%last = position - 1
@@ -94,9 +98,8 @@ contains
       type(item_t), intent(inout) :: item
       integer :: length
 
-      length = verify(text(item%first:item%last)//'.', '0123456789') - 1
+      length = verify(text(item%first:item%last), '0123456789') - 1
       if (length < 1 .or. length > most_repeat_digits) return
-      if (item%first + length > item%last) return
       if (text(item%first + length:item%first + length) /= '*') return
       read (text(item%first:item%first + length - 1), *) item%repeat
       item%first = item%first + length + 1

@@ -1,12 +1,13 @@
 !> One value, from its text to what it means.
 !>
 !> What the run-time library would accept in silence (an overflow, `1+3` for 1000, any word that begins with t for true)
-!> is found here; it only converts what is known to be a number. A flaw is a text that says what is wrong and what was
-!> given; empty, nothing is wrong.
+!> is found here; `strtod`, which the run-time library calls as well, only converts what is known to be a number. A flaw is a
+!> text that says what is wrong and what was given; empty, nothing is wrong.
 module adfric_input_literal
+   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_null_char, c_null_ptr, c_ptr
    use adfric_base_kinds, only: dp, i8
    use adfric_input_source_text, only: end_of_quote, is_closed
-   use adfric_input_text, only: to_lower, show_text
+   use adfric_input_text, only: is_digit, to_lower, show_text
    implicit none (type, external)
    private
    public :: convert
@@ -27,6 +28,18 @@ module adfric_input_literal
       module procedure convert_quoted
    end interface convert
 
+   interface
+      !> The number that a text means, rounded to the nearest that can be held.
+      pure real(c_double) function c_strtod(text, end_of_number) bind(c, name='strtod')
+         import :: c_char, c_double, c_ptr
+         implicit none (type, external)
+         !> Ends with a null character.
+         character(kind=c_char), intent(in) :: text(*)
+         !> Where to say how far the number goes; null: nowhere.
+         type(c_ptr), intent(in), value :: end_of_number
+      end function c_strtod
+   end interface
+
 contains
 
    !> A real number; 0 if something is wrong.
@@ -34,27 +47,60 @@ contains
       character(*), intent(in) :: word
       real(dp), intent(out) :: value
       character(:), allocatable, intent(out) :: flaw
-      character(:), allocatable :: digits
-      integer :: exponent
+      integer :: first, exponent
       logical :: is_number
 
       value = 0
       flaw = ''
-      call split_number(word, digits, exponent, is_number)
-      if (is_not_finite(word)) then
-         flaw = 'not a finite number, given '//show_text(word)
-      else if (.not. is_number) then
-         flaw = 'not a number, given '//show_text(word)
-      else if (len(digits) == 0) then
+      call split_number(word, first, exponent, is_number)
+      if (.not. is_number) then
+         flaw = trim(merge('not a finite number', 'not a number       ', is_not_finite(word)))//', given '//show_text(word)
+      else if (first == 0) then
          return
-      else if (exponent > largest_exponent .or. (exponent == largest_exponent .and. digits >= largest_digits)) then
+      else if (is_too_large(word(first:), exponent)) then
          flaw = 'a number too large to be held, given '//show_text(word)
       else if (exponent < smallest_exponent) then
          flaw = 'a number too small to be held, given '//show_text(word)
       else
-         read (word, *) value
+         value = value_of(word)
       end if
    end subroutine convert_real
+
+   !> Is a number beyond the largest?
+   pure logical function is_too_large(digits, exponent)
+      !> From the first that is not 0 on, with a point and more.
+      character(*), intent(in) :: digits
+      !> Decimal exponent of the first digit.
+      integer, intent(in) :: exponent
+      integer :: i, n
+
+      is_too_large = exponent > largest_exponent
+      if (exponent /= largest_exponent) return
+      n = 0
+      do i = 1, len(digits)
+         if (digits(i:i) == '.') cycle
+         n = n + 1
+         is_too_large = .true.
+         if (n > len(largest_digits)) return
+         is_too_large = is_digit(digits(i:i)) .and. digits(i:i) > largest_digits(n:n)
+         if (is_too_large .or. digits(i:i) /= largest_digits(n:n)) return
+      end do
+      is_too_large = n == len(largest_digits)
+   end function is_too_large
+
+   !> The value of what is known to be a number.
+   pure real(dp) function value_of(word)
+      character(*), intent(in) :: word
+      character(kind=c_char) :: letters(len(word) + 1)
+      integer :: i
+
+      do i = 1, len(word)
+         letters(i) = word(i:i)
+         if (scan(word(i:i), 'dD') > 0) letters(i) = 'e'
+      end do
+      letters(len(word) + 1) = c_null_char
+      value_of = c_strtod(letters, c_null_ptr)
+   end function value_of
 
    !> Is it one of the words for infinity and for no number?
    pure logical function is_not_finite(word)
@@ -68,47 +114,56 @@ contains
       is_not_finite = lower == 'inf' .or. lower == 'infinity' .or. lower == 'nan' .or. index(lower, 'nan(') == 1
    end function is_not_finite
 
-   !> Take a number apart: 0.0012e5 has the digits 12 and the exponent 2, that of its first digit.
-   pure subroutine split_number(word, digits, exponent, is_number)
+   !> Take a number apart: in 0.0012e5 the first digit is the 1, and the exponent is 2.
+   pure subroutine split_number(word, first, exponent, is_number)
       character(*), intent(in) :: word
-      !> From the first that is not 0; empty for the number 0.
-      character(:), allocatable, intent(out) :: digits
+      !> Position of the first digit that is not 0; 0 for the number 0.
+      integer, intent(out) :: first
+      !> Decimal exponent of that digit.
       integer, intent(out) :: exponent
       logical, intent(out) :: is_number
-      character(:), allocatable :: mantissa
-      integer :: mark, point, n_zeros
+      integer :: i, point, n_digits
 
-      is_number = .false.
-      digits = ''
+      first = 0
       exponent = 0
-      mantissa = word
-      mark = scan(word, 'eEdD')
-      if (mark > 0) then
-         mantissa = word(:mark - 1)
-         call read_exponent(word(mark + 1:), exponent, is_number)
-         if (.not. is_number) return
+      point = 0
+      n_digits = 0
+      is_number = .false.
+      do i = merge(2, 1, scan(word(:min(1, len(word))), '+-') == 1), len(word)
+         select case (word(i:i))
+         case ('0':'9')
+            n_digits = n_digits + 1
+            if (first == 0 .and. word(i:i) /= '0') first = i
+         case ('.')
+            if (point > 0) return
+            point = i
+         case default
+            exit
+         end select
+      end do
+      if (n_digits == 0) return
+      is_number = i > len(word)
+      if (.not. is_number) then
+         if (scan(word(i:i), 'eEdD') == 0) return
+         call read_exponent(word(i + 1:), exponent, is_number)
       end if
-      if (scan(mantissa, '+-') == 1) mantissa = mantissa(2:)
-      point = index(mantissa//'.', '.')
-      digits = mantissa(:point - 1)//mantissa(point + 1:)
-      is_number = len(digits) > 0 .and. verify(digits, '0123456789') == 0
-      if (.not. is_number) return
-      n_zeros = verify(digits//'1', '0') - 1
-      digits = digits(n_zeros + 1:)
-      exponent = exponent + point - 2 - n_zeros
+      if (point == 0) point = i
+      exponent = exponent + point - first
+      if (first < point) exponent = exponent - 1
    end subroutine split_number
 
    !> Read an exponent; an enormous one is cut where it is still enormous.
    pure subroutine read_exponent(word, exponent, is_number)
       character(*), intent(in) :: word
       integer, intent(out) :: exponent
+      !> False if it is no integer.
       logical, intent(out) :: is_number
       integer, parameter :: enormous = 100000000
       integer :: i, first
 
       exponent = 0
       first = 1
-      if (scan(word, '+-') == 1) first = 2
+      if (scan(word(:min(1, len(word))), '+-') == 1) first = 2
       is_number = len(word) >= first .and. verify(word(first:), '0123456789') == 0
       if (.not. is_number) return
       do i = first, len(word)
@@ -159,11 +214,11 @@ contains
       character(*), intent(in) :: word
       character(:), allocatable, intent(out) :: value
       character(:), allocatable, intent(out) :: flaw
-      integer :: i, last
+      integer :: i, last, n
 
       value = ''
       flaw = ''
-      if (scan(word, '''"') /= 1) then
+      if (scan(word(:min(1, len(word))), '''"') /= 1) then
          flaw = 'not a text in quotes, given '//show_text(word)
          return
       end if
@@ -173,12 +228,15 @@ contains
       else if (last < len(word)) then
          flaw = 'something stands directly behind the closing quote, given '//show_text(word)
       else
+         value = word(2:last - 1)
+         n = 0
          i = 2
          do while (i < last)
-            value = value//word(i:i)
+            n = n + 1
+            value(n:n) = word(i:i)
             i = i + merge(2, 1, word(i:i) == word(1:1))
          end do
-         value = trim(value)
+         value = trim(value(:n))
       end if
    end subroutine convert_quoted
 

@@ -5,7 +5,7 @@ module adfric_input_namelist_file
    use adfric_base_problems, only: problems_t
    use adfric_input_assignment_scan, only: assignment_t, scan_assignments
    use adfric_input_group_scan, only: group_t, scan_groups
-   use adfric_input_source_text, only: strip_comments, find_control_character, line_at
+   use adfric_input_source_text, only: source_t, new_source, find_control_character
    use adfric_input_text, only: show_count
    implicit none (type, external)
    private
@@ -21,7 +21,7 @@ module adfric_input_namelist_file
       !> Its text, byte by byte.
       character(:), allocatable :: text
       !> The same without comments, at the same positions.
-      character(:), allocatable :: bare
+      type(source_t) :: source
       !> In the order of the file.
       type(group_t), allocatable :: groups(:)
       !> In the order of the file.
@@ -46,14 +46,16 @@ contains
       !> The file cannot be read, or is no text.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: text
+      type(source_t) :: source
       integer :: place
 
       call read_whole_file(path, text, error)
       if (allocated(error)) return
       place = find_control_character(text)
       if (place > 0) then
+         call new_source(source, text(:place))
          call set_error(error, input_failure, path//': cannot be an input, it is not a text, given the control '// &
-            'character '//show_count(iachar(text(place:place)))//' (line '//show_count(line_at(text, place))//')')
+            'character '//show_count(iachar(text(place:place)))//' (line '//show_count(source%line_at(place))//')')
          return
       end if
       call new_namelist_file(self, path, text, problems)
@@ -68,9 +70,9 @@ contains
 
       self%path = path
       self%text = text
-      self%bare = strip_comments(text)
-      call scan_groups(self%bare, self%groups, problems)
-      call scan_assignments(self%bare, self%groups, self%assignments, problems)
+      call new_source(self%source, text)
+      call scan_groups(self%source, self%groups, problems)
+      call scan_assignments(self%source, self%groups, self%assignments, problems)
       call report_repeated_groups(self, problems)
       call report_repeated_variables(self, problems)
    end subroutine new_namelist_file
@@ -143,6 +145,7 @@ contains
 
       do i = 1, size(self%groups)
          if (self%groups(i)%index < 2 .or. self%groups(i)%name == 'sweep') cycle
+         if (problems%is_enough()) exit
          first = self%find_group(trim(self%groups(i)%name))
          call self%report(problems, i, '', 'the group is given twice, first in line '// &
             show_count(self%line_of(self%groups(first)%first))//', allowed: once', self%groups(i)%first)
@@ -158,6 +161,7 @@ contains
       do i = 1, size(self%assignments)
          first = self%find_assignment(self%assignments(i)%group, trim(self%assignments(i)%name))
          if (first == i) cycle
+         if (problems%is_enough()) exit
          call self%report(problems, self%assignments(i)%group, trim(self%assignments(i)%name), &
             'the variable is given twice, first in line '//show_count(self%line_of(self%assignments(first)%first))// &
             ', allowed: once', self%assignments(i)%first)
@@ -197,7 +201,7 @@ contains
       character(:), allocatable :: text
 
       associate (item => self%assignments(assignment))
-         text = self%bare(item%value_first:item%value_last)
+         text = self%source%bare(item%value_first:item%value_last)
       end associate
    end function value_of
 
@@ -206,7 +210,7 @@ contains
       class(namelist_file_t), intent(in) :: self
       integer, intent(in) :: position
 
-      line_of = line_at(self%bare, position)
+      line_of = self%source%line_at(position)
    end function line_of
 
    !> Add a problem of a group to the list.

@@ -10,6 +10,8 @@ module adfric_input_number_list
 
    !> Values that a list may have.
    integer, parameter :: most_values = 100000000
+   !> Values that there is room for at first.
+   integer, parameter :: first_room = 16
 
 contains
 
@@ -22,38 +24,43 @@ contains
       character(:), allocatable, intent(out) :: flaw
       !> Position of what is wrong in the text.
       integer, intent(out) :: place
-      integer(i8) :: n
-      integer :: status
+      real(dp), allocatable :: kept(:)
+      integer(i8) :: n, n_kept
+      logical :: is_room
 
-      allocate (values(0))
-      call scan_list(text, values, n, flaw, place)
-      if (len(flaw) > 0) return
-      if (n == 0) flaw = 'no value given'
-      if (n > most_values) flaw = 'too many values, given '//show_count(n)
-      if (len(flaw) > 0) return
-      deallocate (values)
-      allocate (values(n), stat=status)
-      if (status == 0) then
-         call scan_list(text, values, n, flaw, place)
-      else
-         allocate (values(0))
-         flaw = 'too many values for the memory, given '//show_count(n)
+      call scan_list(text, kept, n_kept, n, is_room, flaw, place)
+      if (len(flaw) == 0) then
+         if (n == 0) flaw = 'no value given'
+         if (.not. is_room) flaw = 'too many values for the memory, given '//show_count(n)
+         if (n > most_values) flaw = 'too many values, given '//show_count(n)
       end if
+      if (len(flaw) > 0) n_kept = 0
+      values = kept(:n_kept)
    end subroutine read_list
 
-   !> Examine and count the values of a list, and keep those for which there is room.
-   subroutine scan_list(text, values, n, flaw, place)
+   !> Examine, keep and count the values of a list.
+   subroutine scan_list(text, values, n_kept, n, is_room, flaw, place)
       character(*), intent(in) :: text
-      real(dp), intent(inout) :: values(:)
+      !> Those that are kept, and room for more.
+      real(dp), allocatable, intent(out) :: values(:)
+      !> How many are kept: no more than a list may have.
+      integer(i8), intent(out) :: n_kept
       !> How many values the list has.
       integer(i8), intent(out) :: n
+      !> Is there memory for all that a list may have?
+      logical, intent(out) :: is_room
+      !> What is wrong with a value; empty if all are good.
       character(:), allocatable, intent(out) :: flaw
+      !> Position of what is wrong in the text.
       integer, intent(out) :: place
       type(item_t) :: item
       real(dp) :: value
       integer :: position
 
+      allocate (values(first_room))
       n = 0
+      n_kept = 0
+      is_room = .true.
       place = 1
       position = 1
       do
@@ -62,9 +69,34 @@ contains
          place = item%first
          if (len(flaw) == 0) call convert(text(item%first:item%last), value, flaw)
          if (len(flaw) > 0) return
-         values(n + 1:min(n + item%repeat, size(values, kind=i8))) = value
          n = n + item%repeat
+         if (n > most_values .or. .not. is_room) cycle
+         call make_room(values, n_kept, n, is_room)
+         if (.not. is_room) cycle
+         values(n_kept + 1:n) = value
+         n_kept = n
       end do
    end subroutine scan_list
+
+   !> Make room for more values: twice as many, so that each of them is moved about once.
+   subroutine make_room(values, n_kept, n, is_room)
+      real(dp), allocatable, intent(inout) :: values(:)
+      !> How many are kept.
+      integer(i8), intent(in) :: n_kept
+      !> How many there shall be room for.
+      integer(i8), intent(in) :: n
+      !> Is there?
+      logical, intent(out) :: is_room
+      real(dp), allocatable :: larger(:)
+      integer :: status
+
+      is_room = n <= size(values, kind=i8)
+      if (is_room) return
+      allocate (larger(max(n, min(2*size(values, kind=i8), int(most_values, i8)))), stat=status)
+      is_room = status == 0
+      if (.not. is_room) return
+      larger(:n_kept) = values(:n_kept)
+      call move_alloc(larger, values)
+   end subroutine make_room
 
 end module adfric_input_number_list

@@ -14,7 +14,7 @@ module adfric_input_run
    use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_input_sweep, only: read_sweeps, find_size_problem
-   use adfric_input_text, only: join_words, show_count
+   use adfric_input_text, only: join_words, longest_name, show_count, show_text
    use adfric_input_vocabulary, only: job_names, has_word, report_unknown_names
    use adfric_sweep_plan, only: plan_t
    implicit none (type, external)
@@ -60,6 +60,8 @@ contains
       run%output = default_output(path)
       call open_namelist_file(file, path, problems, error)
       if (allocated(error)) return
+      ! of a file that has not been looked at to its end nothing more can be said
+      if (problems%is_enough()) return
       run%text = file%text
       group = file%find_group('job')
       if (group == 0) then
@@ -83,7 +85,9 @@ contains
       character(:), allocatable :: text
 
       call read_groups(file, model, input, problems)
-      call read_sweeps(file, model, input, run%plan%axes, problems)
+      if (.not. problems%is_enough()) call read_sweeps(file, model, input, run%plan%axes, problems)
+      ! what has not been read is not missing
+      if (problems%is_enough()) return
       call load_datasets(model, input, problems)
       call check_consistency(file, model, input, run%plan%axes, problems)
       text = find_size_problem(run%plan)
@@ -156,9 +160,12 @@ contains
       call read_word(file, group, 'output', output, problems)
       if (len(output) == 0) then
          call file%report_variable(problems, group, 'output', 'empty, allowed: the name of a file')
+      else if (len(output) > longest_name) then
+         call file%report_variable(problems, group, 'output', 'too long for the name of a file, given '//show_text(output)// &
+            ', allowed: at most '//show_count(longest_name)//' letters')
       else if (output == file%path) then
          call file%report_variable(problems, group, 'output', 'the results would replace the input, given '''// &
-            output//''', allowed: the name of another file')
+            show_text(output)//''', allowed: the name of another file')
       end if
    end subroutine read_output
 
@@ -182,7 +189,7 @@ contains
       call read_word(file, group, 'model', model, problems)
       if (problems%count() > n_before) return
       if (has_word(known_models, model)) return
-      call file%report_variable(problems, group, 'model', 'unknown model, given '''//model//''', allowed: '// &
+      call file%report_variable(problems, group, 'model', 'unknown model, given '''//show_text(model)//''', allowed: '// &
          choices//did_you_mean(model, known_models))
       model = ''
    end subroutine read_model

@@ -1,25 +1,51 @@
 !> The text of a namelist file: comments, quotes and lines.
+!>
+!> Nothing here looks at a letter more than a fixed number of times for each time it is asked, so that reading takes a time in
+!> proportion to the length of the text.
 module adfric_input_source_text
    use adfric_input_text, only: newline
    implicit none (type, external)
    private
-   public :: strip_comments, find_control_character, end_of_quote, is_closed, end_of_line, line_at
+   public :: source_t, new_source, find_control_character, end_of_quote, is_closed, end_of_line
 
    character(*), parameter :: carriage_return = achar(13)
    !> Mark that some editors put before the first line.
    character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
+   !> Letters between the positions whose lines are known.
+   integer, parameter :: stride = 1024
+
+   !> A text without its comments.
+   type :: source_t
+      !> With blanks for comments and tabs, and one kind of line end: the positions are those of the file.
+      character(:), allocatable :: bare
+      !> Line ends before the positions 1, 1 + stride, 1 + 2 stride and so on.
+      integer, allocatable :: lines_before(:)
+   contains
+      procedure :: line_at
+   end type source_t
 
 contains
 
-   !> The text with comments, tabs and line ends replaced by blanks and one kind of line end. Its length,
-   !> and with it every position, is kept.
-   pure function strip_comments(text) result(bare)
+   !> Strip a text of its comments and count its lines.
+   pure subroutine new_source(self, text)
+      type(source_t), intent(out) :: self
+      !> As it stands in the file.
       character(*), intent(in) :: text
-      character(:), allocatable :: bare
+
+      self%bare = text
+      call strip_comments(text, self%bare)
+      call count_lines(self)
+   end subroutine new_source
+
+   !> Replace comments and tabs by blanks and line ends by one kind of them.
+   pure subroutine strip_comments(text, bare)
+      !> As it stands in the file.
+      character(*), intent(in) :: text
+      !> A copy of it.
+      character(*), intent(inout) :: bare
       integer :: i, last
 
-      bare = text
-      if (index(text, byte_order_mark) == 1) bare(1:3) = ' '
+      if (index(text(:min(len(text), len(byte_order_mark))), byte_order_mark) == 1) bare(1:3) = ' '
       i = 1
       do while (i <= len(text))
          select case (text(i:i))
@@ -39,7 +65,35 @@ contains
          end select
          i = i + 1
       end do
-   end function strip_comments
+   end subroutine strip_comments
+
+   !> Count the line ends before every position that is a stride from the last.
+   pure subroutine count_lines(self)
+      type(source_t), intent(inout) :: self
+      integer :: i, n
+
+      allocate (self%lines_before(0:len(self%bare)/stride))
+      n = 0
+      do i = 1, len(self%bare)
+         if (mod(i - 1, stride) == 0) self%lines_before((i - 1)/stride) = n
+         if (self%bare(i:i) == newline) n = n + 1
+      end do
+      if (mod(len(self%bare), stride) == 0) self%lines_before(len(self%bare)/stride) = n
+   end subroutine count_lines
+
+   !> Line of a position, from 1.
+   pure integer function line_at(self, position)
+      class(source_t), intent(in) :: self
+      !> From 1 to the one behind the text.
+      integer, intent(in) :: position
+      integer :: i, block
+
+      block = (position - 1)/stride
+      line_at = 1 + self%lines_before(block)
+      do i = block*stride + 1, position - 1
+         if (self%bare(i:i) == newline) line_at = line_at + 1
+      end do
+   end function line_at
 
    !> Position of the first character that no text has; 0 if there is none.
    pure integer function find_control_character(text)
@@ -58,19 +112,22 @@ contains
    pure integer function end_of_quote(text, first)
       character(*), intent(in) :: text
       integer, intent(in) :: first
-      integer :: last
 
-      last = end_of_line(text, first)
       end_of_quote = first + 1
-      do while (end_of_quote <= last)
-         if (text(end_of_quote:end_of_quote) == text(first:first)) then
-            if (end_of_quote == last) return
-            if (text(end_of_quote + 1:end_of_quote + 1) /= text(first:first)) return
-            end_of_quote = end_of_quote + 1
-         end if
+      do while (end_of_quote <= len(text))
+         select case (text(end_of_quote:end_of_quote))
+         case (newline, carriage_return)
+            exit
+         case ('''', '"')
+            if (text(end_of_quote:end_of_quote) == text(first:first)) then
+               if (end_of_quote == len(text)) return
+               if (text(end_of_quote + 1:end_of_quote + 1) /= text(first:first)) return
+               end_of_quote = end_of_quote + 1
+            end if
+         end select
          end_of_quote = end_of_quote + 1
       end do
-      end_of_quote = last
+      end_of_quote = end_of_quote - 1
    end function end_of_quote
 
    !> Is a text in quotes, from the first to `end_of_quote`, closed? A doubled quote within it stands for itself.
@@ -78,7 +135,10 @@ contains
       character(*), intent(in) :: quoted
       integer :: i
 
-      is_closed = mod(count([(quoted(i:i) == quoted(1:1), i=1, len(quoted))]), 2) == 0
+      is_closed = .true.
+      do i = 1, len(quoted)
+         if (quoted(i:i) == quoted(1:1)) is_closed = .not. is_closed
+      end do
    end function is_closed
 
    !> Position of the last character of a line, its line end excluded.
@@ -92,17 +152,5 @@ contains
       end do
       end_of_line = len(text)
    end function end_of_line
-
-   !> Line of a position, from 1.
-   pure integer function line_at(bare, position)
-      character(*), intent(in) :: bare
-      integer, intent(in) :: position
-      integer :: i
-
-      line_at = 1
-      do i = 1, min(position - 1, len(bare))
-         if (bare(i:i) == newline) line_at = line_at + 1
-      end do
-   end function line_at
 
 end module adfric_input_source_text

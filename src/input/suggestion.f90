@@ -41,22 +41,25 @@ contains
       !> Words, separated by a blank.
       character(*), intent(in) :: known
       character(:), allocatable :: nearest
-      character(:), allocatable :: candidate
+      character(:), allocatable :: candidate, lower
       integer :: k, distance, best
 
       nearest = ''
-      best = max(1, len_trim(word)/3) + 1
+      lower = to_lower(trim(word))
+      best = max(1, len(lower)/3) + 1
       do k = 1, count_words(known)
          candidate = get_word(known, k)
-         distance = edit_distance(to_lower(trim(word)), to_lower(candidate))
+         ! every letter too many has to be deleted
+         if (abs(len(lower) - len(candidate)) >= best) cycle
+         distance = edit_distance(lower, to_lower(candidate))
          if (distance >= best) cycle
          best = distance
          nearest = candidate
       end do
-      if (len(nearest) > 0 .or. len_trim(word) < shortest_beginning) return
+      if (len(nearest) > 0 .or. len(lower) < shortest_beginning) return
       do k = 1, count_words(known)
          candidate = get_word(known, k)
-         if (index(to_lower(candidate), to_lower(trim(word))) /= 1) cycle
+         if (index(to_lower(candidate), lower) /= 1) cycle
          nearest = candidate
          return
       end do

@@ -10,7 +10,7 @@ module adfric_input_sweep
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_sweep_range, only: read_sweep_values
-   use adfric_input_text, only: join_words, to_lower, show_count
+   use adfric_input_text, only: join_words, to_lower, show_count, show_text
    use adfric_input_variable, only: is_in_range, describe_allowed, show_value
    use adfric_input_vocabulary, only: sweep_names, list_groups_of, list_variables, report_unknown_names
    use adfric_sweep_plan, only: axis_t, plan_t
@@ -38,6 +38,7 @@ contains
       n = 0
       do i = 1, size(file%groups)
          if (file%groups(i)%name /= 'sweep') cycle
+         if (problems%is_enough()) exit
          call read_axis(file, i, model, input, axis, problems)
          if (axis%variable == 0) cycle
          n = n + 1
@@ -124,11 +125,11 @@ contains
       bare_name = name(percent + 1:)
       groups = list_groups_of(model, bare_name)
       if (len(groups) == 0) then
-         flaw = 'unknown variable, given '''//name//''', allowed: '//join_words(list_swept(model), ', ')// &
+         flaw = 'unknown variable, given '''//show_text(name)//''', allowed: '//join_words(list_swept(model), ', ')// &
             did_you_mean(bare_name, list_variables(model, ''))
       else if (percent > 0) then
          variable = model%index_of(name(:percent - 1), bare_name)
-         if (variable == 0) flaw = 'unknown variable, given '''//name//''', it belongs to &'//join_words(groups, ' or &')
+         if (variable == 0) flaw = 'unknown variable, given '''//show_text(name)//''', it belongs to &'//join_words(groups, ' or &')
       else if (count_words(groups) > 1) then
          variable = find_bare_name(model, name)
          if (variable == 0) flaw = 'stands in several groups, given '''//name//''', allowed: '''// &
@@ -138,7 +139,7 @@ contains
       end if
       if (variable == 0) return
       if (is_numeric(model, variable)) return
-      flaw = 'not a number, it cannot be swept, given '''//name//''', allowed: '//join_words(list_swept(model), ', ')
+      flaw = 'not a number, it cannot be swept, given '''//show_text(name)//''', allowed: '//join_words(list_swept(model), ', ')
       variable = 0
    end subroutine look_up
 

@@ -9,7 +9,7 @@ module adfric_input_sweep_range
    use adfric_input_number_list, only: read_list, most_values
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_sweep_values, only: fill_linear, fill_logarithmic
-   use adfric_input_text, only: show_number, show_count
+   use adfric_input_text, only: show_number, show_count, show_text
    implicit none (type, external)
    private
    public :: read_sweep_values
@@ -173,7 +173,7 @@ contains
       call take_only_word(file%value_of(number), quoted, flaw, place)
       if (len(flaw) == 0) call convert(quoted, word, flaw)
       is_logarithmic = word == 'log'
-      if (len(flaw) == 0 .and. word /= 'log' .and. word /= 'linear') flaw = 'unknown choice, given '''//word//''''
+      if (len(flaw) == 0 .and. word /= 'log' .and. word /= 'linear') flaw = 'unknown choice, given '''//show_text(word)//''''
       if (len(flaw) > 0) call file%report_variable(problems, group, 'spacing', &
          flaw//allowed//did_you_mean(word, 'linear log'), place)
    end subroutine read_spacing

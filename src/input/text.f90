@@ -1,10 +1,11 @@
 !> Small words about text: letters, names, blank-separated lists, and numbers as a person writes them.
 module adfric_input_text
    use adfric_base_kinds, only: dp, i8
+   use adfric_base_printable, only: printable, whole_letters
    use adfric_base_words, only: count_words, get_word
    implicit none (type, external)
    private
-   public :: newline, name_length, to_lower, strip, is_letter, is_digit, is_separator, is_name, is_name_character
+   public :: newline, name_length, longest_name, to_lower, strip, is_letter, is_digit, is_separator, is_name, is_name_character
    public :: join_words, show_text, show_number, show_count
 
    !> The end of a line, once the kinds of line ends have been made one.
@@ -12,6 +13,9 @@ module adfric_input_text
 
    !> Longest name of a group or a variable.
    integer, parameter :: name_length = 63
+
+   !> Longest name of a file, or of a dataset within it, that a system takes.
+   integer, parameter :: longest_name = 4096
 
    !> Longest piece of the user's text that is repeated in a message.
    integer, parameter :: longest_shown = 60
@@ -112,11 +116,11 @@ contains
       character(:), allocatable :: shown
       integer :: i
 
-      shown = text(:min(len(text), longest_shown))
+      shown = whole_letters(text, longest_shown)
       do i = 1, len(shown)
          if (shown(i:i) == newline) shown(i:i) = ' '
-         if (iachar(shown(i:i)) < 32 .or. iachar(shown(i:i)) == 127) shown(i:i) = '?'
       end do
+      shown = printable(shown)
       if (len(text) > longest_shown) shown = shown//'...'
    end function show_text
 

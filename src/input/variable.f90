@@ -7,7 +7,7 @@ module adfric_input_variable
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_suggestion, only: did_you_mean
-   use adfric_input_text, only: join_words, show_count, show_number
+   use adfric_input_text, only: join_words, show_count, show_number, show_text
    implicit none (type, external)
    private
    public :: read_variable, is_in_range, describe_allowed, show_value
@@ -78,7 +78,7 @@ contains
          value = real(k, dp)
          return
       end do
-      flaw = 'unknown choice, given '''//choice//''''
+      flaw = 'unknown choice, given '''//show_text(choice)//''''
       question = did_you_mean(choice, choices)
    end subroutine convert_choice
 

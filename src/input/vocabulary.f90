@@ -118,14 +118,15 @@ contains
       !> Separated by a blank.
       character(*), intent(in) :: known
       type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: name
       integer :: i
 
       do i = 1, size(file%assignments)
-         if (file%assignments(i)%group /= group) cycle
-         name = trim(file%assignments(i)%name)
-         if (has_word(known, name)) cycle
-         call file%report(problems, group, name, say_unknown_name(known, name), file%assignments(i)%first)
+         if (problems%is_enough()) return
+         associate (assignment => file%assignments(i))
+            if (assignment%group /= group .or. has_word(known, assignment%name)) cycle
+            call file%report(problems, group, trim(assignment%name), say_unknown_name(known, trim(assignment%name)), &
+               assignment%first)
+         end associate
       end do
    end subroutine report_unknown_names
 
