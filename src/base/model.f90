@@ -113,6 +113,7 @@ module adfric_base_model
       procedure :: describe_results
       procedure :: get_derived
       procedure :: describe_case
+      procedure :: describe_doubts
       procedure :: describe_profiles
       procedure :: describe_profile_axis
       procedure :: unit_of
@@ -300,6 +301,18 @@ contains
       associate (unused => self, unused_too => values)
       end associate
    end function describe_case
+
+   !> What in the case may not be what the user means, a line each, for `adfric check` and the summary of a run. Here nothing is
+   !> doubted.
+   function describe_doubts(self, values) result(text)
+      class(model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      associate (unused => self, unused_too => values)
+      end associate
+   end function describe_doubts
 
    !> Number of states of an enumerated result; 0 for a number.
    pure integer function n_states(self)

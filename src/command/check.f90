@@ -38,6 +38,7 @@ contains
          call outcome%say(text)
          if (text(len(text):) /= newline) call outcome%say(newline)
       end if
+      call outcome%say(model%describe_doubts(run%plan%base))
       call outcome%say(describe_sweep(model, run))
       call outcome%say(pad('points', name_width)//show_count(run%plan%n_points())//newline)
       call outcome%say(pad('results file', name_width)//run%output//', ' &

@@ -62,6 +62,7 @@ contains
          if (summary%by_status(status_not_converged) > 0) outcome%exit_status = exit_not_converged
          if (command%is_quiet .or. .not. world%is_first()) return
          call outcome%say(new_run_table(summary, model%describe_results(run%plan%base), run%output))
+         call outcome%say(model%describe_doubts(run%plan%base))
          if (is_complete) call outcome%say('this run was complete already'//newline)
       end if
    end subroutine run_case

@@ -153,12 +153,14 @@ contains
       type(problems_t), intent(inout) :: problems
 
       if (.not. is_set(values(v_positions))) return
-      associate (n => size(self%samples%s))
-         if (is_set(values(v_pressures)) .and. size(self%samples%p) /= n) &
+      if (is_set(values(v_pressures))) then
+         if (size(self%samples%p) /= size(self%samples%s)) &
             & call problems%add('samples', 'pressures', 'has not as many values as positions')
-         if (is_set(values(v_shear_tractions)) .and. size(self%samples%q) /= n) &
+      end if
+      if (is_set(values(v_shear_tractions))) then
+         if (size(self%samples%q) /= size(self%samples%s)) &
             & call problems%add('samples', 'shear_tractions', 'has not as many values as positions')
-      end associate
+      end if
    end subroutine check_samples
 
    !> See `model_t`.

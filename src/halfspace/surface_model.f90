@@ -11,6 +11,7 @@ module adfric_halfspace_surface_model
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: quantity_line
    use adfric_halfspace_halfspace_table, only: positive, dataset
+   use adfric_halfspace_period_seam, only: seam_t, seam_of
    use adfric_halfspace_periodic_grids, only: n_grids_of
    use adfric_halfspace_periodic_model, only: periodic_model_t
    use adfric_halfspace_periodic_operator, only: is_too_long
@@ -38,6 +39,7 @@ module adfric_halfspace_surface_model
       procedure :: get_full_pressure
       procedure :: get_peak_pressure
       procedure :: describe_surface
+      procedure :: describe_doubts
       procedure, private :: is_line
    end type surface_model_t
 
@@ -138,5 +140,27 @@ contains
       if (n_grids_of(shape(self%depths)) < grids_for_error) text = text//'the error of the area is not estimated: for that the ' &
          & //'numbers of cells have to be multiples of 4, 32 at least'//new_line('a')
    end function describe_surface
+
+   !> See `model_t`: edges that do not meet.
+   function describe_doubts(self, values) result(text)
+      class(surface_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      character(*), parameter :: axes = 'xy'
+      type(seam_t) :: seam
+      character(60) :: steps
+      integer :: k
+
+      text = ''
+      do k = 1, merge(1, 2, self%is_line())
+         seam = seam_of(self%depths, k)
+         if (.not. seam%is_open()) cycle
+         write (steps, '(es9.2, a, es9.2, a)') seam%step, ' m, inside at most', seam%largest, ' m'
+         text = text//'the heights do not meet where the period ends along '//axes(k:k)//': a step of' &
+            & //trim(steps)//' (root mean square); is the surface periodic?'//new_line('a')
+      end do
+      associate (unused => values)
+      end associate
+   end function describe_doubts
 
 end module adfric_halfspace_surface_model

@@ -109,11 +109,14 @@ contains
    !> Position of the name, with its subscripts, at the end of a text.
    pure integer function start_of_name(text)
       character(*), intent(in) :: text
+      integer :: bracket
 
       start_of_name = skip_blanks_back(text, len(text) + 1)
       if (start_of_name > 1) then
-         if (text(start_of_name - 1:start_of_name - 1) == ')' .and. index(text, '(') > 0) then
-            start_of_name = skip_blanks_back(text, index(text, '(', back=.true.))
+         ! only what ends with a bracket is searched for another: it is the end of a name, and searched no more
+         if (text(start_of_name - 1:start_of_name - 1) == ')') then
+            bracket = index(text, '(', back=.true.)
+            if (bracket > 0) start_of_name = skip_blanks_back(text, bracket)
          end if
       end if
       do while (start_of_name > 1)

@@ -4,9 +4,10 @@ module adfric_input_dataset
    use adfric_base_checksum, only: checksum_t, checksum_length
    use adfric_base_kinds, only: dp, i8
    use adfric_base_model, only: variable_t
+   use adfric_base_units, only: unit_t, read_unit, is_same_quantity, to_si
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
-   use adfric_input_text, only: show_count, show_number
+   use adfric_input_text, only: longest_name, show_count, show_number, show_text
    use adfric_output_hdf5_layer_samples, only: read_numbers
    implicit none (type, external)
    private
@@ -14,6 +15,8 @@ module adfric_input_dataset
 
    !> What stands between the name of the file and that of the dataset, with which the latter begins.
    character(*), parameter :: divider = ':/'
+   !> Sizes of the numbers of physics: none is larger, and if all are smaller they should be 0.
+   real(dp), parameter :: largest = 1.0e60_dp, smallest = 1.0e-60_dp
 
    !> A dataset; everything but `text` is known once it has been loaded.
    type :: dataset_t
@@ -23,9 +26,11 @@ module adfric_input_dataset
       character(:), allocatable :: file, path
       !> Number of values along each dimension, as the file has them: the slowest first.
       integer(i8), allocatable :: counts(:)
-      !> Range of the values.
+      !> Units in which the file has the values; empty where it does not say them, and they are in SI units.
+      character(:), allocatable :: units
+      !> Range of the values in SI units.
       real(dp) :: lowest = 0, highest = 0
-      !> Of the values as 64-bit numbers, in the order of the file.
+      !> Of the values in SI units as 64-bit numbers, in the order of the file.
       character(checksum_length) :: checksum = ''
    contains
       procedure :: is_given
@@ -52,7 +57,9 @@ contains
          if (k > 1) text = text//' x '
          text = text//show_count(self%counts(k))
       end do
-      text = text//' values, '//show_number(self%lowest)//' to '//show_number(self%highest)
+      text = text//' values'
+      if (len(self%units) > 0) text = text//' in '//show_text(self%units)
+      text = text//', '//show_number(self%lowest)//' to '//show_number(self%highest)
    end function describe
 
    !> Read the name of a dataset.
@@ -73,7 +80,10 @@ contains
       if (len(flaw) > 0) return
       colon = index(name, divider, back=.true.)
       if (colon <= 1 .or. len(name) <= colon + 1) then
-         flaw = 'does not name a dataset of a file, given '''//name//''''
+         flaw = 'does not name a dataset of a file, given '''//show_text(name)//''''
+         return
+      else if (len(name) > longest_name) then
+         flaw = 'too long for the name of a file, given '''//show_text(name)//''''
          return
       end if
       dataset%text = name
@@ -92,25 +102,65 @@ contains
       type(checksum_t) :: checksum
       integer :: j
 
-      call read_numbers(dataset%file, dataset%path, variable%largest_rank, values, dataset%counts, flaw)
+      call read_numbers(dataset%file, dataset%path, variable%largest_rank, values, dataset%counts, dataset%units, flaw)
       if (len(flaw) > 0) return
       if (any(dataset%counts < variable%least_count)) then
          flaw = 'too few values in the dataset'
          return
       end if
       do j = 1, size(values, 2)
-         if (.not. all(ieee_is_finite(values(:, j)))) then
-            flaw = 'NaN or Inf in the dataset'
-            return
-         end if
+         if (all(ieee_is_finite(values(:, j)))) cycle
+         flaw = 'NaN or Inf in the dataset'
+         return
+      end do
+      call convert_units(dataset%units, variable%unit, values, flaw)
+      if (len(flaw) > 0) return
+      do j = 1, size(values, 2)
          call checksum%add_reals(values(:, j))
       end do
+      dataset%checksum = checksum%to_text()
       dataset%lowest = minval(values)
       dataset%highest = maxval(values)
-      dataset%checksum = checksum%to_text()
-      if (dataset%lowest < variable%lower) flaw = show_outlier(dataset%lowest, '>= ', variable%lower)
-      if (dataset%highest > variable%upper) flaw = show_outlier(dataset%highest, '<= ', variable%upper)
+      if (dataset%lowest < max(variable%lower, -largest)) &
+         flaw = show_outlier(dataset%lowest, '>= ', max(variable%lower, -largest))
+      if (dataset%highest > min(variable%upper, largest)) &
+         flaw = show_outlier(dataset%highest, '<= ', min(variable%upper, largest))
+      associate (size_of_all => max(-dataset%lowest, dataset%highest))
+         if (size_of_all > 0 .and. size_of_all < smallest) flaw = 'the values of the dataset are too small, the largest is '// &
+            show_number(size_of_all)//', not 0 or >= '//show_number(smallest)
+      end associate
    end subroutine load_dataset
+
+   !> Convert values to SI units.
+   pure subroutine convert_units(units, wanted, values, flaw)
+      !> Those of the values; empty: SI units.
+      character(*), intent(in) :: units
+      !> Unit of the variable.
+      character(*), intent(in) :: wanted
+      !> Finite.
+      real(dp), intent(inout) :: values(:, :)
+      !> Why that cannot be; empty if it has been done.
+      character(:), allocatable, intent(inout) :: flaw
+      type(unit_t) :: given, si
+      logical :: is_known, is_si
+      integer :: j
+
+      if (len(units) == 0) return
+      call read_unit(units, given, is_known)
+      call read_unit(wanted, si, is_si)
+      if (.not. is_known) then
+         flaw = 'the units '''//show_text(units)//''' of the dataset are not known'
+      else if (.not. (is_si .and. is_same_quantity(given, si))) then
+         flaw = 'the units '''//show_text(units)//''' of the dataset are of another quantity'
+      else if (maxval(abs(values)) > largest) then
+         ! it might be beyond all numbers once it is converted
+         flaw = 'a value of the dataset is out of range, '//show_number(maxval(abs(values)))//' '//show_text(units)
+      else
+         do j = 1, size(values, 2)
+            values(:, j) = to_si(values(:, j), given)
+         end do
+      end if
+   end subroutine convert_units
 
    !> What to say of a value out of range.
    pure function show_outlier(value, relation, bound) result(text)

@@ -96,12 +96,15 @@ contains
    pure subroutine take_repeat_count(text, item)
       character(*), intent(in) :: text
       type(item_t), intent(inout) :: item
-      integer :: length
+      integer :: length, i
 
       length = verify(text(item%first:item%last), '0123456789') - 1
       if (length < 1 .or. length > most_repeat_digits) return
       if (text(item%first + length:item%first + length) /= '*') return
-      read (text(item%first:item%first + length - 1), *) item%repeat
+      item%repeat = 0
+      do i = item%first, item%first + length - 1
+         item%repeat = 10*item%repeat + iachar(text(i:i)) - iachar('0')
+      end do
       item%first = item%first + length + 1
    end subroutine take_repeat_count
 

@@ -21,6 +21,8 @@ module adfric_input_text
    integer, parameter :: longest_shown = 60
    !> Decimal digits that tell any two numbers apart.
    integer, parameter :: all_digits = 17
+   !> Larger numbers, rounded to fewer digits, may be beyond all numbers.
+   real(dp), parameter :: largest_rounded = 1.4e308_dp
    !> Decimal exponents between which a number is written without exponent.
    integer, parameter :: smallest_plain = -3, largest_plain = 5
 
@@ -134,7 +136,7 @@ contains
       real(dp) :: back
       integer :: n, exponent
 
-      do n = 1, all_digits
+      do n = merge(all_digits, 1, abs(x) > largest_rounded), all_digits
          write (form, '(a, i0, a)') '(es40.', n - 1, 'e3)'
          write (buffer, form) abs(x)
          read (buffer, *) back
@@ -143,6 +145,7 @@ contains
       buffer = adjustl(buffer)
       read (buffer(index(buffer, 'E') + 1:), *) exponent
       digits = buffer(1:1)//buffer(3:index(buffer, 'E') - 1)
+      digits = digits(:max(1, verify(digits, '0', back=.true.)))
       shown = place_point(digits, exponent)
       if (x < 0) shown = '-'//shown
    end function show_number

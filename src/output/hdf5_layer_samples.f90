@@ -9,11 +9,14 @@ module adfric_output_hdf5_layer_samples
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    use adfric_output_hdf5_layer_datasets, only: close_dataset
    use adfric_output_hdf5_layer_file, only: open_file, close_file
+   use adfric_output_hdf5_layer_labels, only: read_label
    use adfric_output_operating_system, only: kind_of_path, path_free, path_file, free_memory
    implicit none (type, external)
    private
    public :: read_numbers
 
+   !> Attribute that says in which units the numbers are.
+   character(*), parameter :: units_name = 'units'
    !> Most dimensions that HDF5 knows.
    integer, parameter :: most_dimensions = 32
    integer, parameter :: real_bytes = 8
@@ -21,7 +24,7 @@ module adfric_output_hdf5_layer_samples
 contains
 
    !> Read a dataset of integers or real numbers of any size, of one or two dimensions.
-   subroutine read_numbers(file, path, largest_rank, values, counts, flaw)
+   subroutine read_numbers(file, path, largest_rank, values, counts, units, flaw)
       !> Name of the file, and of the dataset within it.
       character(*), intent(in) :: file, path
       !> 1 or 2.
@@ -30,13 +33,17 @@ contains
       real(dp), allocatable, intent(out) :: values(:, :)
       !> Number of values along each dimension, the slowest first.
       integer(i8), allocatable, intent(out) :: counts(:)
+      !> Units of the values as the file says them; empty if it does not.
+      character(:), allocatable, intent(out) :: units
       !> What is wrong; empty if nothing is.
       character(:), allocatable, intent(out) :: flaw
       type(hdf5_calls_t) :: calls
       type(error_t), allocatable :: error
       integer(hid_t) :: file_id, dataset
+      logical :: is_text
 
       flaw = ''
+      units = ''
       file_id = no_id
       dataset = no_id
       call calls%open_library()
@@ -49,6 +56,10 @@ contains
          end if
       end if
       if (len(flaw) == 0) call get_extent(calls, dataset, largest_rank, counts, flaw)
+      if (len(flaw) == 0) then
+         call read_label(calls, dataset, units_name, units, is_text)
+         if (.not. is_text) flaw = 'the attribute '//units_name//' of the dataset is no text'
+      end if
       if (len(flaw) == 0) call read_values(calls, dataset, counts, values, flaw)
       call close_dataset(calls, dataset)
       call close_file(calls, file_id)

@@ -1,12 +1,12 @@
 !> Write HDF5 files as a user's script would.
 module data_file
-   use, intrinsic :: iso_c_binding, only: c_loc, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_loc, c_null_char, c_ptr
    use, intrinsic :: iso_fortran_env, only: int16, real32
    use hdf5
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: new_data_file, add_reals, add_singles, add_integers, add_texts, add_group
+   public :: new_data_file, add_reals, add_singles, add_integers, add_texts, add_group, add_label, add_number_label
 
 contains
 
@@ -75,6 +75,82 @@ contains
       buffer = letters
       call add_any(path, name, H5T_NATIVE_CHARACTER, H5T_NATIVE_CHARACTER, [len(letters)], c_loc(buffer))
    end subroutine add_texts
+
+   !> A text as an attribute of a dataset.
+   subroutine add_label(path, name, label, text, is_fixed, n_texts)
+      character(*), intent(in) :: path, name
+      !> Name of the attribute.
+      character(*), intent(in) :: label
+      character(*), intent(in) :: text
+      !> Has the text a fixed length in the file?
+      logical, intent(in), optional :: is_fixed
+      !> That many times the text, in a row; absent: a single one.
+      integer, intent(in), optional :: n_texts
+      character(len(text)), allocatable, target :: row(:)
+      character(len(text) + 1), target :: letters
+      type(c_ptr), allocatable, target :: pointers(:)
+      integer(hid_t) :: type_id
+      integer :: n, status
+      logical :: fixed
+
+      n = 1
+      if (present(n_texts)) n = n_texts
+      fixed = .false.
+      if (present(is_fixed)) fixed = is_fixed
+      allocate (row(n), pointers(n))
+      row = text
+      letters = text//c_null_char
+      pointers = c_loc(letters)
+      if (fixed) then
+         call h5tcopy_f(H5T_FORTRAN_S1, type_id, status)
+         call h5tset_size_f(type_id, int(len(text), size_t), status)
+         call add_attribute(path, name, label, type_id, present(n_texts), n, c_loc(row))
+      else
+         call h5tcopy_f(H5T_STRING, type_id, status)
+         call add_attribute(path, name, label, type_id, present(n_texts), n, c_loc(pointers))
+      end if
+      call h5tclose_f(type_id, status)
+   end subroutine add_label
+
+   !> A number as an attribute of a dataset.
+   subroutine add_number_label(path, name, label, number)
+      character(*), intent(in) :: path, name
+      !> Name of the attribute.
+      character(*), intent(in) :: label
+      real(dp), intent(in) :: number
+      real(dp), target :: buffer
+
+      buffer = number
+      call add_attribute(path, name, label, H5T_NATIVE_DOUBLE, .false., 1, c_loc(buffer))
+   end subroutine add_number_label
+
+   !> An attribute of any type.
+   subroutine add_attribute(path, name, label, type_id, is_row, n, address)
+      character(*), intent(in) :: path, name, label
+      integer(hid_t), intent(in) :: type_id
+      !> Is it a row of n values, and not a single one?
+      logical, intent(in) :: is_row
+      integer, intent(in) :: n
+      type(c_ptr), intent(in) :: address
+      integer(hid_t) :: file, dataset, space, attribute
+      type(c_ptr) :: buffer
+      integer :: status
+
+      buffer = address
+      call h5fopen_f(path, H5F_ACC_RDWR_F, file, status)
+      call h5dopen_f(file, name, dataset, status)
+      if (is_row) then
+         call h5screate_simple_f(1, [int(n, hsize_t)], space, status)
+      else
+         call h5screate_f(H5S_SCALAR_F, space, status)
+      end if
+      call h5acreate_f(dataset, label, type_id, space, attribute, status)
+      if (n > 0) call h5awrite_f(attribute, type_id, buffer, status)
+      call h5aclose_f(attribute, status)
+      call h5sclose_f(space, status)
+      call h5dclose_f(dataset, status)
+      call h5fclose_f(file, status)
+   end subroutine add_attribute
 
    !> A dataset of any type.
    subroutine add_any(path, name, file_type, memory_type, counts, address)
