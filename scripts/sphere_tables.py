@@ -32,7 +32,7 @@ def show_figures():
     for name, parameter in (("JKR", JKR), ("lambda = 0.8", DUGDALE)):
         results = solve("johnson1997_fig8", sphere__lambda=parameter, friction__slip_energy_ratio="1.0",
                         friction__interaction=[0.0, 0.2], operating__load="0.0")
-        area = results["contact_area"]
+        area = results["friction_area"]
         row("8b", f"{name}: A/A* at P = 0, alpha = 0.2, g0 = 1", f"{area[1] / area[0]:.6f}")
     for name, parameter in (("JKR", JKR), ("lambda = 0.8", DUGDALE)):
         for energy in (1.0, 4.0, 1e4):

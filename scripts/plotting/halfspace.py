@@ -28,7 +28,7 @@ def draw_area(results):
     """Share of the area in contact against mean pressure, its error bound, and the asymptotes of Johnson, Greenwood, Higginson."""
     q = _share_of_full(results)
     order = np.argsort(q)
-    q, area, error = q[order], *(results.fields[name].values[order] for name in ("area_fraction", "area_fraction_error"))
+    q, area, error = q[order], *(results.fields[name].values[order] for name in ("contact_fraction", "contact_fraction_error"))
     figure, (axes, below) = plt.subplots(2, 1, sharex=True, figsize=(5.0, 4.6), height_ratios=(4, 1))
     axes.plot(q, area, color=COLOURS[2], linewidth=1, label="solved")
     axes.fill_between(q, area - error, area + error, color=COLOURS[2], alpha=0.3, linewidth=0)
@@ -59,7 +59,7 @@ def draw_contact_maps(results):
     factor, unit = scale_of(axes[-1], results.profile_axes[-1].unit)
     # from two halves of a period to two periods
     y, x = (np.concatenate([axis, axis + axis[-1] - axis[0] + axis[1] - axis[0]]) * factor for axis in axes)
-    full, area = (results.fields[name].values for name in ("full_contact_pressure", "area_fraction"))
+    full, area = (results.fields[name].values for name in ("full_contact_pressure", "contact_fraction"))
     pressure, share = results.profiles["pressure"].values, _share_of_full(results)
     shown = [np.tile(_mirror(_mirror(pressure[i] / full[i]).T).T, (2, 2)) for i in points]
     colours = plt.get_cmap("YlOrRd").with_extremes(bad=OPEN)

@@ -77,7 +77,7 @@ def draw_load(results):
 def draw_area(results):
     """Contact area against load for several alpha, one line style for each lambda (J Fig. 7)."""
     figure, axes = plt.subplots(figsize=(4.8, 3.6))
-    curves = _draw_family(axes, results, "load", "contact_area")
+    curves = _draw_family(axes, results, "load", "friction_area")
     _add_family_key(axes, results, curves)
     return figure
 
@@ -85,7 +85,7 @@ def draw_area(results):
 def draw_area_left(results):
     """Contact area over that without interaction against g0 for several alpha, a panel for each load (J Fig. 8)."""
     alpha = results.axis_names.index("interaction")
-    area = results.fields["contact_area"]
+    area = results.fields["friction_area"]
     whole = np.take(area.values, [results.axes[alpha].values.argmin()], axis=alpha)
     results.fields["area_left"] = Field("area_left", "-", _ratio(area.values, whole))
     loads = results.axes[results.axis_names.index("load")]
@@ -106,7 +106,7 @@ def draw_peeling(results):
     """Tangential force and contact area against tangential displacement, then those of sliding, thin (J Fig. 9)."""
     along = results.axis_names.index("tangential_displacement")
     displacement = results.axes[along].values
-    area = results.fields["contact_area"].values
+    area = results.fields["friction_area"].values
     whole = np.take(area, [displacement.argmin()], axis=along)
     results.fields["relative_area"] = Field("relative_area", "-", _ratio(area, whole))
     names = ["friction_force", "relative_area"]
@@ -131,9 +131,9 @@ def draw_stick_radius(results):
     e, b = (results.fields[name].values for name in ("stick_radius", "friction_radius"))
     results.fields["relative_stick_radius"] = Field("relative_stick_radius", "-", _ratio(e, b))
     names = ["relative_stick_radius"]
-    area = results.fields["contact_area"].values
+    area = results.fields["friction_area"].values
     if np.nanmax(area, initial=0.0) > (1 + 1e-9) * np.nanmin(area, initial=np.inf):
-        names.append("contact_area")
+        names.append("friction_area")
     return draw_panels(results, "tangential_force", names)
 
 

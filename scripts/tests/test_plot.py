@@ -25,7 +25,7 @@ SPHERE = ("load", "approach", "contact_radius", "adhesion_radius", "friction_rad
           "pull_off_load")
 HALFSPACE = {"hertz": ("contact_half_width", "minor_half_width", "peak_pressure", "approach"),
              "wave_1d": ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap", "full_contact_pressure"),
-             "wave_2d_elastic": ("area_fraction", "area_fraction_error", "full_contact_pressure"),
+             "wave_2d_elastic": ("contact_fraction", "contact_fraction_error", "full_contact_pressure"),
              "rigid_punch": ("mean_pressure",), "line_load": ()}
 STRESS_MODELS = ("line_load", "rigid_punch")
 STATES = {"stable": "no_value unstable stable", "theory_used": "no_value hertz jkr dmt maugis_dugdale"}

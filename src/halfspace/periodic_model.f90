@@ -260,8 +260,8 @@ contains
          ! what was given comes back to the last digit
          if (is_set(v(v_mean_pressure))) results(r_mean_pressure) = v(v_mean_pressure)
          if (is_set(v(v_penetration))) results(r_penetration) = v(v_penetration)
-         results(r_area_fraction) = s%area%corrected
-         results(r_area_fraction_error) = s%area%error
+         results(r_contact_fraction) = s%area%corrected
+         results(r_contact_fraction_error) = s%area%error
          results(r_peak_pressure) = self%get_peak_pressure(values, s%pressure)
          results(r_mean_gap) = sum(s%gap)/size(s%gap)
          results(r_full_contact_pressure) = self%get_full_pressure(values, s%full_pressure)

@@ -14,7 +14,7 @@ module adfric_halfspace_periodic_table
    integer, parameter, public :: n_periodic_variables = 9
 
    !> Places of the results.
-   integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_area_fraction = 3, r_area_fraction_error = 4, &
+   integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_fraction = 3, r_contact_fraction_error = 4, &
       & r_peak_pressure = 5, r_mean_gap = 6, r_full_contact_pressure = 7, r_contact_violation = 8
    integer, parameter, public :: n_periodic_results = 8
 
@@ -51,8 +51,8 @@ contains
       allocate (r(n_periodic_results))
       r(r_mean_pressure) = result_t('mean_pressure', 'Pa', 'load over nominal area', '', .true.)
       r(r_penetration) = result_t('penetration', 'm', 'approach from first touch, at the mean of the deformed surface', '', .true.)
-      r(r_area_fraction) = result_t('area_fraction', '-', 'share of the area in contact', '', .true.)
-      r(r_area_fraction_error) = result_t('area_fraction_error', '-', 'bound of its error, from coarser grids', '')
+      r(r_contact_fraction) = result_t('contact_fraction', '-', 'share of the area in contact', '', .true.)
+      r(r_contact_fraction_error) = result_t('contact_fraction_error', '-', 'bound of its error, from coarser grids', '')
       r(r_peak_pressure) = result_t('peak_pressure', 'Pa', 'largest pressure', '', .true.)
       r(r_mean_gap) = result_t('mean_gap', 'm', 'volume between the surfaces over nominal area', '')
       r(r_full_contact_pressure) = result_t('full_contact_pressure', 'Pa', 'p*, where full contact begins', '')

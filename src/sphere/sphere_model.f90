@@ -1,6 +1,7 @@
 !> The model `sphere`: a smooth sphere on a plane, its adhesion and its friction (Johnson 1997).
 module adfric_sphere_model
    use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
    use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, derived_t, status_solved
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
@@ -195,6 +196,7 @@ contains
          results(r_load) = contact%load*case%force_unit
          results(r_approach) = contact%approach*case%approach_unit
          results(r_contact_radius) = contact%radius*case%length_unit
+         results(r_contact_area) = pi*contact%radius**2*area_unit
          ! what was given comes back to the last digit
          if (is_set(values(v_load))) results(r_load) = values(v_load)
          if (is_set(values(v_approach))) results(r_approach) = values(v_approach)
@@ -203,11 +205,11 @@ contains
          results(r_stable) = merge(1, 0, contact%is_stable)
       end associate
       results(r_friction_radius) = point%friction_radius*case%length_unit
-      results(r_contact_area) = point%contact_area*area_unit
       results(r_adhesion_ratio) = point%ratio
       results(r_theory_used) = point%theory
       results(r_theory_error) = point%theory_error
       if (.not. case%has_friction) return
+      results(r_friction_area) = pi*point%friction_radius**2*area_unit
       results(r_friction_force) = point%friction_force*case%force_unit
       results(r_stick_radius) = point%gamma*point%friction_radius*case%length_unit
       results(r_slip) = point%slip*case%approach_unit

@@ -1,7 +1,7 @@
 !> One point of the sphere: the theory it needs, its contact, and its friction, in reduced variables.
 module adfric_sphere_point
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: pi, half_pi
+   use adfric_base_constants, only: half_pi
    use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_base_not_a_number, only: not_a_number
    use adfric_sphere_case, only: sphere_case_t, theory_auto
@@ -25,7 +25,7 @@ module adfric_sphere_point
       real(dp) :: ratio = 1
       !> Proved error of the theory; that and what the equations leave over.
       real(dp) :: theory_error = 0, error_estimate = 0
-      real(dp) :: friction_radius = 0, contact_area = 0, pull_off_load = 0
+      real(dp) :: friction_radius = 0, pull_off_load = 0
       !> gamma = e/b, tangential force and displacement, slip at the edge: mean and largest.
       real(dp) :: gamma = 1, friction_force = 0, displacement = 0, slip = 0, largest_slip = 0
       !> Events of the static phase; NaN where they are not asked for, or do not happen.
@@ -197,7 +197,6 @@ contains
       end if
       if (point%theory == memory%number) memory%contact = point%contact
       if (point%contact%radius > 0) point%friction_radius = friction_radius(point%contact, case%edge_fraction)
-      point%contact_area = pi*point%friction_radius**2
    end subroutine finish_contact
 
    !> How well the contact fulfils the equations of the theory that it comes from.

@@ -25,11 +25,11 @@ module adfric_sphere_variables
 
    !> Places of the results.
    integer, parameter, public :: r_load = 1, r_approach = 2, r_contact_radius = 3, r_adhesion_radius = 4, &
-      & r_friction_radius = 5, r_contact_area = 6, r_friction_force = 7, r_adhesion_ratio = 8, r_stick_radius = 9, &
-      & r_slip = 10, r_largest_slip = 11, r_tangential_displacement = 12, r_pull_off_load = 13, r_stable = 14, &
-      & r_theory_used = 15, r_theory_error = 16, r_peak_force = 17, r_peak_displacement = 18, r_sliding_force = 19, &
-      & r_force_drop = 20, r_snap_off_force = 21, r_snap_off_displacement = 22
-   integer, parameter, public :: n_sphere_results = 22
+      & r_friction_radius = 5, r_contact_area = 6, r_friction_area = 7, r_friction_force = 8, r_adhesion_ratio = 9, &
+      & r_stick_radius = 10, r_slip = 11, r_largest_slip = 12, r_tangential_displacement = 13, r_pull_off_load = 14, &
+      & r_stable = 15, r_theory_used = 16, r_theory_error = 17, r_peak_force = 18, r_peak_displacement = 19, &
+      & r_sliding_force = 20, r_force_drop = 21, r_snap_off_force = 22, r_snap_off_displacement = 23
+   integer, parameter, public :: n_sphere_results = 23
 
 contains
 
@@ -105,7 +105,8 @@ contains
       r(r_contact_radius) = result_t('contact_radius', length, 'radius a of intimate contact', '', .true.)
       r(r_adhesion_radius) = result_t('adhesion_radius', length, 'radius c up to which adhesion acts; none in DMT', '')
       r(r_friction_radius) = result_t('friction_radius', length, 'radius b up to which friction acts', '')
-      r(r_contact_area) = result_t('contact_area', area, 'contact area pi b^2', '')
+      r(r_contact_area) = result_t('contact_area', area, 'area pi a^2 of intimate contact', '')
+      r(r_friction_area) = result_t('friction_area', area, 'area pi b^2 on which friction acts; none without friction', '')
       r(r_friction_force) = result_t('friction_force', force, 'tangential force', '', .true.)
       r(r_adhesion_ratio) = result_t('adhesion_ratio', '-', 'X, what friction leaves of the work of adhesion', '')
       r(r_stick_radius) = result_t('stick_radius', length, 'radius e of the part that sticks', '')

@@ -321,7 +321,7 @@ contains
          & 'wave_1d', 'mean_pressure', 'penetration', &
          & 'wave_1d', 'mean_pressure', 'contact_fraction', &
          & 'wave_2d_elastic', 'mean_pressure', 'penetration', &
-         & 'wave_2d_elastic', 'mean_pressure', 'area_fraction', &
+         & 'wave_2d_elastic', 'mean_pressure', 'contact_fraction', &
          & 'surface_elastic', 'mean_pressure', 'penetration'], [3, 8])
       real(dp) :: last, error
       integer :: row, k, i
