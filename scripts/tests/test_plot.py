@@ -21,7 +21,7 @@ from plotting.results import Results  # noqa: E402
 UNITS = {"stress": "Pa", "velocity": "m/s", "load": "N/m", "x": "m", "y": "m", "pressure": "Pa", "gap": "m",
          "friction_force": "N/m", "contact_width": "m", "friction_coefficient": "-", "radius": "m", "mean_pressure": "Pa"}
 
-SPHERE = ("load", "approach", "contact_radius", "adhesion_radius", "friction_radius", "stick_radius", "contact_area",
+SPHERE = ("load", "approach", "contact_radius", "adhesion_radius", "friction_radius", "stick_radius", "friction_area",
           "pull_off_load")
 HALFSPACE = {"hertz": ("contact_half_width", "minor_half_width", "peak_pressure", "approach"),
              "wave_1d": ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap", "full_contact_pressure"),

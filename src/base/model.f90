@@ -4,9 +4,10 @@
 !> driven by these tables, so a new model needs no change in any of them.
 module adfric_base_model
    use adfric_base_kinds, only: dp
+   use adfric_base_derived, only: derived_t
    use adfric_base_problems, only: problems_t
    use adfric_base_profile_receiver, only: profile_receiver_t
-   use adfric_base_unset, only: unset
+   use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: count_words, get_word
    implicit none (type, external)
    private
@@ -77,21 +78,14 @@ module adfric_base_model
       real(dp) :: value = 0
    end type attribute_t
 
-   !> A quantity that follows from the values of the variables.
-   type :: derived_t
-      character(:), allocatable :: name
-      !> SI unit, `-` for a pure number.
-      character(:), allocatable :: unit
-      character(:), allocatable :: long_name
-      real(dp) :: value = unset
-   end type derived_t
-
    !> A model.
    type, abstract :: model_t
       !> Name in `&job model = ...`.
       character(:), allocatable :: name
       !> One line for `adfric help`.
       character(:), allocatable :: summary
+      !> Where the model was published, for the results file; empty if nowhere.
+      character(:), allocatable :: references
       !> Namelist variables, shape `(n_variables)`; values are passed in this order.
       type(variable_t), allocatable :: variables(:)
       !> Results, shape `(n_results)`, without `status` and `error_estimate`, which every model has.
@@ -111,6 +105,7 @@ module adfric_base_model
       procedure :: solve_block_and_profiles
       procedure :: take_dataset
       procedure :: describe_results
+      procedure :: derive_quantities
       procedure :: get_derived
       procedure :: describe_case
       procedure :: describe_doubts
@@ -278,20 +273,37 @@ contains
       end associate
    end function describe_results
 
-   !> Quantities that follow from the values of a point and were not given, such as a contact modulus of Young's moduli. Here there
-   !> are none.
-   function get_derived(self, values) result(list)
+   !> Quantities that follow from the values, which have been checked, for `adfric check` and the results file: none here. A
+   !> model that has some overrides it.
+   function derive_quantities(self, values) result(derived)
       class(model_t), intent(in) :: self
-      !> Checked.
       real(dp), intent(in) :: values(:)
-      type(derived_t), allocatable :: list(:)
+      type(derived_t), allocatable :: derived(:)
 
-      allocate (list(0))
+      allocate (derived(0))
       associate (unused => self, unused_too => values)
       end associate
+   end function derive_quantities
+
+   !> The derived quantities but for those that the user has given by a variable of the same name.
+   function get_derived(self, values) result(derived)
+      class(model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+      logical, allocatable :: is_given(:)
+      integer :: i, k
+
+      derived = self%derive_quantities(values)
+      allocate (is_given(size(derived)), source=.false.)
+      do i = 1, size(derived)
+         do k = 1, size(self%variables)
+            if (self%variables(k)%name == derived(i)%name) is_given(i) = is_given(i) .or. is_set(values(k))
+         end do
+      end do
+      derived = pack(derived, .not. is_given)
    end function get_derived
 
-   !> The resolved case in words, a line each, for `adfric check`: derived quantities with units. Here there are none.
+   !> What else there is to say of the resolved case, a line each, for `adfric check`: nothing here.
    function describe_case(self, values) result(text)
       class(model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)

@@ -1,9 +1,8 @@
-!> Lists of words separated by blanks, and lines of text.
+!> Lists of words separated by blanks.
 module adfric_base_words
-   use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: count_words, get_word, pad, quantity_line
+   public :: count_words, get_word, pad
 
 contains
 
@@ -46,16 +45,5 @@ contains
 
       padded = text//repeat(' ', max(1, width - len(text)))
    end function pad
-
-   !> A quantity with its value and unit, as a line.
-   function quantity_line(name, value, unit) result(line)
-      character(*), intent(in) :: name, unit
-      real(dp), intent(in) :: value
-      character(:), allocatable :: line
-      character(24) :: number
-
-      write (number, '(es14.6)') value
-      line = name//' = '//trim(adjustl(number))//' '//unit//new_line('a')
-   end function quantity_line
 
 end module adfric_base_words

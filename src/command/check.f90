@@ -16,6 +16,8 @@ module adfric_command_check
 
    !> Width of the column of names.
    integer, parameter :: name_width = 28
+   !> Width of the column of derived values with their units.
+   integer, parameter :: value_width = 26
 
 contains
 
@@ -85,7 +87,8 @@ contains
       list = model%get_derived(run%plan%base)
       if (size(list) > 0) lines = 'derived'//newline
       do i = 1, size(list)
-         lines = lines//pad('  '//list(i)%name, name_width)//show_number(list(i)%value)//show_unit(list(i)%unit)//newline
+         lines = lines//pad(pad('  '//list(i)%name, name_width)//show_number(list(i)%value)//show_unit(list(i)%unit), &
+            name_width + value_width)//list(i)%long_name//newline
       end do
    end function describe_derived
 

@@ -25,7 +25,7 @@ module adfric_halfspace_halfspace_model
    contains
       procedure :: set_tables
       procedure :: check_values
-      procedure :: get_derived
+      procedure :: derive_quantities
       procedure :: wants_profiles
       procedure :: get_profile_axis
       procedure :: solve_block
@@ -91,6 +91,7 @@ contains
 
       self%name = name
       self%summary = summary
+      self%references = 'K. L. Johnson, Contact Mechanics, Cambridge University Press (1985)'
       n = size(variables)
       self%output = n + 1
       allocate (self%variables(n + 1 + 3*count_words(axes)))
@@ -137,7 +138,7 @@ contains
    end subroutine check_values
 
    !> See `model_t`.
-   function get_derived(self, values) result(list)
+   function derive_quantities(self, values) result(list)
       class(halfspace_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: list(:)
@@ -149,7 +150,7 @@ contains
       else
          allocate (list(0))
       end if
-   end function get_derived
+   end function derive_quantities
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)

@@ -2,14 +2,14 @@
 module adfric_halfspace_periodic_model
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
-   use adfric_base_model, only: model_t, variable_t, attribute_t, derived_t, status_solved, status_no_equilibrium, &
+   use adfric_base_derived, only: derived_t, add_derived
+   use adfric_base_model, only: model_t, variable_t, attribute_t, status_solved, status_no_equilibrium, &
       & status_not_converged
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_profile_receiver, only: profile_receiver_t
    use adfric_base_requirements, only: need, need_one
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: quantity_line
    use adfric_halfspace_halfspace_model, only: contact_profiles
    use adfric_halfspace_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, &
       & find_full_pressure
@@ -26,12 +26,12 @@ module adfric_halfspace_periodic_model
    contains
       procedure :: set_tables
       procedure :: check_values
-      procedure :: get_derived
       procedure :: wants_profiles
       procedure :: get_profile_axis
       procedure :: solve_block
       procedure :: solve_profiles
       procedure :: solve_block_and_profiles
+      procedure :: derive_quantities
       procedure :: describe_case
       procedure :: describe_surface
       procedure(check_surface_i), deferred :: check_surface
@@ -97,6 +97,7 @@ contains
 
       self%name = name
       self%summary = summary
+      self%references = 'K. L. Johnson, J. A. Greenwood, J. G. Higginson, Int. J. Mech. Sci. 27 (1985) 383'
       self%n_own = size(variables)
       allocate (self%variables(self%n_own + n_periodic_variables))
       self%variables(:self%n_own) = variables
@@ -120,17 +121,6 @@ contains
       end associate
       call need_one(self%variables, values, self%n_own + [v_mean_pressure, v_penetration], .true., problems)
    end subroutine check_values
-
-   !> See `model_t`.
-   function get_derived(self, values) result(list)
-      class(periodic_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      type(derived_t), allocatable :: list(:)
-
-      associate (first => self%n_own + v_contact_modulus, last => self%n_own + v_second_poisson_ratio)
-         list = derive_contact_modulus(self%variables(first:last), values(first:last))
-      end associate
-   end function get_derived
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
@@ -289,16 +279,34 @@ contains
    end subroutine solve_profiles
 
    !> See `model_t`.
+   function derive_quantities(self, values) result(derived)
+      class(periodic_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+      type(periodic_surface_t) :: surface
+      real(dp) :: mean
+
+      associate (first => self%n_own + v_contact_modulus, last => self%n_own + v_second_poisson_ratio)
+         derived = derive_contact_modulus(self%variables(first:last), values(first:last))
+      end associate
+      call self%get_surface(values, surface)
+      call add_derived(derived, 'full_contact_pressure', 'Pa', 'pressure of full contact p*', &
+         & self%get_full_pressure(values, find_full_pressure(surface)))
+      mean = sum(surface%shape)/size(surface%shape)
+      call add_derived(derived, 'full_contact_penetration', 'm', 'penetration of full contact', mean)
+      call add_derived(derived, 'root_mean_square_height', 'm', 'root of the mean square of the heights', &
+         & sqrt(sum((surface%shape - mean)**2)/size(surface%shape)))
+   end function derive_quantities
+
+   !> See `model_t`.
    function describe_case(self, values) result(text)
       class(periodic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
-      type(periodic_surface_t) :: surface
 
-      call self%get_surface(values, surface)
-      text = quantity_line('pressure of full contact p*', self%get_full_pressure(values, find_full_pressure(surface)), 'Pa') &
-         & //quantity_line('penetration of full contact', sum(surface%shape)/size(surface%shape), 'm') &
-         & //self%describe_surface()
+      text = self%describe_surface()
+      associate (unused => values)
+      end associate
    end function describe_case
 
    !> What else there is to say of the surface, a line each: nothing. A model may override it.

@@ -9,7 +9,6 @@ module adfric_halfspace_surface_model
    use adfric_base_problems, only: problems_t
    use adfric_base_requirements, only: need, refuse_swept_axes
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: quantity_line
    use adfric_halfspace_halfspace_table, only: positive, dataset
    use adfric_halfspace_period_seam, only: seam_t, seam_of
    use adfric_halfspace_periodic_grids, only: n_grids_of
@@ -133,11 +132,9 @@ contains
    function describe_surface(self) result(text)
       class(surface_model_t), intent(in) :: self
       character(:), allocatable :: text
-      real(dp) :: mean
 
-      mean = sum(self%depths)/size(self%depths)
-      text = quantity_line('root mean square of the heights', sqrt(sum((self%depths - mean)**2)/size(self%depths)), 'm')
-      if (n_grids_of(shape(self%depths)) < grids_for_error) text = text//'the error of the area is not estimated: for that the ' &
+      text = ''
+      if (n_grids_of(shape(self%depths)) < grids_for_error) text = 'the error of the area is not estimated: for that the ' &
          & //'numbers of cells have to be multiples of 4, 32 at least'//new_line('a')
    end function describe_surface
 

@@ -12,12 +12,16 @@ module adfric_material_contact_modulus
    implicit none (type, external)
    private
    public :: set_modulus_rows, contact_modulus_of, has_contact_modulus, check_contact_modulus, derive_contact_modulus
-   public :: n_one_body, n_two_bodies
+   public :: n_one_body, n_two_bodies, modulus_names
 
    !> Number of rows where one body is elastic, and where both may be.
    integer, parameter :: n_one_body = 3, n_two_bodies = 5
    !> Places among the rows.
    integer, parameter :: contact = 1, young = 2, poisson = 3, second_young = 4, second_poisson = 5
+
+   !> Names of the rows.
+   character(*), parameter :: modulus_names = &
+      & 'contact_modulus young_modulus poisson_ratio second_young_modulus second_poisson_ratio'
 
 contains
 
@@ -142,6 +146,7 @@ contains
       list(1)%unit = rows(contact)%unit
       list(1)%long_name = rows(contact)%meaning
       list(1)%value = contact_modulus_of(values)
+      list(1)%sources = modulus_names
    end function derive_contact_modulus
 
 end module adfric_material_contact_modulus

@@ -8,6 +8,7 @@ module adfric_output_datasets
    use adfric_base_kinds, only: dp, i8
    use adfric_base_not_a_number, only: not_a_number
    use adfric_output_boxes, only: box_t, next_box
+   use adfric_output_constant_datasets, only: create_constants, list_constants
    use adfric_output_field_dataset, only: create_scale, create_field, create_counts, count_group
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    use adfric_output_hdf5_layer_datasets, only: create_space, select_box, write_values, close_dataset, no_state
@@ -52,6 +53,7 @@ contains
       type(layout_t), intent(in) :: layout
       !> Files in which the values are; if absent they are in this one.
       type(virtual_parts_t), intent(in), optional :: parts
+      character(:), allocatable :: coordinates
       integer :: i, n
       logical :: is_whole
 
@@ -63,15 +65,18 @@ contains
       do i = 1, size(layout%profile_axes)
          call create_scale(calls, file, layout%profile_axes(i), self%scales(n + i))
       end do
+      call create_constants(calls, file, layout%constants)
       ! the points of a part stand in a row, along which there is no scale
       is_whole = layout%blocks%part%is_whole()
+      coordinates = ''
+      if (is_whole) coordinates = list_constants(layout%constants)
       do i = 1, size(self%fields)
          call create_field(calls, file, layout%fields(i), self%space, self%scales(:merge(n, 0, is_whole)), 1, &
-            self%fields(i), parts)
+            coordinates, self%fields(i), parts)
       end do
       do i = 1, size(self%profiles)
          call create_field(calls, file, layout%profiles(i), self%profile_space, self%scales(merge(1, n + 1, is_whole):), &
-            merge(1, 2, is_whole), self%profiles(i), parts, is_profile=.true.)
+            merge(1, 2, is_whole), coordinates, self%profiles(i), parts, is_profile=.true.)
       end do
       call create_counts(calls, file, layout%counts, self%count_space, self%counts)
    end subroutine create

@@ -1,9 +1,8 @@
 !> A new dataset of a results file with all that describes it.
 module adfric_output_field_dataset
-   use, intrinsic :: iso_fortran_env, only: int8
    use hdf5, only: hid_t
    use adfric_base_kinds, only: i8
-   use adfric_base_words, only: count_words
+   use adfric_output_flags, only: write_flags
    use adfric_output_hdf5_layer_attributes, only: write_attribute
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
    use adfric_output_hdf5_layer_datasets, only: create_group, create_space, create_real_dataset, create_state_dataset, &
@@ -37,7 +36,7 @@ contains
    end subroutine create_scale
 
    !> Create a dataset of a result or a profile.
-   subroutine create_field(calls, file, field, space, scales, first, dataset, parts, is_profile)
+   subroutine create_field(calls, file, field, space, scales, first, coordinates, dataset, parts, is_profile)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: file
       type(field_t), intent(in) :: field
@@ -45,11 +44,12 @@ contains
       !> Scales of its dimensions, from dimension `first` on.
       integer(hid_t), intent(in) :: scales(:)
       integer, intent(in) :: first
+      !> Names of scalars that hold for all of its values, separated by a blank.
+      character(*), intent(in) :: coordinates
       integer(hid_t), intent(out) :: dataset
       !> Files in which the values are; if absent they are in this one.
       type(virtual_parts_t), intent(in), optional :: parts
       logical, intent(in), optional :: is_profile
-      integer(int8), allocatable :: flags(:)
       logical :: is_real
       integer :: k
 
@@ -61,13 +61,10 @@ contains
       else
          call create_state_dataset(calls, file, field%name, space, dataset)
       end if
-      if (.not. is_real) then
-         flags = [(int(field%first_flag + k, int8), k=0, count_words(field%flag_meanings) - 1)]
-         call write_attribute(calls, dataset, 'flag_values', flags)
-         call write_attribute(calls, dataset, 'flag_meanings', field%flag_meanings)
-      end if
+      call write_flags(calls, dataset, field%first_flag, field%flag_meanings)
       call write_attribute(calls, dataset, 'units', field%unit)
       call write_attribute(calls, dataset, 'long_name', field%long_name)
+      if (len(coordinates) > 0) call write_attribute(calls, dataset, 'coordinates', coordinates)
       do k = 1, size(scales)
          call attach_scale(calls, dataset, scales(k), first + k - 1)
       end do

@@ -15,6 +15,9 @@ module adfric_output_heading
    private
    public :: heading_t, new_heading, write_heading, read_heading, say_difference
 
+   !> The CF conventions that a file keeps.
+   character(*), parameter :: conventions = 'CF-1.11'
+
    !> What is said of a dataset that the input names.
    type :: data_note_t
       !> FILE:/DATASET, and the checksum of its values.
@@ -25,6 +28,10 @@ module adfric_output_heading
    type :: heading_t
       character(:), allocatable :: title
       character(:), allocatable :: model
+      !> Where the model was published.
+      character(:), allocatable :: references
+      !> What was done before to get these results, a line each; empty for a run that begins.
+      character(:), allocatable :: history
       !> Version and revision of the program, and its compiler.
       character(:), allocatable :: version
       character(:), allocatable :: revision
@@ -51,6 +58,8 @@ contains
 
       self%title = title
       self%model = model%name
+      self%references = model%references
+      self%history = ''
       self%version = program_version
       self%revision = git_revision
       self%compiler = compiler_version()
@@ -92,6 +101,7 @@ contains
       call write_attribute(calls, file, 'git_revision', heading%revision)
       call write_attribute(calls, file, 'compiler', heading%compiler)
       call write_attribute(calls, file, 'created', utc_time())
+      call write_conventions(calls, file, heading)
       call write_attribute(calls, file, 'input', heading%input)
       call write_attribute(calls, file, 'case_hash', heading%hash)
       if (size(heading%data) > 0) call write_attribute(calls, file, 'datasets', heading%data_names)
@@ -101,6 +111,22 @@ contains
          call write_attribute(calls, file, 'checksum_'//name, heading%data(i)%checksum)
       end do
    end subroutine write_heading
+
+   !> Write what the CF conventions ask of a file.
+   subroutine write_conventions(calls, file, heading)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      type(heading_t), intent(in) :: heading
+      character(:), allocatable :: program, step
+
+      program = 'adfric '//heading%version//' ('//heading%revision//')'
+      step = ' run'
+      if (len(heading%history) > 0) step = ' merge'
+      call write_attribute(calls, file, 'Conventions', conventions)
+      call write_attribute(calls, file, 'source', program)
+      call write_attribute(calls, file, 'history', heading%history//utc_time()//' '//program//step//new_line('a'))
+      if (len(heading%references) > 0) call write_attribute(calls, file, 'references', heading%references)
+   end subroutine write_conventions
 
    !> Read the heading of a file.
    subroutine read_heading(calls, file, heading)
@@ -120,6 +146,9 @@ contains
       call read_attribute(calls, file, 'git_revision', heading%revision)
       call read_attribute(calls, file, 'compiler', heading%compiler)
       call read_attribute(calls, file, 'input', heading%input)
+      call read_attribute(calls, file, 'history', heading%history)
+      heading%references = ''
+      if (has_attribute(calls, file, 'references')) call read_attribute(calls, file, 'references', heading%references)
       call read_attribute(calls, file, 'case_hash', heading%hash)
       if (has_attribute(calls, file, 'datasets')) call read_attribute(calls, file, 'datasets', heading%data_names)
       deallocate (heading%data)

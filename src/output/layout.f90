@@ -3,6 +3,7 @@ module adfric_output_layout
    use adfric_base_kinds, only: dp, i8
    use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, results_of_every_run
    use adfric_base_words, only: count_words
+   use adfric_output_constants, only: constant_t, find_constants, file_unit
    use adfric_sweep_blocks, only: blocks_t, part_t, new_blocks
    use adfric_sweep_counts, only: find_counts
    use adfric_sweep_plan, only: plan_t
@@ -42,6 +43,8 @@ module adfric_output_layout
    type :: layout_t
       !> The points of the file.
       type(blocks_t) :: blocks
+      !> What has one value in the whole run.
+      type(constant_t), allocatable :: constants(:)
       !> Swept variables, the slowest first.
       type(scale_t), allocatable :: axes(:)
       !> Axes of a profile, the slowest first, without those of size 1.
@@ -74,6 +77,7 @@ contains
       integer :: i
 
       results = model%describe_results(plan%base)
+      call find_constants(model, plan, self%constants)
       call find_axes(model, plan, self%axes)
       call find_fields(results, self%axes, self%fields)
       if (model%wants_profiles(plan%base)) then
@@ -106,7 +110,7 @@ contains
             end do
             axis%name = variable%name
             if (n_same > 1) axis%name = variable%group//'_'//variable%name
-            axis%unit = model%unit_of(plan%base, plan%axes(k)%variable)
+            axis%unit = file_unit(model%unit_of(plan%base, plan%axes(k)%variable))
             axis%long_name = variable%meaning
             axis%values = plan%axes(k)%values
          end associate
@@ -156,7 +160,7 @@ contains
       character(*), intent(in) :: name, unit, long_name
 
       field%name = name
-      field%unit = unit
+      field%unit = file_unit(unit)
       field%long_name = long_name
       field%flag_meanings = ''
    end subroutine set_field
@@ -174,7 +178,7 @@ contains
       do k = 1, count_words(model%profile_axes)
          coordinate = model%describe_profile_axis(values, k)
          axis%name = coordinate%name
-         axis%unit = coordinate%unit
+         axis%unit = file_unit(coordinate%unit)
          axis%long_name = coordinate%long_name
          axis%values = model%get_profile_axis(values, k)
          if (size(axis%values) > 1) axes = [axes, axis]
@@ -250,7 +254,8 @@ contains
       per_point = per_point + real(real_bytes*size(self%counts), dp)/self%blocks%size
       n_bytes = n_points*per_point + real_bytes*(sum(real(self%point_shape(), dp)) &
          + sum(real(self%profile_shape(), dp))) + bytes_per_dataset &
-         *(size(self%axes) + size(self%profile_axes) + size(self%fields) + size(self%profiles) + size(self%counts))
+         *(size(self%constants) + size(self%axes) + size(self%profile_axes) + size(self%fields) + size(self%profiles) &
+         + size(self%counts))
    end function n_bytes
 
 end module adfric_output_layout

@@ -1,10 +1,11 @@
 !> What the file of a part says of itself, so that the parts can be put together without the input and the model.
 module adfric_output_part_layout
-   use, intrinsic :: iso_fortran_env, only: int8
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_words, only: count_words, get_word
+   use adfric_output_constant_datasets, only: list_constants, read_constants
    use adfric_output_field_dataset, only: count_group
+   use adfric_output_flags, only: read_flags
    use adfric_output_hdf5_layer_attributes, only: write_attribute
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
    use adfric_output_hdf5_layer_datasets, only: create_space, close_dataset
@@ -27,6 +28,7 @@ contains
       call write_attribute(calls, file, 'parts', int(layout%blocks%part%of, i8))
       call write_attribute(calls, file, 'points_of_run', layout%blocks%n_points_of_run)
       call write_attribute(calls, file, 'points_of_block', int(layout%blocks%size, i8))
+      call write_attribute(calls, file, 'constants', list_constants(layout%constants))
       call write_attribute(calls, file, 'axes', list_scales(layout%axes))
       call write_attribute(calls, file, 'profile_axes', list_scales(layout%profile_axes))
       call write_attribute(calls, file, 'fields', list_fields(layout%fields))
@@ -49,6 +51,8 @@ contains
       call read_attribute(calls, file, 'points_of_block', block_size)
       if (.not. calls%is_good() .or. number < 1 .or. number > n_parts .or. n_points < 1 .or. block_size < 1) return
       call new_blocks(layout%blocks, n_points, part_t(int(number), int(n_parts), .true.), int(block_size))
+      call read_attribute(calls, file, 'constants', names)
+      call read_constants(calls, file, names, layout%constants)
       call read_attribute(calls, file, 'axes', names)
       call read_scales(calls, file, names, layout%axes)
       call read_attribute(calls, file, 'profile_axes', names)
@@ -120,7 +124,6 @@ contains
       character(*), intent(in) :: names
       type(field_t), allocatable, intent(out) :: fields(:)
       integer(hid_t) :: dataset
-      integer(int8), allocatable :: flags(:)
       integer :: i
 
       allocate (fields(count_words(names)))
@@ -130,14 +133,7 @@ contains
          call open_dataset(calls, file, folder//fields(i)%name, dataset)
          call read_attribute(calls, dataset, 'units', fields(i)%unit)
          call read_attribute(calls, dataset, 'long_name', fields(i)%long_name)
-         fields(i)%flag_meanings = ''
-         if (has_attribute(calls, dataset, 'flag_meanings')) then
-            call read_attribute(calls, dataset, 'flag_meanings', fields(i)%flag_meanings)
-            if (allocated(flags)) deallocate (flags)
-            allocate (flags(count_words(fields(i)%flag_meanings)))
-            call read_attribute(calls, dataset, 'flag_values', flags)
-            if (size(flags) > 0) fields(i)%first_flag = flags(1)
-         end if
+         call read_flags(calls, dataset, fields(i)%first_flag, fields(i)%flag_meanings)
          call close_dataset(calls, dataset)
       end do
    end subroutine read_fields

@@ -6,6 +6,7 @@ module adfric_output_results_file
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, set_error, file_failure
    use adfric_base_model, only: model_t
+   use adfric_output_constants, only: add_derived_constants
    use adfric_output_done_points, only: read_done_points, is_readable
    use adfric_output_heading, only: heading_t, new_heading, write_heading
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
@@ -96,6 +97,7 @@ contains
       call check_partial_name(path, overwrite, error)
       if (.not. allocated(error)) call take_name(self, path, overwrite, layout, error)
       if (allocated(error)) return
+      call add_derived_constants(model, plan, self%layout%constants)
       allocate (self%heading)
       call new_heading(self%heading, model, plan, title, input)
       self%path_now = new_name(path)

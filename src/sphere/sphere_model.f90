@@ -2,13 +2,13 @@
 module adfric_sphere_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
-   use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, derived_t, status_solved
+   use adfric_base_derived, only: derived_t, add_derived
+   use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, status_solved
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_requirements, only: refuse_swept_axes
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: quantity_line
-   use adfric_material_contact_modulus, only: derive_contact_modulus
+   use adfric_material_contact_modulus, only: derive_contact_modulus, modulus_names
    use adfric_sphere_case, only: sphere_case_t, resolve_case
    use adfric_sphere_check, only: check_sphere_values
    use adfric_sphere_contact, only: theory_maugis_dugdale, theory_dmt
@@ -23,7 +23,6 @@ module adfric_sphere_model
    type, extends(model_t) :: sphere_model_t
    contains
       procedure :: check_values
-      procedure :: get_derived
       procedure :: describe_results
       procedure :: describe_profiles
       procedure :: describe_profile_axis
@@ -31,7 +30,7 @@ module adfric_sphere_model
       procedure :: get_profile_axis
       procedure :: solve_block
       procedure :: solve_profiles
-      procedure :: describe_case
+      procedure :: derive_quantities
       procedure :: unit_of
    end type sphere_model_t
 
@@ -43,6 +42,7 @@ contains
 
       self%name = 'sphere'
       self%summary = 'a smooth sphere on a plane: adhesion, static friction, sliding, and what friction does to adhesion'
+      self%references = 'K. L. Johnson, Proc. R. Soc. Lond. A 453 (1997) 163; D. Maugis, J. Colloid Interface Sci. 150 (1992) 243'
       self%variables = get_sphere_variables()
       self%results = get_sphere_results(.false.)
       self%profiles = get_sphere_profiles(.false.)
@@ -59,17 +59,6 @@ contains
       call check_sphere_values(self%variables, values, problems)
       if (self%wants_profiles(values)) call refuse_swept_axes(self%variables, is_swept, [v_r_max, v_n_r], problems)
    end subroutine check_values
-
-   !> See `model_t`.
-   function get_derived(self, values) result(list)
-      class(sphere_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      type(derived_t), allocatable :: list(:)
-
-      associate (first => v_contact_modulus, last => v_second_poisson_ratio)
-         list = derive_contact_modulus(self%variables(first:last), values(first:last))
-      end associate
-   end function get_derived
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
@@ -246,21 +235,29 @@ contains
    end subroutine solve_profiles
 
    !> See `model_t`.
-   function describe_case(self, values) result(text)
+   function derive_quantities(self, values) result(derived)
       class(sphere_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      character(:), allocatable :: text
+      type(derived_t), allocatable :: derived(:)
+      character(*), parameter :: of_units = 'units radius work_of_adhesion theory '//modulus_names
+      character(*), parameter :: of_lambda = of_units//' adhesion_stress adhesion_range lambda'
       type(sphere_case_t) :: case
 
-      text = ''
-      if (size(self%variables) == 0) return
+      associate (first => v_contact_modulus, last => v_second_poisson_ratio)
+         derived = derive_contact_modulus(self%variables(first:last), values(first:last))
+      end associate
       call resolve_case(values, case)
-      text = quantity_line('Maugis''s parameter lambda', case%lambda, '-')
-      if (.not. is_reduced(values)) text = text//quantity_line('unit of radii', case%length_unit, 'm') &
-         & //quantity_line('unit of the approach', case%approach_unit, 'm')//quantity_line('unit of forces', case%force_unit, 'N') &
-         & //quantity_line('unit of stresses', case%stress_unit, 'Pa')
-      if (case%has_friction) text = text//quantity_line('shear strength in the scale of lambda', case%strength, '-')
-      if (case%slip_energy_ratio < huge(1.0_dp)) text = text//quantity_line('slip energy ratio g0', case%slip_energy_ratio, '-')
-   end function describe_case
+      call add_derived(derived, 'lambda', '-', 'Maugis''s parameter lambda', case%lambda, of_lambda)
+      if (.not. is_reduced(values)) then
+         call add_derived(derived, 'radius_unit', 'm', 'unit of radii', case%length_unit, of_units)
+         call add_derived(derived, 'approach_unit', 'm', 'unit of the approach', case%approach_unit, of_units)
+         call add_derived(derived, 'force_unit', 'N', 'unit of forces', case%force_unit, of_units)
+         call add_derived(derived, 'stress_unit', 'Pa', 'unit of stresses', case%stress_unit, of_units)
+      end if
+      if (case%has_friction) call add_derived(derived, 'reduced_shear_strength', '-', 'shear strength in the scale of lambda', &
+         & case%strength, of_units//' shear_strength')
+      if (case%slip_energy_ratio < huge(1.0_dp)) call add_derived(derived, 'slip_energy_ratio', '-', &
+         & 'slip energy ratio g0', case%slip_energy_ratio, of_units//' shear_strength critical_slip slip_energy_ratio')
+   end function derive_quantities
 
 end module adfric_sphere_model

@@ -2,11 +2,11 @@
 module adfric_wavy_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi, pi
+   use adfric_base_derived, only: derived_t, add_derived
    use adfric_base_model, only: model_t, result_t, attribute_t, status_solved, status_no_equilibrium
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: unset, is_set
-   use adfric_base_words, only: quantity_line
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
@@ -34,7 +34,7 @@ module adfric_wavy_model
       procedure :: get_profile_axis
       procedure :: solve_block
       procedure :: solve_profiles
-      procedure :: describe_case
+      procedure :: derive_quantities
       procedure :: unit_of
    end type wavy_model_t
 
@@ -46,6 +46,7 @@ contains
 
       self%name = 'wavy_sliding'
       self%summary = 'a rigid wavy surface sliding on a viscoelastic foundation, with adhesion'
+      self%references = 'I. Goryacheva, Yu. Makhovskaya, acta mechanica et automatica 5(4) (2011)'
       self%variables = get_wavy_variables()
       self%results = get_wavy_results(.false.)
       self%profiles = get_wavy_profiles()
@@ -242,22 +243,30 @@ contains
    end subroutine solve_profiles
 
    !> See `model_t`.
-   function describe_case(self, values) result(text)
+   function derive_quantities(self, values) result(derived)
       class(wavy_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      character(:), allocatable :: text
+      type(derived_t), allocatable :: derived(:)
+      character(*), parameter :: of_stiffness = 'stiffness young_modulus poisson_ratio thickness'
+      character(*), parameter :: of_phase = 'period velocity relaxation_time', of_viscosity = of_phase//' retardation_ratio'
+      character(*), parameter :: of_range = 'stress surface_energy range'
       type(wavy_case_t) :: point
 
-      text = ''
+      allocate (derived(0))
       if (size(self%variables) == 0) return
       call resolve_case(values, point)
       associate (s => point%surface, f => point%surface%foundation)
-         text = quantity_line('relaxation phase k V Ts', f%u, '-')//quantity_line('retardation phase k V Te', f%v, '-') &
-            & //quantity_line('loss modulus over stiffness', f%loss, '-') &
-            & //quantity_line('pressure unit, height times stiffness', point%pressure_unit, 'Pa') &
-            & //quantity_line('adhesion stress over it', s%stress, '-') &
-            & //quantity_line('range of adhesion over height', s%range, '-')
+         call add_derived(derived, 'relaxation_phase', '-', 'relaxation phase k V Ts', f%u, of_phase)
+         call add_derived(derived, 'retardation_phase', '-', 'retardation phase k V Te', f%v, of_viscosity)
+         call add_derived(derived, 'loss_ratio', '-', 'loss modulus over stiffness', f%loss, of_viscosity)
+         call add_derived(derived, 'stiffness', 'Pa/m', 'long-time stiffness', point%pressure_unit/point%height, &
+            & of_stiffness)
+         call add_derived(derived, 'pressure_unit', 'Pa', 'pressure unit, height times stiffness', point%pressure_unit, &
+            & of_stiffness//' height')
+         call add_derived(derived, 'reduced_stress', '-', 'adhesion stress over the pressure unit', s%stress, of_stiffness//' height stress')
+         if (s%stress > 0) call add_derived(derived, 'range', 'm', 'range of adhesion', s%range*point%height, of_range)
+         call add_derived(derived, 'reduced_range', '-', 'range of adhesion over height', s%range, of_range//' height')
       end associate
-   end function describe_case
+   end function derive_quantities
 
 end module adfric_wavy_model

@@ -18,7 +18,7 @@ IN_ORDER = (0, 1)
 # exit status of a file of tests that cannot be run here, see tests/CMakeLists.txt
 ALL_SKIPPED = 77
 # attributes that tell one run from another of the same case
-OF_THE_RUN = {"created", "wall_seconds"}
+OF_THE_RUN = {"created", "history", "wall_seconds"}
 
 # Warm starts from point to point. Some of these sweeps have a point that does not converge: it belongs to the results.
 LOADS = """

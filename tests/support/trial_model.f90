@@ -7,6 +7,7 @@
 module trial_model
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
    use adfric_base_kinds, only: dp
+   use adfric_base_derived, only: derived_t, add_derived
    use adfric_base_model, only: model_t, variable_t, result_t, profile_t, attribute_t, &
       kind_real, kind_integer, kind_logical, kind_choice, &
       status_solved, status_no_equilibrium, status_not_converged
@@ -40,6 +41,7 @@ module trial_model
       procedure :: get_profile_axis
       procedure :: solve_block
       procedure :: solve_profiles
+      procedure :: derive_quantities
       procedure :: describe_case
    end type trial_model_t
 
@@ -51,6 +53,7 @@ contains
 
       self%name = 'trial'
       self%summary = 'a block that slides on a table'
+      self%references = 'Nobody, Nowhere 1 (2001) 1'
       self%profile_axes = 'y x'
       allocate (self%variables(n_variables))
       associate (variables => self%variables)
@@ -237,6 +240,18 @@ contains
          end do
       end do
    end subroutine solve_profiles
+
+   !> Twice the friction, and twice the load.
+   function derive_quantities(self, values) result(derived)
+      class(trial_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+
+      allocate (derived(0))
+      if (size(self%variables) == 0) return
+      call add_derived(derived, 'twice_friction', '-', 'twice the friction', 2*values(friction_place), 'friction')
+      call add_derived(derived, 'twice_load', 'N', 'twice the load', 2*values(load_place))
+   end function derive_quantities
 
    function describe_case(self, values) result(text)
       class(trial_model_t), intent(in) :: self
