@@ -84,7 +84,7 @@ contains
       integer :: i
 
       lines = ''
-      list = model%get_derived(run%plan%base)
+      allocate (list, source=model%get_derived(run%plan%base))
       if (size(list) > 0) lines = 'derived'//newline
       do i = 1, size(list)
          lines = lines//pad(pad('  '//list(i)%name, name_width)//show_number(list(i)%value)//show_unit(list(i)%unit), &

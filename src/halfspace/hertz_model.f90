@@ -31,6 +31,7 @@ module adfric_halfspace_hertz_model
    contains
       procedure :: check_case
       procedure :: describe_results
+      procedure :: unit_of
       procedure :: solve_point
       procedure :: get_profiles
    end type hertz_model_t
@@ -89,6 +90,17 @@ contains
       results = self%results
       if (is_set(values(v_kind))) results = get_results(nint(values(v_kind)) == kind_line)
    end function describe_results
+
+   !> See `model_t`: the load of a line is one per length.
+   function unit_of(self, values, place) result(unit)
+      class(hertz_model_t), intent(in) :: self
+      real(dp), intent(in) :: values(:)
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%variables(place)%unit
+      if (place == v_load .and. is_set(values(v_kind))) unit = trim(merge('N/m', 'N  ', nint(values(v_kind)) == kind_line))
+   end function unit_of
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)

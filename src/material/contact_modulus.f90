@@ -6,7 +6,8 @@
 !> these rows in its table, one behind the other, and reads them here.
 module adfric_material_contact_modulus
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: variable_t, derived_t, kind_real
+   use adfric_base_derived, only: derived_t, add_derived
+   use adfric_base_model, only: variable_t, kind_real
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: unset, is_set
    implicit none (type, external)
@@ -137,16 +138,11 @@ contains
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: list(:)
 
-      if (is_set(values(contact)) .or. .not. has_contact_modulus(values)) then
-         allocate (list(0))
-         return
-      end if
-      allocate (list(1))
-      list(1)%name = rows(contact)%name
-      list(1)%unit = rows(contact)%unit
-      list(1)%long_name = rows(contact)%meaning
-      list(1)%value = contact_modulus_of(values)
-      list(1)%sources = modulus_names
+      allocate (list(0))
+      if (is_set(values(contact)) .or. .not. has_contact_modulus(values)) return
+      associate (row => rows(contact))
+         call add_derived(list, row%name, row%unit, row%meaning, contact_modulus_of(values), modulus_names)
+      end associate
    end function derive_contact_modulus
 
 end module adfric_material_contact_modulus

@@ -57,6 +57,8 @@ contains
       character(*), intent(in) :: title, input
 
       self%title = title
+      ! the CF conventions want one
+      if (len_trim(title) == 0) self%title = model%name
       self%model = model%name
       self%references = model%references
       self%history = ''

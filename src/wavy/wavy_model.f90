@@ -263,7 +263,8 @@ contains
             & of_stiffness)
          call add_derived(derived, 'pressure_unit', 'Pa', 'pressure unit, height times stiffness', point%pressure_unit, &
             & of_stiffness//' height')
-         call add_derived(derived, 'reduced_stress', '-', 'adhesion stress over the pressure unit', s%stress, of_stiffness//' height stress')
+         call add_derived(derived, 'reduced_stress', '-', 'adhesion stress over the pressure unit', s%stress, &
+            & of_stiffness//' height stress')
          if (s%stress > 0) call add_derived(derived, 'range', 'm', 'range of adhesion', s%range*point%height, of_range)
          call add_derived(derived, 'reduced_range', '-', 'range of adhesion over height', s%range, of_range//' height')
       end associate
