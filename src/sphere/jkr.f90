@@ -92,8 +92,10 @@ contains
          call find_root(equation, fold, 2*root, .true., root, is_converged)
       else
          if (value > 0) return
+         ! at approach 0 the contact has shrunk to a point
          root = 0
-         call find_root(equation, 0.0_dp, fold, .false., root, is_converged)
+         is_converged = .true.
+         if (value < 0) call find_root(equation, 0.0_dp, fold, .false., root, is_converged)
       end if
       call self%of_radius(root*root, contact)
       contact%approach = value
