@@ -237,6 +237,12 @@ def whole_phases(folder):
                   "writing, beside it", "all but the solution", "least"], body)
 
 
+def reader(folder):
+    """Large inputs."""
+    body = [[row["shape"], time(row["s"]), time(row["s_half"]), f"{float(row['peak_mb']):.0f}"] for row in rows_of(folder, "reader")]
+    return table(["an input of 10 MB that repeats", "s", "s for 5 MB", "peak MB"], body)
+
+
 def error_estimates(folder):
     """Estimates and true errors."""
     body = []
@@ -259,7 +265,7 @@ def scenes(folder):
 
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, wave_1d, whole_cases, whole_points, whole_phases, error_estimates, scenes)}
+    wave_2d_public, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes)}
 
 
 def main():
