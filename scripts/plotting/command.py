@@ -4,14 +4,22 @@ import argparse
 import sys
 from pathlib import Path
 
+from .printable import printable
 from .results import BadFile, NothingToDraw, Results
 
 FORMATS = (".png", ".pdf", ".svg")
 
 
+class Parser(argparse.ArgumentParser):
+    """A parser whose messages show what a name has, instead of obeying it."""
+
+    def _print_message(self, message, file=None):
+        super()._print_message("\n".join(printable(line) for line in message.split("\n")), file)
+
+
 def main(arguments):
     """Draw one figure; return the exit status: 0, 2 for a bad command line or file, 3 if there is nothing to draw."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="scripts/plot",
         description="Draw the figure of a results file; what is drawn follows from what was swept.",
     )
@@ -28,15 +36,15 @@ def main(arguments):
             raise BadFile(f"{figure_file}: the figure would replace the results")
         draw(results, figure_file)
     except NothingToDraw as problem:
-        print(f"plot: {problem}", file=sys.stderr)
+        print(printable(f"plot: {problem}"), file=sys.stderr)
         return 3
     except BadFile as problem:
-        print(f"plot: {problem}", file=sys.stderr)
+        print(printable(f"plot: {problem}"), file=sys.stderr)
         return 2
     except OSError as problem:
-        print(f"plot: {figure_file}: cannot write: {problem.strerror or problem}", file=sys.stderr)
+        print(printable(f"plot: {figure_file}: cannot write: {problem.strerror or problem}"), file=sys.stderr)
         return 2
-    print(f"figure {figure_file}")
+    print(printable(f"figure {figure_file}"))
     return 0
 
 
