@@ -49,6 +49,8 @@ module adfric_base_model
       integer :: largest_rank = 1, least_count = 1
       !> Where several groups have the name: may a sweep mean this one without the group?
       logical :: has_bare_name = .true.
+      !> Sizes that it usually has, where they are others than those of its unit (`adfric_base_plausible_range`).
+      real(dp) :: usual_lower = unset, usual_upper = unset
    end type variable_t
 
    !> A result per point.

@@ -4,12 +4,15 @@ module adfric_command_check
    use adfric_base_unset, only: is_set
    use adfric_command_case, only: open_case
    use adfric_command_line, only: command_t
+   use adfric_command_durations, only: show_duration
    use adfric_command_outcome, only: outcome_t, exit_success
+   use adfric_command_plausibility, only: warn_of_values
    use adfric_base_words, only: pad
    use adfric_command_values, only: show_input_value
    use adfric_input_run, only: run_input_t
    use adfric_input_text, only: newline, show_count, show_number
    use adfric_output_resources, only: file_size_of, show_bytes
+   use adfric_sweep_time_estimate, only: time_estimate_t, estimate_time
    implicit none (type, external)
    private
    public :: check_case
@@ -34,15 +37,16 @@ contains
       if (len(run%title) > 0) call outcome%say(run%title//newline)
       call outcome%say(pad('model', name_width)//model%name//newline)
       call outcome%say(describe_values(model, run))
-      call outcome%say(describe_derived(model, run))
-      text = model%describe_case(run%plan%base)
+      text = describe_derived(model, run)//model%describe_case(run%plan%base)
       if (len(text) > 0) then
-         call outcome%say(text)
+         call outcome%say(describe_first_point(model, run)//text)
          if (text(len(text):) /= newline) call outcome%say(newline)
       end if
       call outcome%say(model%describe_doubts(run%plan%base))
       call outcome%say(describe_sweep(model, run))
       call outcome%say(pad('points', name_width)//show_count(run%plan%n_points())//newline)
+      call outcome%say(pad('estimated time', name_width)//describe_time(model, run)//newline)
+      call outcome%say(warn_of_values(model, run))
       call outcome%say(pad('results file', name_width)//run%output//', ' &
          //show_bytes(file_size_of(model, run%plan))//newline)
    end subroutine check_case
@@ -74,6 +78,47 @@ contains
          end associate
       end do
    end function describe_values
+
+   !> The point of a sweep that what follows is said of.
+   function describe_first_point(model, run) result(line)
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(in) :: run
+      character(:), allocatable :: line
+      integer :: k
+
+      line = ''
+      do k = 1, size(run%plan%axes)
+         associate (place => run%plan%axes(k)%variable)
+            if (k > 1) line = line//', '
+            line = line//model%variables(place)%group//'%'//model%variables(place)%name//' = ' &
+               //show_number(run%plan%base(place))//show_unit(model%unit_of(run%plan%base, place))
+         end associate
+      end do
+      if (len(line) > 0) line = 'at the first point, '//line//newline
+   end function describe_first_point
+
+   !> How long the run will take.
+   function describe_time(model, run) result(text)
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(in) :: run
+      character(:), allocatable :: text
+      type(time_estimate_t) :: estimate
+
+      call estimate_time(model, run%plan, estimate)
+      if (.not. estimate%is_known) then
+         text = 'not known, no trial point could be solved'
+         return
+      end if
+      text = show_duration(estimate%seconds)//' on '//show_count(estimate%n_threads)//' thread'
+      if (estimate%n_threads > 1) text = text//'s'
+      if (.not. estimate%is_complete) then
+         text = 'more than '//text//', a trial point took too long'
+      else if (index(text, 'less') == 1) then
+         text = text//', from trial points'
+      else
+         text = 'about '//text//', from trial points'
+      end if
+   end function describe_time
 
    !> What follows from the values.
    function describe_derived(model, run) result(lines)

@@ -17,6 +17,8 @@ module adfric_material_contact_modulus
 
    !> Number of rows where one body is elastic, and where both may be.
    integer, parameter :: n_one_body = 3, n_two_bodies = 5
+   !> Moduli of solids, from the softest gel to diamond [Pa].
+   real(dp), parameter :: softest = 1.0_dp, hardest = 2.0e12_dp
    !> Places among the rows.
    integer, parameter :: contact = 1, young = 2, poisson = 3, second_young = 4, second_poisson = 5
 
@@ -34,6 +36,8 @@ contains
       type(variable_t), intent(out) :: rows(:)
 
       rows(:) = first
+      rows%usual_lower = softest
+      rows%usual_upper = hardest
       rows(contact)%name = 'contact_modulus'
       rows(contact)%meaning = 'E*, 1/E* = sum of (1 - nu^2)/E'
       if (size(rows) == n_one_body) rows(contact)%meaning = 'E* = E/(1 - nu^2)'

@@ -24,7 +24,7 @@ module adfric_sweep_runner
    use adfric_sweep_summary, only: run_summary_t, new_summary
    implicit none (type, external)
    private
-   public :: run_sweep, memory_needed
+   public :: run_sweep, memory_needed, profile_shape_of
 
    !> Largest number of blocks of a batch.
    integer, parameter :: largest_batch = 16

@@ -1,0 +1,60 @@
+!> What `adfric check` says of values far from those of any contact. It is a warning and changes nothing.
+module adfric_command_plausibility
+   use adfric_base_kinds, only: dp
+   use adfric_base_model, only: model_t, kind_dataset
+   use adfric_base_plausible_range, only: find_plausible_range, is_plausible
+   use adfric_base_unset, only: is_set
+   use adfric_input_run, only: run_input_t
+   use adfric_input_text, only: newline, show_number
+   implicit none (type, external)
+   private
+   public :: warn_of_values
+
+contains
+
+   !> A line for each variable that has such a value.
+   function warn_of_values(model, run) result(lines)
+      class(model_t), intent(in) :: model
+      type(run_input_t), intent(in) :: run
+      character(:), allocatable :: lines
+      character(:), allocatable :: unit
+      real(dp) :: lower, upper
+      integer :: i, k
+
+      lines = ''
+      do i = 1, size(model%variables)
+         associate (variable => model%variables(i))
+            unit = model%unit_of(run%plan%base, i)
+            call find_plausible_range(variable, unit, lower, upper)
+            associate (values => values_of(run, i, variable%kind == kind_dataset))
+               k = findloc(is_plausible(values, lower, upper), .false., dim=1)
+               if (k > 0) lines = lines//'warning: &'//variable%group//' '//variable%name//': '//show_number(values(k))//' ' &
+                  //unit//' is far from any contact, usual are '//show_number(lower)//' to '//show_number(upper)//' ' &
+                  //unit//'; is it in SI units?'//newline
+            end associate
+         end associate
+      end do
+   end function warn_of_values
+
+   !> Every value that a variable has in a run; of a dataset the two ends of their range.
+   pure function values_of(run, place, is_dataset) result(values)
+      type(run_input_t), intent(in) :: run
+      !> Of the variable.
+      integer, intent(in) :: place
+      logical, intent(in) :: is_dataset
+      real(dp), allocatable :: values(:)
+      integer :: k
+
+      allocate (values(0))
+      if (is_dataset) then
+         if (run%datasets(place)%is_given()) values = [run%datasets(place)%highest, run%datasets(place)%lowest]
+      else if (run%is_swept(place)) then
+         do k = 1, size(run%plan%axes)
+            if (run%plan%axes(k)%variable == place) values = run%plan%axes(k)%values
+         end do
+      else if (is_set(run%plan%base(place))) then
+         values = [run%plan%base(place)]
+      end if
+   end function values_of
+
+end module adfric_command_plausibility
