@@ -7,12 +7,12 @@
 module adfric_wavy_march
    use adfric_base_kinds, only: dp
    use adfric_numerics_scalar_root, only: equation_t, find_root
-   use adfric_wavy_contact_zone, only: decay
+   use adfric_wavy_contact_zone, only: decay, longest_decay
    use adfric_wavy_phases, only: phases_left, half_interval
-   use adfric_wavy_strip, only: strip_t, lifted_profile, drive, drive_round_off
+   use adfric_wavy_strip, only: strip_t, lifted_profile, drive, get_drive, drive_round_off
    implicit none (type, external)
    private
-   public :: column_t, advance, march_period, march_to_leading_edge, period_t
+   public :: column_t, advance, march_period, march_to_leading_edge, period_t, attach_lift
    public :: in_contact, in_adhesion, in_free
    public :: period_closed, period_never_released, period_never_attached
 
@@ -39,10 +39,18 @@ module adfric_wavy_march
    type :: period_t
       !> One of `period_...`.
       integer :: outcome = period_closed
+      !> Phase where it starts.
+      real(dp) :: start = 0
       !> Lengths of the zones: leading adhesion, contact, trailing adhesion, free. Without contact all adhesion
       !> is `leading`.
       real(dp) :: leading = 0, contact = 0, trailing = 0, free = 0
       logical :: has_contact = .false.
+      !> Was adhesion lost?
+      logical :: is_released = .false.
+      !> Drive and its slope where the period starts, and where adhesion is lost.
+      real(dp) :: attach_drive = 0, attach_slope = 0, release_drive = 0, release_slope = 0
+      !> What the contact leaves of a disturbance, over what an open zone of its length would leave; 0 if contact never ends.
+      real(dp) :: kept = 1
       !> Derivative of the end with respect to the start.
       real(dp) :: slope = 0
    end type period_t
@@ -54,9 +62,6 @@ module adfric_wavy_march
    contains
       procedure :: evaluate
    end type zone_curve_t
-
-   !> A rate at the end of a zone that is smaller than this beside the rate at its beginning is none.
-   real(dp), parameter :: flattest = 1.0e-100_dp
 
 contains
 
@@ -136,16 +141,14 @@ contains
    end subroutine follow
 
    !> Move a column to its next event. `has_event` is false if the zone lasts for more than a period.
-   pure subroutine advance(strip, column, passed, slope, has_event)
+   pure subroutine advance(strip, column, passed, has_event)
       type(strip_t), intent(in) :: strip
       type(column_t), intent(inout) :: column
       !> In: a guess of the phase passed, or 0. Out: the phase passed.
       real(dp), intent(inout) :: passed
-      !> Derivative of the phase where the zone ends with respect to the phase where it began.
-      real(dp), intent(out) :: slope
       logical, intent(out) :: has_event
       type(zone_curve_t) :: curve
-      real(dp) :: bound, entry_rate, exit_rate, value
+      real(dp) :: bound
 
       bound = 0
       select case (column%zone)
@@ -161,15 +164,7 @@ contains
          call follow(strip, curve, phases_left(strip, column%xi, bound, .false., column%has_begun), &
             & bound, .false., .false., has_event, passed)
       end select
-      slope = 0
       if (.not. has_event) return
-
-      call curve%evaluate(0.0_dp, value, entry_rate)
-      call curve%evaluate(passed, value, exit_rate)
-      slope = 0
-      if (abs(exit_rate) > flattest*max(1.0_dp, abs(entry_rate))) then
-         slope = (1 - decay(passed/curve%length))*entry_rate/exit_rate
-      end if
       column%value = column%value*(1 - decay(passed/curve%length))
       column%xi = column%xi - passed
       select case (column%zone)
@@ -239,20 +234,20 @@ contains
       type(period_t), intent(inout) :: period
       type(period_t) :: guess
       type(column_t) :: column
-      real(dp) :: passed, slope
+      real(dp) :: passed
       integer :: event, zone
       logical :: has_event
 
       guess = period
-      period = period_t()
+      period = period_t(start=xi_start)
+      call get_drive(strip, xi_start, period%attach_drive, period%attach_slope)
       ! where the drive is lower, no column comes into the range of adhesion
-      if (.not. drive(strip, xi_start) > strip%stress - strip%range - drive_round_off(strip)) then
+      if (.not. period%attach_drive > strip%stress - strip%range - drive_round_off(strip)) then
          period%outcome = period_never_attached
          return
       end if
       column%xi = xi_start
       call attach(strip, column)
-      period%slope = 1
       do event = 1, 4
          zone = column%zone
          select case (zone)
@@ -263,29 +258,69 @@ contains
          case default
             passed = guess%free
          end select
-         call advance(strip, column, passed, slope, has_event)
-         period%slope = period%slope*slope
+         call advance(strip, column, passed, has_event)
          if (.not. has_event) then
             period%outcome = merge(period_never_attached, period_never_released, zone == in_free)
+            if (zone == in_contact) period%kept = 0
             return
          end if
          select case (zone)
          case (in_contact)
             period%has_contact = .true.
             period%contact = passed
+            associate (f => strip%foundation)
+               period%kept = exp(-min(passed*(1/f%u - 1/f%v), longest_decay))
+            end associate
          case (in_adhesion)
             if (period%has_contact) then
                period%trailing = passed
             else
                period%leading = passed
             end if
+            if (column%zone == in_free) then
+               period%is_released = .true.
+               call get_drive(strip, column%xi, period%release_drive, period%release_slope)
+            else if (period%has_contact) then
+               ! contact again
+               exit
+            end if
          case default
             period%free = passed
+            period%slope = get_slope(strip, period)
             return
          end select
       end do
       period%outcome = period_never_released
    end subroutine march_period
+
+   !> Derivative of the end of a period with respect to its start: the product over its zones, in which the rates where
+   !> contact begins and ends cancel.
+   pure real(dp) function get_slope(strip, period) result(slope)
+      type(strip_t), intent(in) :: strip
+      type(period_t), intent(in) :: period
+      real(dp) :: length, least, freed, attach
+
+      least = drive_round_off(strip)
+      associate (p => period)
+         length = p%leading + p%contact + p%trailing + p%free
+         freed = 1 + (strip%stress - strip%jump)/max(-p%release_drive - strip%range, least)
+         attach = drive(strip, p%start - length) + strip%range - strip%stress
+         slope = exp(-min(length/strip%foundation%v, longest_decay))*p%kept*freed &
+            & *(p%attach_drive + strip%range - strip%stress + attach_lift(strip))/max(attach, least)
+      end associate
+   end function get_slope
+
+   !> By how much the rate of the gap (times v) rises where adhesion takes hold; from the free zone straight into contact
+   !> where the displacement jumps by the range or more.
+   pure real(dp) function attach_lift(strip) result(lift)
+      type(strip_t), intent(in) :: strip
+
+      if (strip%jump < strip%range) then
+         lift = strip%stress - strip%jump
+      else
+         lift = (strip%foundation%beta - 1)*strip%range
+      end if
+   end function attach_lift
 
    !> March a column to the first leading edge of adhesion that it passes.
    pure subroutine march_to_leading_edge(strip, column, outcome)
@@ -293,14 +328,14 @@ contains
       type(column_t), intent(inout) :: column
       !> One of `period_...`.
       integer, intent(out) :: outcome
-      real(dp) :: passed, slope
+      real(dp) :: passed
       integer :: event
       logical :: has_event, is_free
 
       do event = 1, 4
          is_free = column%zone == in_free
          passed = 0
-         call advance(strip, column, passed, slope, has_event)
+         call advance(strip, column, passed, has_event)
          outcome = merge(period_never_attached, period_never_released, is_free)
          if (.not. has_event) return
          outcome = period_closed

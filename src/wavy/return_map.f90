@@ -4,7 +4,8 @@ module adfric_wavy_return_map
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_wavy_march, only: period_t, march_period, period_closed, period_never_released
-   use adfric_wavy_phases, only: phases_since
+   use adfric_wavy_period_bounds, only: probe_t, judge_between, between_clear, between_single
+   use adfric_wavy_phases, only: phases_left, phases_since
    use adfric_wavy_strip, only: strip_t
    implicit none (type, external)
    private
@@ -18,8 +19,8 @@ module adfric_wavy_return_map
 
 contains
 
-   !> Move the leading edge of adhesion until the period closes: Newton's method on the return map, one-sided,
-   !> with every sign change and every turn of the map looked into, so that no steady state is passed.
+   !> Move the leading edge of adhesion until the period closes: Newton's method on the return map, one-sided. What lies
+   !> between two steps is known from bounds, or is looked into, so that no steady state is passed.
    pure subroutine close_period(strip, direction, first_step, xi, period, is_converged)
       type(strip_t), intent(in) :: strip
       !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
@@ -28,166 +29,192 @@ contains
       real(dp), intent(in) :: first_step
       !> Phase of the leading edge.
       real(dp), intent(inout) :: xi
-      !> In: a period like it, if there is one. Out: the closed period, or one that shows that none closes (see its
-      !> outcome).
-      type(period_t), intent(inout) :: period
+      !> The closed period, or one that shows that none closes (see its outcome).
+      type(period_t), intent(out) :: period
       logical, intent(out) :: is_converged
-      real(dp) :: excess, step, last_xi, last_excess, last_slope, dip, earliest
+      type(probe_t) :: near, far
+      real(dp) :: step, last
       integer :: k
 
       step = first_step
-      call march_excess(strip, direction, xi, period, excess)
+      call march_excess(strip, direction, xi, near)
+      last = last_edge(strip, direction, xi)
       do k = 1, max_periods
-         ! the bound itself may close to within round-off
-         is_converged = excess <= closed*contraction(period) .and. period%outcome == period_closed
-         if (is_converged .or. period%outcome /= period_closed) return
+         is_converged = is_closed(near)
+         if (is_converged .or. near%outcome /= period_closed) exit
          ! on the rising side there is nothing to find: ever longer steps
-         if (period%slope < 1) then
-            step = min(excess/max(1 - period%slope, excess/4), longest_step)
+         if (near%slope < 1) then
+            step = min(near%excess/max(1 - near%slope, near%excess/4), longest_step)
          else
-            step = max(excess, min(2*max(excess, step), longest_rise))
+            step = max(near%excess, min(2*max(near%excess, step), longest_rise))
          end if
-         last_xi = xi
-         last_excess = excess
-         last_slope = period%slope
-         xi = xi - direction*step
-         if (direction < 0) then
-            ! no column comes into the range of adhesion earlier than this
-            earliest = last_xi + phases_since(strip, last_xi, strip%stress - strip%range)*(1 - 4*epsilon(xi))
-            xi = min(xi, earliest)
-         end if
-         call march_excess(strip, direction, xi, period, excess)
-         do while (last_slope >= 1 .and. period%outcome /= period_closed .and. step > last_excess)
-            ! the map increases, so a step of the excess passes nothing; a longer one may have
-            step = max(step/2, last_excess)
-            xi = last_xi - direction*step
-            call march_excess(strip, direction, xi, period, excess)
-         end do
-         if (excess < -closed*contraction(period)) then
-            call bisect_period(strip, direction, last_xi, xi, period, is_converged)
-            return
-         end if
-         if (last_slope < 1 .and. (period%slope > 1 .or. period%outcome /= period_closed)) then
-            dip = xi
-            call look_between(strip, direction, last_xi, dip, period, is_converged)
-            if (is_converged) then
-               xi = dip
-               return
-            end if
-            call march_excess(strip, direction, xi, period, excess)
-         end if
+         step = min(step, direction*(near%start - last))
+         if (.not. step > 0) exit
+         far = near
+         call march_excess(strip, direction, near%start - direction*step, far)
+         call look_between(strip, direction, near, far, is_converged)
+         near = far
+         if (is_converged .or. near%excess <= 0) exit
       end do
-      is_converged = .false.
+      xi = near%start
+      period = near%period_t
    end subroutine close_period
 
-   !> By how much a period is longer (direction 1) or shorter (-1) than it should be.
-   pure subroutine march_excess(strip, direction, xi, period, excess)
+   !> The last phase in a direction where a column may come into the range of adhesion.
+   pure real(dp) function last_edge(strip, direction, xi) result(last)
       type(strip_t), intent(in) :: strip
       integer, intent(in) :: direction
       real(dp), intent(in) :: xi
-      type(period_t), intent(inout) :: period
-      real(dp), intent(out) :: excess
 
-      call march_period(strip, xi, period)
-      select case (period%outcome)
+      associate (bound => strip%stress - strip%range)
+         if (direction < 0) then
+            last = xi + phases_since(strip, xi, bound)*(1 - 4*epsilon(xi))
+         else
+            last = xi - phases_left(strip, xi, bound, .false.)*(1 - 4*epsilon(xi))
+         end if
+      end associate
+   end function last_edge
+
+   !> March a period.
+   pure subroutine march_excess(strip, direction, xi, probe)
+      type(strip_t), intent(in) :: strip
+      integer, intent(in) :: direction
+      !> Phase of the leading edge.
+      real(dp), intent(in) :: xi
+      !> In: a period like it, if there is one. Out: the period.
+      type(probe_t), intent(inout) :: probe
+
+      call march_period(strip, xi, probe%period_t)
+      select case (probe%outcome)
       case (period_closed)
-         excess = direction*(period%leading + period%contact + period%trailing + period%free - two_pi)
+         probe%excess = direction*(probe%leading + probe%contact + probe%trailing + probe%free - two_pi)
       case (period_never_released)
-         excess = -direction
+         probe%excess = -direction
       case default
-         excess = direction
+         probe%excess = direction
       end select
    end subroutine march_excess
 
-   !> How much of a disturbance a period takes away: in fast sliding next to nothing, and then the period must close the
+   !> Is a period closed, but for an excess of either sign that is nothing?
+   pure logical function is_closed(probe)
+      type(probe_t), intent(in) :: probe
+
+      is_closed = probe%outcome == period_closed .and. abs(probe%excess) <= tolerance_of(probe)
+   end function is_closed
+
+   !> Excess that is nothing. In fast sliding a period takes next to nothing of a disturbance away, and must close the
    !> better, as far as round-off allows.
-   pure real(dp) function contraction(period)
-      type(period_t), intent(in) :: period
+   pure real(dp) function tolerance_of(probe) result(tolerance)
+      type(probe_t), intent(in) :: probe
 
-      contraction = min(max(1 - period%slope, 1.0e-6_dp), 1.0_dp)
-   end function contraction
+      tolerance = closed*min(max(1 - probe%slope, 1.0e-6_dp), 1.0_dp)
+   end function tolerance_of
 
-   !> A period that closes between `near` (excess positive) and `far` (negative).
-   pure subroutine bisect_period(strip, direction, near, far, period, is_converged)
+   !> The first period that closes between two, if there is one. What cannot be judged is halved, and its first half
+   !> judged first.
+   pure subroutine look_between(strip, direction, near, far, is_found)
       type(strip_t), intent(in) :: strip
       integer, intent(in) :: direction
-      real(dp), intent(in) :: near
-      !> In: the far end. Out: the leading edge where the period closes.
-      real(dp), intent(inout) :: far
-      type(period_t), intent(inout) :: period
-      logical, intent(out) :: is_converged
-      real(dp) :: low, high, xi, excess, newton
-      integer :: k
+      !> In: where the search stands; the excess is positive. Out: a later one, too.
+      type(probe_t), intent(inout) :: near
+      !> In: one further on. Out: the one that closes, if there is one; or, if there is none, this one as it was; or one with
+      !> a negative excess, if neither could be made out.
+      type(probe_t), intent(inout) :: far
+      logical, intent(out) :: is_found
+      real(dp) :: centre
+      integer :: verdict
 
-      low = near
-      high = far
-      xi = low + (high - low)/2
-      do k = 1, max_bisections
-         call march_excess(strip, direction, xi, period, excess)
-         is_converged = abs(excess) <= closed*contraction(period)
-         far = xi
-         ! a column that never closes its period, on the near side, shows that none closes further on
-         if (is_converged .or. (excess > 0 .and. period%outcome /= period_closed)) return
-         if (excess > 0) then
-            low = xi
-         else
-            high = xi
-         end if
-         newton = xi - direction*excess/max(1 - period%slope, abs(excess)/4)
-         xi = low + (high - low)/2
-         if ((newton - low)*(newton - high) < 0 .and. period%outcome == period_closed) xi = newton
-      end do
-   end subroutine bisect_period
-
-   !> The excess falls at `near` and rises at `far` (or there is no period there): does it touch zero between? The
-   !> tangents at both ends bound a convex excess from below; where they meet is looked at next.
-   pure subroutine look_between(strip, direction, near, far, period, is_converged)
-      type(strip_t), intent(in) :: strip
-      integer, intent(in) :: direction
-      real(dp), intent(in) :: near
-      !> In: the far end. Out: the leading edge where the period closes, if it does.
-      real(dp), intent(inout) :: far
-      type(period_t), intent(inout) :: period
-      logical, intent(out) :: is_converged
-      type(period_t) :: low_period, high_period
-      real(dp) :: low, high, at_low, at_high, excess, width, meeting
-      integer :: k
-
-      low = near
-      high = far
-      is_converged = .false.
-      call march_excess(strip, direction, low, low_period, at_low)
-      call march_excess(strip, direction, high, high_period, at_high)
-      do k = 1, max_bisections
-         width = abs(high - low)
-         if (width <= closed) return
-         meeting = width/2
-         if (high_period%outcome == period_closed) then
-            associate (fall => low_period%slope - 1, rise => high_period%slope - 1)
-               ! only where the excess is above both tangents
-               if (at_high >= at_low + fall*width .and. at_low >= at_high - rise*width) then
-                  meeting = (at_low - at_high + rise*width)/(rise - fall)
-                  if (at_low + fall*meeting > closed) return
-                  meeting = min(max(meeting, 0.05_dp*width), 0.95_dp*width)
-               end if
-            end associate
-         end if
-         far = low - direction*meeting
-         call march_excess(strip, direction, far, period, excess)
-         if (excess <= 0) then
-            call bisect_period(strip, direction, near, far, period, is_converged)
-            return
-         end if
-         if (period%outcome == period_closed .and. period%slope < 1) then
-            low = far
-            at_low = excess
-            low_period = period
-         else
-            high = far
-            at_high = excess
-            high_period = period
-         end if
-      end do
+      call judge_between(strip, direction, near, far, far%excess > tolerance_of(far), verdict, centre)
+      is_found = .false.
+      select case (verdict)
+      case (between_clear)
+         return
+      case (between_single)
+         call polish_period(strip, direction, near%start, far, is_found)
+      case default
+         call search_between(strip, direction, near, far, centre, is_found)
+      end select
    end subroutine look_between
+
+   !> The same, where the first judgement did not tell.
+   pure subroutine search_between(strip, direction, near, far, first_centre, is_found)
+      type(strip_t), intent(in) :: strip
+      integer, intent(in) :: direction
+      type(probe_t), intent(inout) :: near, far
+      !> Where to look first, as a share of the way.
+      real(dp), intent(in) :: first_centre
+      logical, intent(out) :: is_found
+      type(probe_t) :: ahead(max_bisections), middle
+      real(dp) :: centre
+      integer :: n, k, verdict
+
+      n = 1
+      ahead(1) = far
+      centre = first_centre
+      is_found = .false.
+      do k = 1, max_periods
+         if (abs(ahead(n)%start - near%start) <= closed) then
+            ! no more can be told
+            is_found = ahead(n)%excess <= tolerance_of(ahead(n)) .and. ahead(n)%outcome == period_closed
+            if (ahead(n)%excess <= tolerance_of(ahead(n))) exit
+            near = ahead(n)
+            n = n - 1
+         else
+            middle = near
+            call march_excess(strip, direction, near%start + centre*(ahead(n)%start - near%start), middle)
+            ! then nothing further on counts
+            if (middle%excess <= tolerance_of(middle) .or. middle%outcome /= period_closed) n = 0
+            n = min(n + 1, size(ahead))
+            ahead(n) = middle
+         end if
+         do while (n > 0)
+            associate (next => ahead(n))
+               call judge_between(strip, direction, near, next, next%excess > tolerance_of(next), verdict, centre)
+               if (verdict == between_single) then
+                  far = next
+                  call polish_period(strip, direction, near%start, far, is_found)
+                  return
+               end if
+               if (verdict /= between_clear) exit
+               near = next
+               n = n - 1
+            end associate
+         end do
+         if (n == 0) return
+      end do
+      far = ahead(n)
+      far%excess = min(far%excess, 0.0_dp)
+   end subroutine search_between
+
+   !> The one period that closes between `near` (excess positive) and `far` (negative).
+   pure subroutine polish_period(strip, direction, near, far, is_found)
+      type(strip_t), intent(in) :: strip
+      integer, intent(in) :: direction
+      !> Phase of the leading edge.
+      real(dp), intent(in) :: near
+      !> In: the far period. Out: the one that closes.
+      type(probe_t), intent(inout) :: far
+      logical, intent(out) :: is_found
+      real(dp) :: low, high, xi, newton
+      integer :: k
+
+      low = near
+      high = far%start
+      do k = 1, max_bisections
+         is_found = is_closed(far) .or. (far%outcome == period_closed .and. abs(high - low) <= closed)
+         if (is_found) return
+         if (far%excess > 0) then
+            low = far%start
+         else
+            high = far%start
+         end if
+         xi = low + (high - low)/2
+         if (far%outcome == period_closed) then
+            newton = far%start - direction*far%excess/max(1 - far%slope, abs(far%excess)/4)
+            if ((newton - low)*(newton - high) < 0) xi = newton
+         end if
+         call march_excess(strip, direction, xi, far)
+      end do
+   end subroutine polish_period
 
 end module adfric_wavy_return_map

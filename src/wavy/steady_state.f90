@@ -16,8 +16,8 @@ module adfric_wavy_steady_state
    use adfric_wavy_phases, only: phases_left
    use adfric_wavy_return_map, only: close_period
    use adfric_wavy_saturated_adhesion, only: half_width_of_depth, shift_of_half_width, saturation_level
-   use adfric_wavy_strip, only: strip_t, profile, lifted_profile, steady_state_t, regime_free, regime_adhesion_only, &
-      & regime_discrete, regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
+   use adfric_wavy_strip, only: strip_t, profile, lifted_profile, drive_round_off, steady_state_t, regime_free, &
+      & regime_adhesion_only, regime_discrete, regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
    implicit none (type, external)
    private
    public :: find_steady_state, find_beyond_fold, find_without_release, continue_state, get_range_margin
@@ -81,7 +81,9 @@ contains
       logical :: is_found
 
       call try_bound(strip, branch, state, is_found)
-      if (.not. is_found) call search_with_release(strip, branch, state, fold%shift + fold%half_width + fold%leading)
+      if (is_found) return
+      call search_with_release(strip, branch, state, fold%shift + fold%half_width + fold%leading)
+      if (.not. state%is_converged) call search_with_release(strip, branch, state)
    end subroutine find_beyond_fold
 
    !> The state that bounds a branch, if it is a steady state: the free surface undisturbed, or adhesion everywhere in the
@@ -199,11 +201,13 @@ contains
          call close_period(strip, direction, step, xi, period, state%is_converged)
          outcome = period%outcome
       end if
+      ! if no period closes, the bound of the other branch is the only state, so it must be one
       if (outcome == period_never_released) then
          call find_without_release(strip, state)
+         if (state%is_converged) state%is_converged = get_range_margin(strip, state) >= -drive_round_off(strip)
       else if (outcome /= period_closed) then
          state%regime = regime_free
-         state%is_converged = .true.
+         state%is_converged = -strip%crest >= strip%range - drive_round_off(strip)
       else if (state%is_converged) then
          call read_edges(strip, xi, period, state)
       end if

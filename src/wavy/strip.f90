@@ -8,7 +8,7 @@ module adfric_wavy_strip
    use adfric_wavy_foundation, only: foundation_t
    implicit none (type, external)
    private
-   public :: strip_t, new_strip, steady_state_t, drive, drive_round_off, profile, lifted_profile
+   public :: strip_t, new_strip, steady_state_t, drive, get_drive, drive_round_off, profile, lifted_profile
    public :: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion
    public :: regime_adhesion_zones, regime_saturated, regime_meanings
    public :: edge_continuous, edge_instantaneous
@@ -113,6 +113,20 @@ contains
 
       drive = self%level + cos(xi) + self%foundation%v*sin(xi)
    end function drive
+
+   !> The drive and its derivative.
+   pure subroutine get_drive(self, xi, value, slope)
+      type(strip_t), intent(in) :: self
+      real(dp), intent(in) :: xi
+      real(dp), intent(out) :: value
+      real(dp), intent(out) :: slope
+      real(dp) :: c, s
+
+      c = cos(xi)
+      s = sin(xi)
+      value = self%level + c + self%foundation%v*s
+      slope = self%foundation%v*c - s
+   end subroutine get_drive
 
    !> What the drive is known to: in slow sliding zones end where it passes their bound, to round-off.
    pure real(dp) function drive_round_off(strip)
