@@ -18,7 +18,7 @@ module adfric_wavy_period_bounds
    use adfric_wavy_strip, only: strip_t, profile, drive_round_off
    implicit none (type, external)
    private
-   public :: probe_t, judge_between
+   public :: probe_t, judge_between, bound_multiplier, rise_of_displacement
    public :: between_clear, between_single, between_unknown
 
    !> What is known of the periods between two: none closes, one closes, or neither is sure.

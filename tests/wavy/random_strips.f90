@@ -6,7 +6,7 @@ module random_strips
    use unit_strips, only: trial_strip_t, edge_continuous, edge_instantaneous, branch_adhered, branch_approach
    implicit none (type, external)
    private
-   public :: dice_t, draw_strip, draw_surface
+   public :: dice_t, draw_strip, draw_fast_strip, draw_surface
 
    !> A source of random numbers (Lewis, Goodman and Miller, 1969; multiplier of Park and Miller, 1993).
    type :: dice_t
@@ -51,6 +51,21 @@ contains
       trial%edge = merge(edge_continuous, edge_instantaneous, mod(number, 2) == 0)
       trial%branch = merge(branch_adhered, branch_approach, mod(number/2, 2) == 0)
    end subroutine draw_strip
+
+   !> A strip that slides fast, and whose valley is all but in the range of adhesion: a period takes next to nothing of a
+   !> disturbance away, and several states lie close together.
+   subroutine draw_fast_strip(dice, number, trial)
+      type(dice_t), intent(inout) :: dice
+      !> The edge rule and the branch follow in turn.
+      integer, intent(in) :: number
+      type(trial_strip_t), intent(out) :: trial
+
+      call draw_strip(dice, number, trial)
+      trial%u = dice%between_log(1.0_dp, 1.0e2_dp)
+      trial%beta = dice%between_log(10.0_dp, 1.0e4_dp)
+      trial%stress = dice%between_log(0.03_dp, 1.0_dp)
+      trial%range = dice%between(0.85_dp, 1.0_dp)
+   end subroutine draw_fast_strip
 
    !> A 3-D surface with the parameters of a strip, and a penetration of it.
    subroutine draw_surface(dice, number, surface, penetration)
