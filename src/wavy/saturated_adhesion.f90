@@ -26,6 +26,9 @@ module adfric_wavy_saturated_adhesion
       procedure :: evaluate
    end type depth_equation_t
 
+   !> Closer to saturation than this, round-off may tell that a start is on the wrong side of the half width.
+   real(dp), parameter :: closest = 1.0e-8_dp
+
 contains
 
    !> Level |G| at and above which the contact is saturated (GM 18).
@@ -98,7 +101,9 @@ contains
       equation%foundation = foundation
       equation%root_depth = sqrt(depth)
       half_width = start
-      if (half_width <= 0) half_width = 2*asin(sqrt(min(depth/(saturation_level(foundation) + 1), 1.0_dp)))
+      if (half_width <= 0 .or. half_width > pi - closest) then
+         half_width = 2*asin(sqrt(min(depth/(saturation_level(foundation) + 1), 1.0_dp)))
+      end if
       call find_root(equation, 0.0_dp, pi, .true., half_width, is_converged)
    end subroutine half_width_of_depth
 

@@ -4,8 +4,8 @@
 !> two columns the one with the larger gap keeps it. So the steady states are ordered by their gap; adhesion
 !> everywhere in the gap bounds them from below, a free column as high as the crest from above. The `adhered`
 !> branch is the least gap, where unloading leads; the `approach` branch is the largest gap, where loading
-!> leads. Marching up from the lower bound, or down from the upper, meets the first steady state and can jump
-!> over none.
+!> leads. Marching up from the lower bound, or down from the upper, meets the first steady state, and `return_map`
+!> passes none.
 module adfric_wavy_steady_state
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
@@ -40,7 +40,7 @@ contains
       !> One of `branch_...`.
       integer, intent(in) :: branch
       type(steady_state_t), intent(out) :: state
-      !> A neighbour's state; it may save time, and cannot change the answer.
+      !> A neighbour's state; it may save time. Where several states are stable, the one that continues it is taken.
       type(steady_state_t), intent(in), optional :: guess
       !> Is this strip known to be in the regime of the guess, if it is stable there? Then nothing else is tried.
       logical, intent(in), optional :: is_regime_known
