@@ -1,6 +1,6 @@
 !> Lists of all models, groups, variables, results and units, from the tables of the models.
 module adfric_command_help_lists
-   use adfric_base_model, only: model_t, results_of_every_run
+   use adfric_base_model, only: model_t, result_t, results_of_every_run
    use adfric_base_words, only: pad
    use adfric_command_help_entries, only: entries_t
    use adfric_input_text, only: newline
@@ -94,14 +94,14 @@ contains
    function show_results(models) result(text)
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
+      type(result_t), allocatable :: common(:)
       type(entries_t) :: results, profiles
       integer :: i, k
 
-      associate (common => results_of_every_run())
-         do k = 1, size(common)
-            call results%add(with_unit(common(k)%name, common(k)%unit), everyone)
-         end do
-      end associate
+      common = results_of_every_run()
+      do k = 1, size(common)
+         call results%add(with_unit(common(k)%name, common(k)%unit), everyone)
+      end do
       do i = 1, size(models)
          associate (model => models(i)%model)
             do k = 1, size(model%results)

@@ -47,9 +47,11 @@ contains
    function describe_common(name) result(text)
       character(*), intent(in) :: name
       character(:), allocatable :: text
+      type(result_t), allocatable :: common(:)
       integer :: i
 
-      text = with_head('On every run', describe_results(results_of_every_run(), name))
+      common = results_of_every_run()
+      text = with_head('On every run', describe_results(common, name))
       if (.not. (len(name) == 0 .or. name == 'status' .or. has_word(status_meanings, name))) return
       do i = 1, count_words(status_meanings)
          if (has_word(status_meanings, name) .and. get_word(status_meanings, i) /= name) cycle
@@ -166,13 +168,15 @@ contains
    function list_names(model) result(names)
       class(model_t), intent(in) :: model
       character(:), allocatable :: names
+      type(result_t), allocatable :: common(:)
       integer :: i
 
       names = list_groups(model)//' '//list_variables(model, '')
       do i = 1, size(model%variables)
          if (model%variables(i)%kind == kind_choice) names = names//' '//model%variables(i)%choices
       end do
-      names = names//list_results(model%results)//list_results(results_of_every_run())
+      common = results_of_every_run()
+      names = names//list_results(model%results)//list_results(common)
       do i = 1, size(model%profiles)
          names = names//' '//model%profiles(i)%name
       end do
