@@ -19,22 +19,16 @@ class Parser(argparse.ArgumentParser):
 
 def main(arguments):
     """Draw one figure; return the exit status: 0, 2 for a bad command line or file, 3 if there is nothing to draw."""
-    parser = Parser(
-        prog="scripts/plot",
-        description="Draw the figure of a results file; what is drawn follows from what was swept.",
-    )
-    parser.add_argument("file", metavar="FILE.h5", type=Path, help="results of adfric run")
-    parser.add_argument("-o", "--output", metavar="FIGURE", type=Path,
-                        help="figure, .png, .pdf or .svg (default: FILE.png)")
-    given = parser.parse_args(arguments)
-    figure_file = given.output or given.file.with_suffix(".png")
+    given = read_command_line(arguments)
+    figure_file = given.output or given.files[0].with_suffix(".png")
     try:
         if figure_file.suffix.lower() not in FORMATS:
             raise BadFile(f"{figure_file}: a figure is one of {', '.join(FORMATS)}")
-        results = Results(given.file)
-        if figure_file.exists() and figure_file.samefile(given.file):
-            raise BadFile(f"{figure_file}: the figure would replace the results")
-        draw(results, figure_file)
+        runs = [Results(path) for path in given.files]
+        for source in [*given.files, *([given.data] if given.data else [])]:
+            if figure_file.exists() and source.exists() and figure_file.samefile(source):
+                raise BadFile(f"{figure_file}: the figure would replace {'the table' if source == given.data else 'the results'}")
+        draw(runs, figure_file, given)
     except NothingToDraw as problem:
         print(printable(f"plot: {problem}"), file=sys.stderr)
         return 3
@@ -48,15 +42,37 @@ def main(arguments):
     return 0
 
 
-def draw(results, figure_file):
+def read_command_line(arguments):
+    """What the user asks for."""
+    parser = Parser(
+        prog="scripts/plot",
+        description="Draw the figure of a results file, or several files in one figure. Without --x and --y what is drawn "
+        "follows from what was swept.",
+    )
+    parser.add_argument("files", metavar="FILE.h5", type=Path, nargs="+", help="results of adfric run")
+    parser.add_argument("--x", metavar="NAME", help="swept variable or result along the axis (default: the last one that is swept)")
+    parser.add_argument("--y", metavar="NAME", nargs="+", help="results to draw, a panel for each")
+    parser.add_argument("--data", metavar="TABLE", type=Path,
+                        help="points to draw as well: a CSV file whose header has the names of x and of results, in SI units")
+    parser.add_argument("-o", "--output", metavar="FIGURE", type=Path,
+                        help="figure, .png, .pdf or .svg (default: that of the first file, .png)")
+    return parser.parse_args(arguments)
+
+
+def draw(runs, figure_file, given):
     """Draw and save the figure of these results."""
     # imported here, since it takes a second that a bad file need not cost
+    from .chosen import draw_chosen
     from .figures import choose_figure
     from .style import plt, use_style
 
     use_style()
-    figure = choose_figure(results)(results)
-    if results.title:
-        figure.suptitle(results.title, fontsize="medium")
+    if len(runs) > 1 or given.x or given.y or given.data:
+        figure, title = draw_chosen(runs, given.x, given.y, given.data)
+    else:
+        figure, title = choose_figure(runs[0])(runs[0]), runs[0].title
+    # a run without a title has that of its model
+    if title and title != runs[0].model:
+        figure.suptitle(title, fontsize="medium")
     figure.savefig(figure_file)
     plt.close(figure)

@@ -4,13 +4,18 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.cm import ScalarMappable
+from matplotlib.ticker import MaxNLocator
 
-from .labels import axis_label, point_label, scale_of
+from .labels import NO_ADHESION, axis_label, point_label, scale_of, scales_of
 from .results import NOT_CONVERGED
 from .style import COLOURS, DASHES, MISSED, is_logarithmic, norm_of, plt
 
 MOST_CURVES = 60
 MOST_IN_LEGEND = len(COLOURS)
+# a legend with more entries, or longer ones, stands beside the panels
+MOST_INSIDE, LONGEST_INSIDE = 4, 24
+# a coefficient with a pole is drawn up to so many medians
+UP_TO = 4.0
 
 
 @dataclass
@@ -31,24 +36,30 @@ def draw_panels(results, abscissa, ordinates):
     figure, panels = plt.subplots(rows, columns, squeeze=False, figsize=size)
     for panel in panels.flat[len(ordinates):]:
         panel.remove()
+    scales = scales_of([results.fields[ordinate] for ordinate in ordinates])
     for panel, ordinate in zip(panels.flat, ordinates):
-        draw_curves(panel, results, abscissa, ordinate, curves)
+        draw_curves(panel, results, abscissa, ordinate, curves, scales[ordinate])
     add_key(figure, panels.flat[0], results, abscissa, curves)
     return figure
 
 
-def draw_curves(axes, results, abscissa, ordinate, curves):
-    """Draw one result against one swept variable."""
+def draw_curves(axes, results, abscissa, ordinate, curves, scale=None):
+    """Draw one result against one swept variable; its factor and unit may be given."""
     along = results.axis_names.index(abscissa)
     x_axis, field = results.axes[along], results.fields[ordinate]
     logarithmic = is_logarithmic(x_axis.values)
     x_factor, x_unit = (1.0, scale_of([], x_axis.unit)[1]) if logarithmic else scale_of(x_axis.values, x_axis.unit)
-    y_factor, y_unit = scale_of(field.values, field.unit)
+    y_factor, y_unit = scale or scale_of(field.values, field.unit)
     order = np.argsort(x_axis.values)
     x = x_axis.values[order] * x_factor
     missed = np.zeros(x.size, dtype=bool)
+    has_pole = False
     for curve in curves:
         y = np.moveaxis(field.values, along, -1)[curve.index][order] * y_factor
+        if ordinate == "friction_coefficient":
+            load = load_of(results, along, curve.index)[order]
+            y = without_pole(y, load)
+            has_pole = has_pole or passes_zero(load)
         axes.plot(x, y, label=curve.label, marker="o" if x.size <= 30 else None, markersize=3, **curve.style)
         missed |= np.moveaxis(results.status, along, -1)[curve.index][order] == NOT_CONVERGED
     if missed.any():
@@ -56,15 +67,60 @@ def draw_curves(axes, results, abscissa, ordinate, curves):
                   transform=axes.get_xaxis_transform(), label="not converged")
     if logarithmic:
         axes.set_xscale("log")
+    else:
+        axes.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
     axes.set_xlim(x[0], x[-1])
     axes.set_xlabel(axis_label(abscissa, x_unit))
     axes.set_ylabel(axis_label(ordinate, y_unit))
-    if np.nanmin(field.values, initial=0.0) < 0:
+    if has_pole:
+        leave_out_pole(axes, field.values * y_factor)
+    elif np.nanmin(field.values, initial=0.0) < 0:
         axes.axhline(0, color="0.7", linewidth=0.6, zorder=0)
     elif np.nanmax(field.values, initial=0.0) > 0:
         axes.set_ylim(bottom=0)
+    if has_pole:
+        axes.axhline(0, color="0.7", linewidth=0.6, zorder=0)
     if x[0] < 0 < x[-1]:
         axes.axvline(0, color="0.7", linewidth=0.6, zorder=0)
+
+
+def load_of(results, along, index):
+    """The load along a curve, swept or found."""
+    if "load" in results.fields:
+        return np.moveaxis(results.fields["load"].values, along, -1)[index]
+    if results.axes[along].name == "load":
+        return results.axes[along].values
+    # one load for the whole curve
+    return np.ones(results.axes[along].values.size)
+
+
+def without_pole(y, load):
+    """A quotient by the load, broken where the load changes its sign: what lies between is no curve."""
+    y = np.array(y, dtype=float)
+    changes = np.flatnonzero(np.sign(load[1:]) * np.sign(load[:-1]) < 0)
+    # the curve ends with the smaller of the two loads, whose value is the larger
+    y[[i if abs(load[i]) < abs(load[i + 1]) else i + 1 for i in changes]] = np.nan
+    return y
+
+
+def passes_zero(load):
+    """Does the load of a curve vanish somewhere, or change its sign?"""
+    load = load[np.isfinite(load)]
+    return load.size > 0 and load.min() <= 0 <= load.max()
+
+
+def leave_out_pole(axes, values):
+    """Limit the axis of a quotient next to a pole: to what is usual on either side of it."""
+    lowest, highest = (UP_TO * _median(side[side > 0]) for side in (-values, values))
+    if lowest > 0:
+        axes.set_ylim(-max(lowest, highest), max(lowest, highest))
+    elif highest > 0:
+        axes.set_ylim(0, highest)
+
+
+def _median(values):
+    finite = values[np.isfinite(values)]
+    return np.median(finite) if finite.size else 0.0
 
 
 def find_curves(results, abscissa):
@@ -77,7 +133,11 @@ def find_curves(results, abscissa):
     for place, index in enumerate(indices):
         pairs = [(axis, axis.values[i]) for axis, i in zip(others, index)]
         label = point_label(pairs, results.model)
-        curves.append(Curve(index, label, _style(others, index, place, len(indices))))
+        style = _style(others, index, place, len(indices))
+        if label.endswith(NO_ADHESION):
+            # as published (GM)
+            style["linestyle"] = DASHES[0]
+        curves.append(Curve(index, label, style))
     return curves
 
 
@@ -98,13 +158,23 @@ def add_key(figure, axes, results, abscissa, curves):
     others = [axis for axis in results.axes if axis.name != abscissa]
     if not others:
         if len(axes.get_legend_handles_labels()[1]) > 1:
-            axes.legend(*_named(axes))
+            add_legend(figure, axes, *_named(axes))
     elif len(curves) <= 2 * MOST_IN_LEGEND and "linestyle" in curves[0].style or len(curves) <= MOST_IN_LEGEND:
-        axes.legend(*_named(axes))
+        add_legend(figure, axes, *_named(axes))
     elif len(others) == 1:
         factor, unit = scale_of(others[0].values, others[0].unit)
         norm = norm_of(others[0].values * factor)
         figure.colorbar(ScalarMappable(norm, "viridis"), ax=figure.axes, label=axis_label(others[0].name, unit))
+
+
+def add_legend(figure, axes, handles, labels):
+    """A legend where there is room: in a panel if it is short, else beside all of them."""
+    if len(labels) <= MOST_INSIDE and max(map(len, labels), default=0) <= LONGEST_INSIDE:
+        axes.legend(handles, labels)
+    else:
+        width, height = figure.get_size_inches()
+        figure.set_size_inches(width + 0.4 + 0.06 * min(max(map(len, labels)), 40), height)
+        figure.legend(handles, labels, loc="outside right center")
 
 
 def _named(axes):

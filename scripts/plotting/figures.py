@@ -6,8 +6,10 @@ The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2
 import numpy as np
 
 from . import halfspace, sphere
-from .curves import draw_panels
+from .curves import add_key, draw_curves, draw_panels, find_curves
+from .labels import point_label, scale_of
 from .results import NothingToDraw
+from .style import plt
 from .surface import draw_pressure_maps, draw_stresses
 
 # results in the order in which they are worth drawing; others follow
@@ -44,8 +46,25 @@ def draw_coefficient(results):
 
 
 def draw_friction(results):
-    """Friction force against load (GM Fig. 8)."""
-    return draw_panels(results, "load", ["friction_force"])
+    """Friction force against load, a panel for each velocity (GM Fig. 8)."""
+    velocities = results.axes[results.axis_names.index("velocity")]
+    count = velocities.values.size
+    if count > MOST_PANELS:
+        return draw_panels(results, "load", ["friction_force"])
+    force = results.fields["friction_force"]
+    scale = scale_of(force.values, force.unit)
+    columns = min(count, 3)
+    figure, panels = plt.subplots(-(-count // columns), columns, squeeze=False,
+                                  figsize=(3.3 * columns + 0.4, 2.9 * -(-count // columns) + 0.2))
+    for panel in panels.flat[count:]:
+        panel.remove()
+    for place, panel in zip(range(count), panels.flat):
+        part = results.at("velocity", place)
+        curves = find_curves(part, "load")
+        draw_curves(panel, part, "load", "friction_force", curves, scale)
+        panel.set_title(point_label([(velocities, velocities.values[place])], results.model))
+    add_key(figure, panels.flat[0], part, "load", curves)
+    return figure
 
 
 def draw_sweep(results):

@@ -42,13 +42,13 @@ def draw_area(results):
     axes.plot(heavy, 1 - 3 / (2 * np.pi) * (1 - heavy), color="0.3", linestyle=DASHES[3], linewidth=1,
               label=r"close to full: $1 - (3/2\pi)(1 - p/p^*)$")
     axes.axvline(MERGING, color="0.6", linewidth=0.6, zorder=0)
-    axes.annotate(f"contacts merge\nat {MERGING} $p^*$", (MERGING, 0.03), xytext=(4, 0), textcoords="offset points",
+    axes.annotate(f"contacts merge\nat {MERGING} $p^*$", (MERGING, 0.03), xytext=(8, 4), textcoords="offset points",
                   fontsize="small", color="0.4")
     axes.set_xlim(0, max(1.0, np.nanmax(q, initial=0.0)))
     axes.set_ylim(0, 1.05)
     below.set_xlabel("Mean pressure $p/p^*$")
     axes.set_ylabel("Contact area $A/l^2$")
-    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.12))
+    axes.legend(loc="lower right", bbox_to_anchor=(0.98, 0.12))
     return figure
 
 

@@ -11,13 +11,15 @@ SYMBOLS = {
     "amplitude": "D",
     "approach": r"\delta",
     "area_left": "A/A^*",
-    "contact_fraction": "2a/l",
+    "contact_area": "A",
+    "contact_fraction": "A/A_0",
     "contact_half_width": "a",
     "contact_modulus": "E^*",
     "contact_radius": "a",
     "contact_width": "a + b",
     "critical_slip": "s_0",
     "edge_fraction": "x",
+    "friction_area": r"\pi b^2",
     "friction_coefficient": r"\mu",
     "friction_force": "T",
     "friction_radius": "b",
@@ -41,6 +43,7 @@ SYMBOLS = {
     "radius_1x": "R_{1x}",
     "radius_2y": "R_{2y}",
     "relative_area": "A/A_0",
+    "relative_force": r"T/(\pi b^2 \tau_0)",
     "relative_stick_radius": "e/b",
     "relaxation_time": "T_s",
     "retardation_ratio": r"\beta",
@@ -62,12 +65,16 @@ SYMBOLS = {
 NAMES = {"area_left": "contact area", "contact_half_width": "half-width", "lambda": "", "minor_half_width": "minor half-width",
          "position_x": "position", "position_y": "position", "position_z": "position", "pull_off_load": "pull-off load",
          "r": "", "radius_1x": "principal radius", "radius_2y": "principal radius",
-         "relative_area": "contact area", "relative_stick_radius": "stick radius", "stress": "adhesion stress",
+         "relative_area": "contact area", "relative_force": "tangential force", "relative_stick_radius": "stick radius", "stress": "adhesion stress",
          "velocity": "sliding velocity", "x": "", "y": ""}
 PREFIXES = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 # the power to which a prefix is raised with the first letter of the unit; others keep their unit as it is
 PREFIXED = {"m": 1, "m/s": 1, "m^2": 2, "m^2/m": 1, "s": 1, "N": 1, "N/m": 1, "Pa": 1, "Pa/m": 1, "J": 1,
             "J/m^2": 1, "J/m": 1, "W": 1, "N m": 1}
+# label of a curve without adhesion
+NO_ADHESION = "no adhesion"
+# quantities of one unit that differ by less than this have the same prefix
+FAR_APART = 30.0
 
 
 def scale_of(values, unit):
@@ -79,11 +86,28 @@ def scale_of(values, unit):
         return 1.0, _pretty(unit)
     # a hair above a power of ten counts as one
     exponent = 3 * math.floor(math.log10(values.max() * (1 + 1e-9)) / (3 * power))
-    exponent = min(max(exponent, -15), 0 if unit[0] in "ms" else 12)
+    # nobody speaks of millipascals
+    exponent = min(max(exponent, 0 if unit.startswith("Pa") else -15), 0 if unit[0] in "ms" else 12)
     prefix = PREFIXES[exponent]
     if unit == "m^2/m":
         return 10.0**-exponent, f"{prefix}m²/{prefix}m"
     return 10.0 ** (-exponent * power), prefix + _pretty(unit)
+
+
+def scales_of(fields):
+    """`scale_of` for several quantities side by side: those of one unit have one prefix, unless they are far apart."""
+    scales = {}
+    for field in fields:
+        alike = [_largest(other.values) for other in fields if other.unit == field.unit]
+        alike = [value for value in alike if value > 0]
+        together = alike and max(alike) < FAR_APART * min(alike)
+        scales[field.name] = scale_of([max(alike)] if together else field.values, field.unit)
+    return scales
+
+
+def _largest(values):
+    values = np.abs(np.asarray(values, dtype=float))
+    return np.max(values[np.isfinite(values)], initial=0.0)
 
 
 def axis_label(name, unit):
@@ -102,7 +126,7 @@ def point_label(pairs, model):
 
 def _value_label(axis, value, model):
     if model == "wavy_sliding" and axis.name == "stress" and value == 0:
-        return "no adhesion"
+        return NO_ADHESION
     factor, unit = scale_of(axis.values, axis.unit)
     symbol = f"${SYMBOLS[axis.name]}$" if axis.name in SYMBOLS else axis.name.replace("_", " ")
     return f"{symbol} = {value * factor:.5g} {unit}".rstrip()

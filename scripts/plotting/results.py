@@ -8,6 +8,8 @@ import h5py
 import numpy as np
 
 SOLVED, NOT_CONVERGED = 0, 2
+# names of results in files of earlier versions
+RENAMED = {"area_fraction": "contact_fraction", "area_fraction_error": "contact_fraction_error"}
 # why a point is empty, by its status
 REASONS = {-1: "not reached", 1: "no equilibrium", 2: "not converged"}
 
@@ -35,6 +37,7 @@ class Results:
     axes      swept variables, the slowest first
     fields    results by name, of the shape of the sweep
     states    the same for enumerated results, as words; None where there is no value
+    constants what has one value in the whole run, by name
     profile_axes, profiles    the same for values on the surface; their shape is that of the sweep, then of the axes
     """
 
@@ -64,13 +67,15 @@ class Results:
         self.axes = [_field(file, name) for name in names]
         self.fields = {}
         self.states = {}
+        constants = _text(file["status"].attrs.get("coordinates", "")).split()
+        self.constants = {name: _field(file, name) for name in constants if name in file}
         self.profiles = {}
         self.profile_axes = []
         for name, dataset in file.items():
             # groups hold what the program needs to go on with a run
             if not isinstance(dataset, h5py.Dataset):
                 continue
-            if dataset.attrs.get("CLASS") == b"DIMENSION_SCALE" or dataset.dtype.kind not in "fi":
+            if dataset.attrs.get("CLASS") == b"DIMENSION_SCALE" or dataset.dtype.kind not in "fi" or name in self.constants:
                 continue
             scales = _scales(dataset)
             if dataset.dtype.kind == "i":
@@ -82,6 +87,17 @@ class Results:
             elif scales[: len(names)] == names:
                 self.profiles[name] = _field(file, name)
                 self.profile_axes = [_field(file, axis) for axis in scales[len(names):]]
+        self._take_old_names()
+
+    def _take_old_names(self):
+        """Give results of earlier versions their names of today."""
+        for old, new in RENAMED.items():
+            if old in self.fields and new not in self.fields:
+                self.fields[new] = Field(new, self.fields[old].unit, self.fields.pop(old).values)
+        if self.model == "sphere" and "contact_area" in self.fields and "friction_area" not in self.fields:
+            # it was pi b^2
+            area = self.fields.pop("contact_area")
+            self.fields["friction_area"] = Field("friction_area", area.unit, area.values)
 
     @property
     def axis_names(self):
@@ -105,7 +121,8 @@ class Results:
 
 
 def _field(file, name):
-    return Field(name, _text(file[name].attrs.get("units", "-")), file[name][()])
+    unit = _text(file[name].attrs.get("units", "1"))
+    return Field(name, "-" if unit == "1" else unit, file[name][()])
 
 
 def _words(dataset):

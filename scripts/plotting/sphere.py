@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.lines import Line2D
 
-from .curves import draw_curves, draw_panels, find_curves
+from .curves import add_legend, draw_curves, draw_panels, find_curves
 from .labels import axis_label, point_label, scale_of
 from .results import Field
 from .style import COLOURS, DASHES, norm_of, plt
@@ -130,11 +130,20 @@ def draw_stick_radius(results):
     """Radius of the part that sticks, over that of friction, against tangential force (J Fig. 11); the area if it varies."""
     e, b = (results.fields[name].values for name in ("stick_radius", "friction_radius"))
     results.fields["relative_stick_radius"] = Field("relative_stick_radius", "-", _ratio(e, b))
-    names = ["relative_stick_radius"]
     area = results.fields["friction_area"].values
     if np.nanmax(area, initial=0.0) > (1 + 1e-9) * np.nanmin(area, initial=np.inf):
-        names.append("friction_area")
-    return draw_panels(results, "tangential_force", names)
+        # what T is measured by changes with it
+        return draw_panels(results, "tangential_force", ["relative_stick_radius", "friction_area"])
+    along = results.axis_names.index("tangential_force")
+    figure, axes = plt.subplots(figsize=(4.6, 3.4))
+    for curve in find_curves(results, "tangential_force"):
+        ratio = np.moveaxis(results.fields["relative_stick_radius"].values, along, -1)[curve.index]
+        axes.plot(_share_of_sliding(ratio), ratio, label=curve.label or "_", **curve.style)
+    axes.set_xlim(0, 1)
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel(axis_label("relative_force", ""))
+    axes.set_ylabel(axis_label("relative_stick_radius", ""))
+    return figure
 
 
 def draw_shear_traction(results):
@@ -145,16 +154,17 @@ def draw_shear_traction(results):
     figure, axes = plt.subplots(figsize=(5.2, 3.4))
     norm = norm_of(forces)
     places = list(np.ndindex(*b.shape))
+    share = _share_of_sliding(_ratio(results.fields["stick_radius"].values, b))
     for place, index in enumerate(places):
         colour = COLOURS[place] if len(places) <= len(COLOURS) else plt.get_cmap("viridis")(norm(forces.flat[place]))
         radius = np.divide(r, b[index], out=np.full(r.size, np.nan), where=b[index] > 0)
         axes.plot(radius, shear.values[index] * factor, color=colour,
-                  label=point_label(results.describe(index), results.model))
+                  label=f"{share[index]:.3g}")
     axes.set_xlim(0, 1)
     axes.set_ylim(bottom=0)
     axes.set_xlabel("Radius $r/b$")
     axes.set_ylabel("Shear stress $q$" + (f" ({unit})" if unit else ""))
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    axes.legend(loc="center left", bbox_to_anchor=(1.02, 0.5), title=r"$T/(\pi b^2 \tau_0)$", title_fontsize="small")
     return figure
 
 
@@ -167,7 +177,7 @@ def draw_pull_off(results):
     given = "load" if np.ptp(results.fields["load"].values) == 0 else "approach"
     for name, limit in LIMITS[given].items():
         axes.axhline(limit, color="0.6", linewidth=0.6, linestyle=DASHES[0], zorder=0)
-        axes.annotate(name, (0.99, limit), xycoords=("axes fraction", "data"), xytext=(0, 2), textcoords="offset points",
+        axes.annotate(name, (0.97, limit), xycoords=("axes fraction", "data"), xytext=(0, 4), textcoords="offset points",
                       ha="right", va="bottom", fontsize="small", color="0.4")
     axes.set_ylim(*(-2.1, -1.4) if given == "load" else (-1.1, 0.1))
     return figure
@@ -184,7 +194,7 @@ def _add_family_key(axes, results, curves):
     """The key of `_draw_family`, colours and dashes apart; a lambda so large that JKR was used is called so."""
     if "linestyle" not in curves[0].style:
         if len(curves) <= len(COLOURS):
-            axes.legend()
+            add_legend(axes.figure, axes, *axes.get_legend_handles_labels())
         return
     names = [axis for axis in results.axes if axis.values.size > 1]
     colours, dashes = names[:2]
@@ -212,7 +222,7 @@ def _main_theory(results, along, index, stable):
 
 
 def _add_words(axes, words):
-    axes.legend([Line2D([], [], **style) for _, style in words], [word for word, _ in words])
+    add_legend(axes.figure, axes, [Line2D([], [], **style) for _, style in words], [word for word, _ in words])
 
 
 def _sliding(results, area, whole):
@@ -221,10 +231,13 @@ def _sliding(results, area, whole):
         return [np.full(area.shape, np.nan)] * 2
     force = results.fields["sliding_force"].values
     gamma = _ratio(*(results.fields[name].values for name in ("stick_radius", "friction_radius")))
-    # T/Ts (J 3.4)
-    share = 2 / np.pi * (np.arccos(gamma) + gamma * np.sqrt(1 - gamma**2))
-    strength = _ratio(results.fields["friction_force"].values, share * area)
+    strength = _ratio(results.fields["friction_force"].values, _share_of_sliding(gamma) * area)
     return [force, _ratio(force, strength * whole)]
+
+
+def _share_of_sliding(gamma):
+    """T/(pi b^2 tau0) where the part that sticks has the radius gamma b (J 3.4)."""
+    return 2 / np.pi * (np.arccos(gamma) + gamma * np.sqrt(1 - gamma**2))
 
 
 def _ratio(part, whole):

@@ -1,0 +1,189 @@
+"""Figures of what the user has chosen: several files together, any result against any other, and points of a table."""
+
+import csv
+import difflib
+import os.path
+
+import numpy as np
+
+from .curves import add_legend, find_curves, leave_out_pole, load_of, passes_zero, without_pole
+from .labels import axis_label, scale_of
+from .results import RENAMED, BadFile, Field, NothingToDraw
+from .style import COLOURS, DASHES, MISSED, is_logarithmic, plt
+
+
+def draw_chosen(runs, x_name, y_names, table):
+    """The figure, and its title: what the titles of the runs have in common."""
+    from .figures import choose_results
+
+    x_name = x_name or _last_swept(runs[0])
+    y_names = y_names or _default_results(runs, x_name, choose_results)
+    for results in runs:
+        for name in [x_name, *y_names]:
+            _check_name(results, name)
+    points = _read_table(table, [x_name, *y_names]) if table else {}
+    scales = {name: _common_scale(runs, name, points) for name in [x_name, *y_names]}
+    figure, panels = _make_panels(len(y_names))
+    title, names = _split_titles(runs)
+    for panel, y_name in zip(panels, y_names):
+        for place, (results, run_name) in enumerate(zip(runs, names)):
+            _draw_run(panel, results, (x_name, y_name), scales, place if len(runs) > 1 else None, run_name)
+        if y_name in points:
+            panel.plot(points[x_name] * scales[x_name][0], points[y_name] * scales[y_name][0], "o", color=MISSED, markersize=4,
+                       fillstyle="none", label=table.stem)
+        _finish_panel(panel, runs, x_name, y_name, scales)
+    handles, labels = panels[0].get_legend_handles_labels()
+    if len(labels) > 1:
+        add_legend(figure, panels[0], handles, labels)
+    return figure, title
+
+
+def _draw_run(panel, results, names, scales, place, run_name):
+    """The curves of a run; `place` among several runs."""
+    x_name, y_name = names
+    along = x_name if x_name in results.axis_names else _last_swept(results)
+    k = results.axis_names.index(along)
+    curves = find_curves(results, along)
+    for number, curve in enumerate(curves):
+        x, y = (np.moveaxis(_values(results, name), k, -1)[curve.index] for name in names)
+        if y_name == "friction_coefficient":
+            y = without_pole(y, load_of(results, k, curve.index))
+        style = dict(curve.style)
+        label = curve.label
+        if place is not None:
+            # a colour for each run, dashes for its curves
+            style = {"color": COLOURS[place % len(COLOURS)], "linestyle": DASHES[(place + number) % len(DASHES)]}
+            label = ", ".join(part for part in (run_name, curve.label) if part)
+        panel.plot(x * scales[x_name][0], y * scales[y_name][0], label=label or "_", marker="o" if x.size <= 30 else None,
+                   markersize=3, **style)
+
+
+def _finish_panel(panel, runs, x_name, y_name, scales):
+    """Labels, and lines through 0."""
+    if all(x_name in results.axis_names and is_logarithmic(_axis(results, x_name).values) for results in runs):
+        panel.set_xscale("log")
+    else:
+        low, high = panel.get_xlim()
+        if low < 0 < high:
+            panel.axvline(0, color="0.7", linewidth=0.6, zorder=0)
+    if y_name == "friction_coefficient" and any(passes_zero(_values(results, "load").ravel()) for results in runs):
+        leave_out_pole(panel, np.concatenate([_values(results, y_name).ravel() for results in runs]) * scales[y_name][0])
+    elif not any(np.nanmin(_values(results, y_name), initial=0.0) < 0 for results in runs) and panel.dataLim.y0 >= 0:
+        panel.set_ylim(bottom=0)
+    low, high = panel.get_ylim()
+    if low < 0 < high:
+        panel.axhline(0, color="0.7", linewidth=0.6, zorder=0)
+    panel.set_xlabel(axis_label(x_name, scales[x_name][1]))
+    panel.set_ylabel(axis_label(y_name, scales[y_name][1]))
+
+
+def _make_panels(count):
+    columns = min(count, 2 if count in (2, 4) else 3)
+    rows = -(-count // columns)
+    size = (4.8, 3.5) if count == 1 else (3.3 * columns, 2.8 * rows + 0.2)
+    figure, panels = plt.subplots(rows, columns, squeeze=False, figsize=size)
+    for panel in panels.flat[count:]:
+        panel.remove()
+    return figure, list(panels.flat[:count])
+
+
+def _last_swept(results):
+    """The swept variable with several values that varies fastest."""
+    several = [axis.name for axis in results.axes if axis.values.size > 1]
+    if not several:
+        raise NothingToDraw(f"{results.path}: one point: nothing to draw")
+    return several[-1]
+
+
+def _default_results(runs, x_name, choose_results):
+    """The result worth drawing most that all runs have."""
+    common = [name for name in choose_results(runs[0]) if name != x_name and all(name in results.fields for results in runs)]
+    if not common:
+        raise NothingToDraw(f"{runs[0].path}: no result of all files varies: nothing to draw; --y says what to draw")
+    return common[:1]
+
+
+def _check_name(results, name):
+    """Is there a quantity of this name?"""
+    known = [*results.axis_names, *results.fields]
+    if name in known:
+        if not any(axis.values.size > 1 for axis in results.axes):
+            raise NothingToDraw(f"{results.path}: one point: nothing to draw")
+        return
+    if name in RENAMED:
+        raise BadFile(f"{results.path}: {name} is called {RENAMED[name]} now")
+    if name in results.states or name == "status":
+        raise BadFile(f"{results.path}: {name} is a state, not a number")
+    if name in results.constants:
+        raise BadFile(f"{results.path}: {name} has one value in the whole run")
+    near = difflib.get_close_matches(name, known, n=1, cutoff=0.5)
+    question = f"; did you mean {near[0]}?" if near else f", allowed: {', '.join(known)}"
+    raise BadFile(f"{results.path}: no variable or result of this name, given {name}{question}")
+
+
+def _axis(results, name):
+    return results.axes[results.axis_names.index(name)]
+
+
+def _values(results, name):
+    """A result, or a swept variable in the shape of the sweep."""
+    if name in results.fields:
+        return results.fields[name].values
+    along = results.axis_names.index(name)
+    shape = [-1 if k == along else 1 for k in range(results.status.ndim)]
+    return np.broadcast_to(results.axes[along].values.reshape(shape), results.status.shape)
+
+
+def _common_scale(runs, name, points):
+    """Factor and unit of a quantity in all runs and the table."""
+    fields = [results.fields[name] if name in results.fields else _axis(results, name) for results in runs]
+    for results, field in zip(runs, fields):
+        if field.unit != fields[0].unit:
+            units = ["reduced units" if unit == "-" else unit for unit in (field.unit, fields[0].unit)]
+            raise BadFile(f"{results.path}: {name} is in {units[0]}, but in {units[1]} in {runs[0].path}")
+    values = np.concatenate([*(np.ravel(field.values) for field in fields), points.get(name, [])])
+    return scale_of(values, fields[0].unit)
+
+
+def _split_titles(runs):
+    """What all titles begin with, and what is left of each; names of files where that tells nothing."""
+    titles = [results.title for results in runs]
+    if len(runs) == 1:
+        return titles[0], [""]
+    common = os.path.commonprefix(titles)
+    while common and common[-1] not in " ,;:(":
+        # whole words
+        common = common[:-1]
+    rests = [title[len(common):].strip(" ,;():") for title in titles]
+    if len(set(rests)) < len(runs) or not all(rests):
+        return titles[0] if len(set(titles)) == 1 else "", [results.path.stem for results in runs]
+    return common.strip(" ,;(:"), rests
+
+
+def _read_table(path, names):
+    """Columns of a CSV file by their names, without units in brackets."""
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = [row for row in csv.reader(file) if row and not row[0].lstrip().startswith("#")]
+    except FileNotFoundError:
+        raise BadFile(f"{path}: no such file") from None
+    except (UnicodeDecodeError, csv.Error):
+        raise BadFile(f"{path}: not a table of comma-separated values") from None
+    if len(rows) < 2:
+        raise BadFile(f"{path}: a table has a line with the names of its columns, and lines of numbers")
+    header = [name.split("[")[0].strip() for name in rows[0]]
+    if names[0] not in header:
+        near = difflib.get_close_matches(names[0], header, n=1, cutoff=0.5)
+        raise BadFile(f"{path}: no column {names[0]}, given {', '.join(header)}" + (f"; is it {near[0]}?" if near else ""))
+    if not set(names[1:]) & set(header):
+        raise BadFile(f"{path}: no column {' or '.join(names[1:])}, given {', '.join(header)}")
+    columns = {}
+    for name in names:
+        if name not in header:
+            continue
+        place = header.index(name)
+        try:
+            columns[name] = np.array([float(row[place]) if row[place].strip() else np.nan for row in rows[1:]])
+        except (IndexError, ValueError):
+            raise BadFile(f"{path}: column {name} is not all numbers") from None
+    return columns

@@ -1,0 +1,153 @@
+"""The plot script on small files made here: several files, chosen names, tables, and what figures look like."""
+
+import unittest
+
+import h5py
+import numpy as np
+
+from plot_files import PlotCase, make_file
+
+from plotting import command, curves, figures, labels
+from plotting.chosen import draw_chosen
+from plotting.results import Field, Results
+
+
+class PlotChoiceTest(PlotCase):
+    def test_constants_are_no_results(self):
+        """What has one value in the whole run is neither a result nor a profile, not even of a single point."""
+        for axes in ([], [("load", [0.0, 1.0, 2.0])]):
+            make_file(self.file, axes)
+            with h5py.File(self.file, "r+") as file:
+                file["radius"] = 2.5
+                file["radius"].attrs["units"] = "m"
+                file["status"].attrs["coordinates"] = "radius"
+            results = Results(self.file)
+            self.assertNotIn("radius", {**results.fields, **results.profiles})
+            self.assertEqual((results.constants["radius"].unit, results.constants["radius"].values), ("m", 2.5))
+        self.assert_refused("radius has one value in the whole run", "--y", "radius")
+
+    def test_pure_numbers(self):
+        make_file(self.file, [("load", [0.0, 1.0, 2.0])])
+        self.assertEqual(Results(self.file).fields["friction_coefficient"].unit, "-")
+
+    def test_names_of_earlier_versions(self):
+        make_file(self.file, [("mean_pressure", [0.0, 0.5, 1.0])], model="wave_2d_elastic")
+        with h5py.File(self.file, "r+") as file:
+            file.move("contact_fraction", "area_fraction")
+        self.assertIn("contact_fraction", Results(self.file).fields)
+        self.assertEqual(self.plot(), (0, ""))
+        make_file(self.file, [("load", [0.0, 0.5, 1.0])], model="sphere")
+        with h5py.File(self.file, "r+") as file:
+            file.move("friction_area", "contact_area")
+        fields = Results(self.file).fields
+        self.assertIn("friction_area", fields)
+        self.assertNotIn("contact_area", fields)
+
+    def drawn(self, *options, other=None):
+        """The figure of several files, or of chosen names."""
+        runs = [Results(path) for path in [self.file, *([other] if other else [])]]
+        given = command.read_command_line([str(self.file), *options])
+        return draw_chosen(runs, given.x, given.y, given.data)
+
+    def test_several_files(self):
+        other = self.folder / "other.h5"
+        for path, title in ((self.file, "Fig. 5 (JKR)"), (other, "Fig. 5 (DMT)")):
+            make_file(path, [("load", [-1.0, 0.0, 1.0])], model="sphere")
+            with h5py.File(path, "r+") as file:
+                file.attrs["title"] = title
+        self.assertEqual(self.plot(str(other)), (0, ""))
+        figure, title = self.drawn(other=other)
+        self.assertEqual(title, "Fig. 5")
+        self.assertEqual(figure.axes[0].get_legend_handles_labels()[1], ["JKR", "DMT"])
+        with h5py.File(other, "r+") as file:
+            file["load"].attrs["units"] = "1"
+        self.file.with_suffix(".png").unlink()
+        self.assert_refused("load is in reduced units, but in N/m in", str(other), "-o", str(self.folder / "new.pdf"))
+
+    def test_chosen_names(self):
+        make_file(self.file, [("stress", [0.0, 5e3]), ("load", [-1.0, 0.0, 1.0])])
+        figure, _ = self.drawn("--x", "contact_width", "--y", "friction_force", "friction_coefficient")
+        self.assertEqual([panel.get_xlabel() for panel in figure.axes], 2 * ["Contact width $a + b$ (mm)"])
+        self.assertEqual(figure.axes[1].get_ylabel(), r"Friction coefficient $\mu$")
+        self.assertEqual(len(figure.axes), 2)
+        self.assertEqual(sum(line.get_label() == "no adhesion" for line in figure.axes[0].lines), 1)
+        self.assertEqual(self.plot("--y", "friction_force"), (0, ""))
+
+    def test_wrong_names(self):
+        make_file(self.file, [("load", [-1.0, 0.0, 1.0])], model="sphere")
+        self.assert_refused("given frction_force; did you mean friction_force?", "--y", "frction_force")
+        self.assert_refused("given zzz, allowed: load, ", "--x", "zzz")
+        self.assert_refused("area_fraction is called contact_fraction now", "--y", "area_fraction")
+        self.assert_refused("stable is a state", "--y", "stable")
+        make_file(self.file, [], model="sphere")
+        self.assert_refused("one point", "--y", "friction_force", expected=3)
+
+    def test_table(self):
+        make_file(self.file, [("load", [-1.0, 0.0, 1.0])])
+        table = self.folder / "measured.csv"
+        table.write_text("# by hand\nload [N/m], friction_force [N/m], other\n0.5, 0.25, 1\n0.75, , 2\n")
+        figure, _ = self.drawn("--y", "friction_force", "--data", str(table))
+        points = next(line for line in figure.axes[0].lines if line.get_label() == "measured")
+        np.testing.assert_array_equal(points.get_xdata(), [0.5, 0.75])
+        self.assertEqual(figure.axes[0].get_ylabel(), "Friction force $T$ (mN/m)")
+        np.testing.assert_array_equal(points.get_ydata(), [250.0, np.nan])
+        self.assertEqual(self.plot("--y", "friction_force", "--data", str(table)), (0, ""))
+        for text, words in (("lod,friction_force\n1,2\n", "is it lod?"), ("load,a\n1,2\n", "no column friction_force"),
+                            ("load,friction_force\n1,a\n", "column friction_force is not all numbers"),
+                            ("load,friction_force\n", "a line with the names of its columns")):
+            table.write_text(text)
+            self.file.with_suffix(".png").unlink(missing_ok=True)
+            self.assert_refused(words, "--y", "friction_force", "--data", str(table))
+        self.assert_refused("none.csv: no such file", "--y", "friction_force", "--data", str(self.folder / "none.csv"))
+
+    def test_poles(self):
+        """A friction coefficient is no curve through the load 0."""
+        load = np.array([-2.0, -1.0, -0.1, 0.2, 1.0, 2.0])
+        broken = curves.without_pole(1 / load, load)
+        np.testing.assert_array_equal(np.isnan(broken), load == -0.1)
+        self.assertTrue(curves.passes_zero(load))
+        self.assertFalse(curves.passes_zero(load[3:]))
+        make_file(self.file, [("load", load)])
+        with h5py.File(self.file, "r+") as file:
+            file["friction_coefficient"][...] = 1 / load
+        figure = curves.draw_panels(Results(self.file), "load", ["friction_coefficient"])
+        low, high = figure.axes[0].get_ylim()
+        self.assertEqual((low, high), (-4.0, 4.0))
+
+    def test_one_prefix_for_one_unit(self):
+        fields = [Field("a", "Pa", np.array([0.3])), Field("b", "Pa", np.array([2e3])), Field("c", "m", np.array([3e-3])),
+                  Field("d", "m", np.array([4e-4])), Field("e", "Pa", np.array([0.0]))]
+        scales = labels.scales_of(fields[2:4])
+        self.assertEqual((scales["c"][1], scales["d"][1]), ("mm", "mm"))
+        scales = labels.scales_of(fields)
+        # too far apart
+        self.assertEqual((scales["a"][1], scales["b"][1]), ("Pa", "kPa"))
+
+    def test_panels_of_velocities(self):
+        make_file(self.file, [("velocity", [0.1, 1.0]), ("stress", [0.0, 5e3]), ("load", [-1.0, 0.0, 1.0])])
+        figure = figures.draw_friction(Results(self.file))
+        self.assertEqual([panel.get_title() for panel in figure.axes], ["$V$ = 0.1 m/s", "$V$ = 1 m/s"])
+        for panel in figure.axes:
+            styles = {line.get_label(): line.get_linestyle() for line in panel.lines}
+            self.assertEqual(styles["no adhesion"], "--")
+            self.assertEqual(styles["$p_0$ = 5 kPa"], "-")
+
+    def test_force_over_that_of_sliding(self):
+        make_file(self.file, [("tangential_force", [0.1, 0.2, 0.3])], model="sphere")
+        with h5py.File(self.file, "r+") as file:
+            file["friction_radius"][...] = 2.0
+            file["stick_radius"][...] = [2.0, 1.0, 0.0]
+            file["friction_area"][...] = 4 * np.pi
+        axes = figures.sphere.draw_stick_radius(Results(self.file)).axes[0]
+        self.assertEqual(axes.get_xlabel(), r"Tangential force $T/(\pi b^2 \tau_0)$")
+        # J 3.4 at gamma = 1, 1/2, 0
+        np.testing.assert_allclose(axes.lines[0].get_xdata(), [0.0, 2 / np.pi * (np.pi / 3 + np.sqrt(3) / 4), 1.0], atol=1e-15)
+
+    def test_long_legends_stand_outside(self):
+        make_file(self.file, [("stress", [1e3, 2e3, 3e3, 4e3, 5e3]), ("load", [0.0, 1.0])])
+        figure = curves.draw_panels(Results(self.file), "load", ["friction_force"])
+        self.assertEqual((len(figure.legends), figure.axes[0].get_legend()), (1, None))
+
+
+if __name__ == "__main__":
+    unittest.main()
