@@ -1,4 +1,4 @@
-"""Draw the figure of a results file: scripts/plot FILE.h5 [-o FIGURE.png | FIGURE.pdf]."""
+"""Draw a figure: scripts/plot FILE.h5 ... [--x NAME] [--y NAME ...] [--data TABLE] [--output FIGURE]."""
 
 import sys
 
