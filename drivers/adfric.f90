@@ -1,7 +1,6 @@
 !> The program `adfric`: see `adfric help`.
 program main
    use, intrinsic :: iso_c_binding, only: c_funptr, c_int
-   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use adfric_base_error, only: error_t
    use adfric_base_program_end, only: end_program
    use adfric_base_version, only: program_version, git_revision
@@ -11,6 +10,8 @@ program main
    use adfric_command_merge, only: merge_parts
    use adfric_command_outcome, only: outcome_t, exit_success
    use adfric_command_run, only: run_case
+   use adfric_driver_last_resort, only: begin_watch, end_watch
+   use adfric_driver_last_words, only: write_outcome
    use adfric_driver_progress_bar, only: progress_bar_t, new_progress_bar
    use adfric_numerics_gsl_bindings, only: gsl_set_error_handler_off
    use adfric_parallel_agreement, only: share_status
@@ -23,6 +24,7 @@ program main
    type(progress_bar_t) :: bar
    type(c_funptr) :: former_handler
 
+   call begin_watch()
    former_handler = gsl_set_error_handler_off()
    call world%start()
    call parse_arguments(get_arguments(), command, error)
@@ -45,13 +47,9 @@ program main
       end select
    end if
 
-   if (world%is_first()) then
-      if (allocated(outcome%output)) write (output_unit, '(a)', advance='no') outcome%output
-      if (allocated(outcome%errors)) write (error_unit, '(a)', advance='no') outcome%errors
-      flush (output_unit)
-      flush (error_unit)
-   end if
+   if (world%is_first()) call write_outcome(outcome)
    call share_status(world, outcome%exit_status)
    call world%stop()
+   call end_watch()
    if (outcome%exit_status /= exit_success) call end_program(int(outcome%exit_status, c_int))
 end program main

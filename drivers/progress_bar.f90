@@ -60,6 +60,7 @@ contains
       integer(i8), intent(in) :: n_done, n_total
       real(dp) :: now, rate
       character(2*width) :: line
+      integer :: status
 
       if (self%n_before < 0) self%n_before = n_done
       if (.not. self%is_shown .or. n_done == self%n_before) return
@@ -68,8 +69,9 @@ contains
       rate = (n_done - self%n_before)/(now - self%started_at)
       write (line, '(i0, a, i0, a, i0, a, es8.1, a)') n_done, ' of ', n_total, ' points (', (100*n_done)/n_total, &
          ' %),', rate, ' points/s, '//time_text((n_total - n_done)/rate)//' left'
-      write (error_unit, '(2a)', advance='no') carriage_return, line(:width)
-      flush (error_unit)
+      ! the terminal may be gone
+      write (error_unit, '(2a)', advance='no', iostat=status) carriage_return, line(:width)
+      flush (error_unit, iostat=status)
       self%is_written = .true.
       self%written_at = now
    end subroutine report
@@ -77,8 +79,10 @@ contains
    !> Take the line away.
    subroutine clear(self)
       class(progress_bar_t), intent(inout) :: self
+      integer :: status
 
-      if (self%is_written) write (error_unit, '(3a)', advance='no') carriage_return, repeat(' ', width), carriage_return
+      if (.not. self%is_written) return
+      write (error_unit, '(3a)', advance='no', iostat=status) carriage_return, repeat(' ', width), carriage_return
       self%is_written = .false.
    end subroutine clear
 

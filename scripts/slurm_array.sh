@@ -12,7 +12,7 @@ set -euo pipefail
 usage='usage: scripts/slurm_array.sh INPUT.nml N [OUTPUT.h5]
 
 Submits a job array that solves INPUT.nml in N parts, and a job after it that merges them into OUTPUT.h5 (default: the name
-of the input with .h5, in this folder). Say it again when some tasks have failed, or have run out of time: only parts that are
+of the input with .h5, in this folder). N is at most 10000. Say it again when some tasks have failed, or have run out of time: only parts that are
 not complete are submitted, and each goes on where it was.
 
 The lines #SBATCH of this script are defaults. The variables of sbatch change them for both jobs, such as SBATCH_PARTITION,
@@ -26,12 +26,17 @@ fail() {
    exit 2
 }
 
-# The name of the file of a part, as adfric calls it.
-part_name() { printf '%s.part-%04d-of-%04d.h5' "${1%.h5}" "$2" "$3"; }
+# Largest number of parts: so many names fit on the command line that merges them.
+most_parts=10000
 
-# Run a command that ends in order when this script is told to. Points that do not converge are results, too: status 1.
+# The name of the file of a part, as adfric calls it, into the variable part.
+set_part() { printf -v part '%s.part-%04d-of-%04d.h5' "${1%.h5}" "$2" "$3"; }
+
+# Run a command that writes a file, and ends in order when this script is told to. Points that do not converge are results,
+# too: status 1. Whatever the status, there is no success without the file.
 run_program() {
-   local status=0 child
+   local file=$1 status=0 child
+   shift
    "$@" &
    child=$!
    # shellcheck disable=SC2064
@@ -42,33 +47,42 @@ run_program() {
       # a wait that a signal has ended leaves the program running
       kill -0 "$child" 2>/dev/null || break
    done
-   if [ "$status" -eq 1 ]; then status=0; fi
-   return "$status"
+   if [ "$status" -gt 1 ]; then return "$status"; fi
+   if [ ! -f "$file" ]; then
+      printf 'slurm_array: %s is missing, though the program has ended with status %s\n' "$file" "$status" >&2
+      return 3
+   fi
 }
 
 # A task of the array: solve a part.
 solve() {
-   local program=$1 input=$2 n=$3 output=$4
+   local program=$1 input=$2 n=$3 output=$4 part
+   set_part "$output" "$SLURM_ARRAY_TASK_ID" "$n"
    export OMP_NUM_THREADS=${SLURM_CPUS_PER_TASK:-1}
-   run_program "$program" run --quiet --resume --shard "$SLURM_ARRAY_TASK_ID/$n" --output "$output" "$input"
+   run_program "$part" "$program" run --quiet --resume --shard "$SLURM_ARRAY_TASK_ID/$n" --output "$output" "$input"
 }
 
 # The last job: put the parts together. It says which parts are missing.
 merge() {
-   local program=$1 n=$2 output=$3 k parts=()
+   local program=$1 n=$2 output=$3 k part parts=()
    for ((k = 1; k <= n; k++)); do
-      if [ -e "$(part_name "$output" "$k" "$n")" ]; then parts+=("$(part_name "$output" "$k" "$n")"); fi
+      set_part "$output" "$k" "$n"
+      if [ -e "$part" ]; then parts+=("$part"); fi
    done
    [ ${#parts[@]} -gt 0 ] || fail "no part of $output is complete"
-   run_program "$program" merge "$output" "${parts[@]}"
+   run_program "$output" "$program" merge "$output" "${parts[@]}"
 }
 
 # What the user calls: submit the parts that are missing, and the last job.
 submit() {
-   local input=$1 n=$2 output=$3 here root program k job missing=() options=()
+   local input=$1 n=$2 output=$3 here root program k part job missing=() options=()
    case $n in
    '' | *[!0-9]* | 0*) fail "no number of parts: $n" ;;
    esac
+   # compared by their lengths first: a number may have more digits than the shell can count with
+   if [ ${#n} -gt ${#most_parts} ] || [ "$n" -gt "$most_parts" ]; then
+      fail "too many parts: $n; allowed: up to $most_parts"
+   fi
    here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
    root=$(dirname "$here")
    program=${ADFRIC:-$root/build/release/adfric}
@@ -76,7 +90,8 @@ submit() {
    [ ! -e "$output" ] || fail "$output exists: the sweep is done"
    "$program" check --quiet "$input"
    for ((k = 1; k <= n; k++)); do
-      if [ ! -e "$(part_name "$output" "$k" "$n")" ]; then missing+=("$k"); fi
+      set_part "$output" "$k" "$n"
+      if [ ! -e "$part" ]; then missing+=("$k"); fi
    done
    if [ ${#missing[@]} -gt 0 ]; then
       # shellcheck disable=SC2086

@@ -9,7 +9,7 @@ module adfric_base_error
 
    !> Bad command line or input; also the exit status of the program.
    integer, parameter :: input_failure = 2
-   !> A file that cannot be read or written; also the exit status of the program.
+   !> A file that cannot be read or written, or a machine that has too little for the run; also the exit status of the program.
    integer, parameter :: file_failure = 3
 
    !> What went wrong.

@@ -11,6 +11,7 @@ module adfric_command_merge
    use adfric_output_layout, only: layout_t
    use adfric_output_merging, only: write_merged
    use adfric_output_names, only: check_output_name, would_replace
+   use adfric_output_operating_system, only: target_of
    use adfric_output_part_files, only: part_file_t, check_parts
    use adfric_output_resources, only: check_disk
    implicit none (type, external)
@@ -30,18 +31,20 @@ contains
       type(layout_t) :: layout
       type(heading_t) :: heading
       type(error_t), allocatable :: error
+      character(:), allocatable :: path
       integer(i8) :: by_status(0:n_status - 1)
       integer :: i
 
       do i = 1, size(parts)
          parts(i)%path = command%others(i)%text
       end do
-      call check_names(command, parts, error)
+      path = target_of(command%subject)
+      call check_names(command, path, parts, error)
       if (.not. allocated(error)) call check_parts(parts, layout, heading, by_status, error)
       if (.not. allocated(error) .and. .not. command%is_virtual) call check_disk(layout%n_bytes()*size(parts), &
-         command%subject, error)
+         path, error)
       if (.not. allocated(error)) &
-         call write_merged(parts, layout, heading, command%subject, command%overwrite, command%is_virtual, error)
+         call write_merged(parts, layout, heading, path, command%overwrite, command%is_virtual, error)
       if (allocated(error)) then
          call outcome%fail(error)
          return
@@ -54,22 +57,24 @@ contains
          if (by_status(i) > 0) call outcome%say(pad('  '//get_word(status_meanings, i + 1), name_width) &
             //show_count(by_status(i))//newline)
       end do
-      call outcome%say(pad('file', 6)//command%subject//newline)
+      call outcome%say(pad('file', 6)//path//newline)
    end subroutine merge_parts
 
    !> May the file be written, and is it none of the parts?
-   subroutine check_names(command, parts, error)
+   subroutine check_names(command, path, parts, error)
       type(command_t), intent(in) :: command
+      !> Name of the results file.
+      character(*), intent(in) :: path
       type(part_file_t), intent(in) :: parts(:)
       type(error_t), allocatable, intent(out) :: error
       integer :: i
 
       do i = 1, size(parts)
-         if (.not. would_replace(command%subject, parts(i)%path)) cycle
-         call set_error(error, input_failure, command%subject//': the results would replace the part '//parts(i)%path)
+         if (.not. would_replace(path, parts(i)%path)) cycle
+         call set_error(error, input_failure, path//': the results would replace the part '//parts(i)%path)
          return
       end do
-      call check_output_name(command%subject, command%overwrite, error)
+      call check_output_name(path, command%overwrite, error)
    end subroutine check_names
 
 end module adfric_command_merge

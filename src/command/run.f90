@@ -13,7 +13,7 @@ module adfric_command_run
    use adfric_output_heading, only: heading_t, new_heading
    use adfric_output_layout, only: layout_t, new_layout
    use adfric_output_names, only: check_output_name, check_partial_name, partial_name, part_name, would_replace
-   use adfric_output_operating_system, only: kind_of_path, path_file, id_of_file, is_same, remove_file
+   use adfric_output_operating_system, only: kind_of_path, path_file, target_of, id_of_file, is_same, remove_file
    use adfric_output_resources, only: check_resources, check_memory
    use adfric_output_run_table, only: new_run_table
    use adfric_parallel_agreement, only: share_answer, share_error, share_failure
@@ -46,7 +46,7 @@ contains
       call share_failure(world, outcome%exit_status, outcome%errors)
       if (outcome%exit_status /= exit_success) return
       if (len(command%output) > 0) run%output = command%output
-      run%output = part_name(run%output, command%part)
+      run%output = target_of(part_name(run%output, command%part))
       is_complete = .false.
       if (world%is_first()) call find_complete(command, model, run, is_complete, summary, error)
       if (.not. (allocated(error) .or. is_complete)) call check_output(command, world, model, run, error)

@@ -1,6 +1,7 @@
 !> Solve what is left of a run, alone or together with other processes, and write it.
 module adfric_command_solve
    use hdf5, only: hid_t
+   use omp_lib, only: omp_get_max_threads
    use adfric_base_error, only: error_t
    use adfric_base_model, only: model_t
    use adfric_command_line, only: command_t
@@ -18,6 +19,7 @@ module adfric_command_solve
    use adfric_sweep_progress, only: progress_t
    use adfric_sweep_runner, only: run_sweep
    use adfric_sweep_summary, only: run_summary_t, new_summary
+   use adfric_system_threads, only: check_threads
    implicit none (type, external)
    private
    public :: solve_case, is_begun
@@ -73,6 +75,10 @@ contains
       type(blocks_t) :: blocks
       logical :: resumes
 
+      call check_threads(omp_get_max_threads(), error)
+      if (allocated(error)) error%message = command%subject//': '//error%message
+      call share_error(world, error)
+      if (allocated(error)) return
       resumes = .false.
       if (world%is_first()) resumes = is_begun(command, run)
       if (resumes) then

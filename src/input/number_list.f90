@@ -4,6 +4,7 @@ module adfric_input_number_list
    use adfric_input_item, only: item_t, next_item
    use adfric_input_literal, only: convert
    use adfric_input_text, only: show_count
+   use adfric_system_memory, only: has_room
    implicit none (type, external)
    private
    public :: read_list, most_values
@@ -12,6 +13,9 @@ module adfric_input_number_list
    integer, parameter :: most_values = 100000000
    !> Values that there is room for at first.
    integer, parameter :: first_room = 16
+
+   !> Bytes of a number.
+   real(dp), parameter :: real_bytes = 8
 
 contains
 
@@ -88,11 +92,14 @@ contains
       !> Is there?
       logical, intent(out) :: is_room
       real(dp), allocatable :: larger(:)
+      integer(i8) :: n_larger
       integer :: status
 
       is_room = n <= size(values, kind=i8)
       if (is_room) return
-      allocate (larger(max(n, min(2*size(values, kind=i8), int(most_values, i8)))), stat=status)
+      n_larger = max(n, min(2*size(values, kind=i8), int(most_values, i8)))
+      status = 1
+      if (has_room(real_bytes*n_larger)) allocate (larger(n_larger), stat=status)
       is_room = status == 0
       if (.not. is_room) return
       larger(:n_kept) = values(:n_kept)

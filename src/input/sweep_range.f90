@@ -10,6 +10,7 @@ module adfric_input_sweep_range
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_sweep_values, only: fill_linear, fill_logarithmic
    use adfric_input_text, only: show_number, show_count, show_text
+   use adfric_system_memory, only: has_room
    implicit none (type, external)
    private
    public :: read_sweep_values
@@ -23,6 +24,9 @@ module adfric_input_sweep_range
       integer(i8) :: count = 0
       logical :: is_logarithmic = .false.
    end type range_t
+
+   !> Bytes of a number.
+   real(dp), parameter :: real_bytes = 8
 
 contains
 
@@ -45,7 +49,8 @@ contains
          call read_range(file, group, interval, problems)
          if (problems%count() == n_before) call check_range(file, group, interval, problems)
          if (problems%count() == n_before) then
-            allocate (values(interval%count), stat=status)
+            status = 1
+            if (has_room(real_bytes*interval%count)) allocate (values(interval%count), stat=status)
             if (status /= 0) call file%report_variable(problems, group, 'count', &
                'too many values for the memory, given '//show_count(interval%count)//', allowed: fewer')
          end if

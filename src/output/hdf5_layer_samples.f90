@@ -10,7 +10,8 @@ module adfric_output_hdf5_layer_samples
    use adfric_output_hdf5_layer_datasets, only: close_dataset
    use adfric_output_hdf5_layer_file, only: open_file, close_file
    use adfric_output_hdf5_layer_labels, only: read_label
-   use adfric_output_operating_system, only: kind_of_path, path_free, path_file, free_memory
+   use adfric_output_operating_system, only: kind_of_path, path_free, path_file
+   use adfric_system_memory, only: free_memory, has_room
    implicit none (type, external)
    private
    public :: read_numbers
@@ -144,6 +145,7 @@ contains
       real(dp), allocatable, target, intent(out) :: values(:, :)
       character(:), allocatable, intent(inout) :: flaw
       type(c_ptr) :: address
+      real(dp) :: n_bytes
       integer(i8) :: n_slow
       integer :: status
 
@@ -151,8 +153,10 @@ contains
       n_slow = 1
       if (size(counts) == 2) n_slow = counts(1)
       status = 1
-      if (product(real(counts, dp))*real_bytes < free_memory() .and. all(counts <= huge(1))) &
-         allocate (values(counts(size(counts)), n_slow), stat=status)
+      n_bytes = product(real(counts, dp))*real_bytes
+      if (n_bytes < free_memory() .and. all(counts <= huge(1))) then
+         if (has_room(n_bytes)) allocate (values(counts(size(counts)), n_slow), stat=status)
+      end if
       if (status /= 0) then
          flaw = 'the dataset is too large for the memory'
          return

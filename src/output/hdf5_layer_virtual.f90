@@ -72,9 +72,22 @@ contains
       integer(hid_t), intent(in) :: source_space
 
       if (.not. calls%is_good()) return
-      call h5pset_virtual_f(list, space, path, name, source_space, calls%status)
+      call h5pset_virtual_f(list, space, as_format(path), as_format(name), source_space, calls%status)
       call calls%check()
    end subroutine add_source
+
+   !> A name as HDF5 takes the names of sources: as formats, in which a percent sign stands twice.
+   pure function as_format(name) result(format)
+      character(*), intent(in) :: name
+      character(:), allocatable :: format
+      integer :: i
+
+      format = ''
+      do i = 1, len(name)
+         format = format//name(i:i)
+         if (name(i:i) == '%') format = format//'%'
+      end do
+   end function as_format
 
    !> Create a virtual dataset.
    subroutine create_virtual_dataset(calls, file, name, is_real, space, list, dataset)

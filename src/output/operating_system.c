@@ -34,6 +34,19 @@ int adfric_kind_of_path(const char *path)
    return lstat(path, &entry) == 0 ? 2 : 0;
 }
 
+/* Where a link leads to. 0, or an error number if the path is none or cannot be followed. */
+int adfric_follow_link(const char *path, char *text, size_t size)
+{
+   struct stat entry;
+   char target[PATH_MAX];
+   if (lstat(path, &entry) != 0) return errno;
+   if (!S_ISLNK(entry.st_mode)) return EINVAL;
+   if (realpath(path, target) == NULL) return errno;
+   if (strlen(target) >= size) return ENAMETOOLONG;
+   copy_text(text, size, target);
+   return 0;
+}
+
 /* Device and inode of what stands at a path, by whatever name; zeros if there is nothing. */
 void adfric_identify(const char *path, int64_t id[2])
 {
@@ -137,12 +150,21 @@ void adfric_begin_to_synchronise(const char *path)
 #endif
 }
 
-/* Rename a file; what stands at the new name is overwritten only if asked for. 0 or an error number. */
-int adfric_move_file(const char *from, const char *to, int overwrite)
+/* Bring the names in the folder of a file to the disk. 0 or an error number. */
+static int synchronise_folder_of(const char *path)
 {
-   /* the old results go only when the new ones are safe */
-   const int number = adfric_synchronise(from);
-   if (number != 0) return number;
+   char folder[PATH_MAX];
+   const char *slash = strrchr(path, '/');
+   const size_t n = slash == NULL ? 0 : (size_t)(slash - path) + 1;
+   if (n >= sizeof folder) return ENAMETOOLONG;
+   memcpy(folder, path, n);
+   folder[n] = '\0';
+   return adfric_synchronise(n == 0 ? "." : folder);
+}
+
+/* Rename a file; what stands at the new name is overwritten only if asked for. 0 or an error number. */
+static int rename_safely(const char *from, const char *to, int overwrite)
+{
    if (!overwrite) {
       if (link(from, to) == 0) return unlink(from) == 0 ? 0 : errno;
       if (errno == EEXIST) return EEXIST;
@@ -150,6 +172,15 @@ int adfric_move_file(const char *from, const char *to, int overwrite)
       if (adfric_kind_of_path(to) != 0) return EEXIST;
    }
    return rename(from, to) == 0 ? 0 : errno;
+}
+
+/* Rename a file on the disk; what stands at the new name is overwritten only if asked for. 0 or an error number. */
+int adfric_move_file(const char *from, const char *to, int overwrite)
+{
+   /* the old results go only when the new ones are safe */
+   int number = adfric_synchronise(from);
+   if (number == 0) number = rename_safely(from, to, overwrite);
+   return number == 0 ? synchronise_folder_of(to) : number;
 }
 
 /* Rename a file, whatever stands at the new name. 0 or an error number. */

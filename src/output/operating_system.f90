@@ -6,8 +6,10 @@ module adfric_output_operating_system
    implicit none (type, external)
    private
    public :: kind_of_path, path_free, path_file, path_other
+   public :: target_of
    public :: file_id_t, id_of_file, is_same
-   public :: folder_of, path_from, free_space, free_memory, utc_time
+   public :: folder_of, path_from, free_space, utc_time
+   public :: error_text
    public :: lock_t, take_lock, is_locked
    public :: move_file, rename_file, remove_file, synchronise, begin_to_synchronise, ignore_file_size_signal
 
@@ -39,6 +41,14 @@ module adfric_output_operating_system
          implicit none (type, external)
          character(kind=c_char), intent(in) :: path(*)
       end function c_kind_of_path
+
+      integer(c_int) function c_follow_link(path, text, size) bind(c, name='adfric_follow_link')
+         import :: c_char, c_int, c_size_t
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+         character(kind=c_char), intent(out) :: text(*)
+         integer(c_size_t), intent(in), value :: size
+      end function c_follow_link
 
       subroutine c_identify(path, id) bind(c, name='adfric_identify')
          import :: c_char, c_int64_t
@@ -143,6 +153,17 @@ contains
       kind_of_path = int(c_kind_of_path(path//c_null_char))
    end function kind_of_path
 
+   !> The file that a name stands for: where it leads to if it is a link, so that the link stays; else itself.
+   function target_of(path) result(target)
+      character(*), intent(in) :: path
+      character(:), allocatable :: target
+      character(kind=c_char) :: buffer(path_length)
+
+      target = path
+      buffer = c_null_char
+      if (c_follow_link(path//c_null_char, buffer, size(buffer, kind=c_size_t)) == 0) target = text_of(buffer)
+   end function target_of
+
    !> Which file stands at a path.
    function id_of_file(path) result(id)
       character(*), intent(in) :: path
@@ -226,26 +247,6 @@ contains
       free_space = c_free_space(folder//c_null_char)
       if (free_space < 0) free_space = huge(1.0_dp)
    end function free_space
-
-   !> Bytes of memory that are free for this process; huge if it cannot be said.
-   real(dp) function free_memory()
-      character(*), parameter :: key = 'MemAvailable:'
-      character(text_length) :: line
-      integer :: unit, status
-
-      free_memory = huge(1.0_dp)
-      open (newunit=unit, file='/proc/meminfo', action='read', status='old', iostat=status)
-      if (status /= 0) return
-      do
-         read (unit, '(a)', iostat=status) line
-         if (status /= 0) exit
-         if (index(line, key) /= 1) cycle
-         read (line(len(key) + 1:), *, iostat=status) free_memory
-         if (status == 0) free_memory = 1024*free_memory
-         exit
-      end do
-      close (unit, iostat=status)
-   end function free_memory
 
    !> The time now, as in `2025-01-31T13:45:00Z`.
    function utc_time() result(text)

@@ -11,6 +11,7 @@ module adfric_output_part_files
    use adfric_output_hdf5_layer_file, only: open_file, close_file
    use adfric_output_hdf5_layer_reading, only: read_attribute
    use adfric_output_layout, only: layout_t
+   use adfric_output_operating_system, only: kind_of_path, path_other
    use adfric_output_part_layout, only: read_part_layout
    use adfric_sweep_blocks, only: blocks_t
    implicit none (type, external)
@@ -83,6 +84,10 @@ contains
       integer(i8) :: n_missing
 
       n_missing = 0
+      if (kind_of_path(part%path) == path_other) then
+         call set_error(error, file_failure, part%path//': cannot read: this is no regular file')
+         return
+      end if
       call open_file(calls, part%path, .false., file)
       call read_heading(calls, file, heading)
       if (calls%is_good() .and. len(heading%hash) > 0) call read_part_layout(calls, file, layout)

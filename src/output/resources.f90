@@ -4,10 +4,11 @@ module adfric_output_resources
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_model, only: model_t
    use adfric_output_layout, only: layout_t, new_layout
-   use adfric_output_operating_system, only: folder_of, free_memory, free_space
+   use adfric_output_operating_system, only: folder_of, free_space
    use adfric_sweep_blocks, only: part_t
    use adfric_sweep_plan, only: plan_t
    use adfric_sweep_runner, only: memory_needed
+   use adfric_system_memory, only: free_memory
    implicit none (type, external)
    private
    public :: check_resources, check_disk, check_memory, file_size_of, show_bytes

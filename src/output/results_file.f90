@@ -24,6 +24,7 @@ module adfric_output_results_file
    use adfric_sweep_clock, only: wall_clock
    use adfric_sweep_plan, only: plan_t
    use adfric_sweep_summary, only: run_summary_t
+   use adfric_system_leftovers, only: note_leftover, forget_leftover, note_kept
    implicit none (type, external)
    private
    public :: results_file_t
@@ -115,7 +116,11 @@ contains
       if (.not. allocated(error)) call synchronise(self%path_now, error)
       ! nobody can have begun to write results in the meantime, since we have the lock
       if (.not. allocated(error)) call rename_file(self%path_now, partial_name(self%path), error)
-      if (.not. allocated(error)) self%path_now = partial_name(self%path)
+      if (allocated(error)) return
+      self%path_now = partial_name(self%path)
+      ! it is of no use before there are results in it
+      call note_leftover(self%path_now)
+      call forget_leftover(new_name(self%path))
    end subroutine prepare
 
    !> Create a file that is of no use until it is complete.
@@ -148,6 +153,7 @@ contains
 
       if (kind_of_path(self%path_now) /= path_free) call remove_file(self%path_now, error)
       if (allocated(error)) return
+      call note_leftover(self%path_now)
       call create_file(calls, self%path_now, self%file)
       ! what a creation leaves that has failed half way is ours, too
       self%id = id_of_file(self%path_now)
@@ -182,6 +188,7 @@ contains
          if (.not. is_in_use) error%message = path//': cannot create: '//error%message
          return
       end if
+      call note_leftover(lock_name(path))
       self%path = path
       self%overwrite = overwrite
       self%layout = layout
@@ -214,6 +221,8 @@ contains
       if (allocated(error)) return
       self%path_now = partial_name(path)
       self%is_resumed = .true.
+      self%has_states = .true.
+      call note_kept(self%path_now)
       call read_done_points(self%path_now, layout, heading, model, plan, list, summary, error)
       if (.not. allocated(error)) then
          self%seconds_before = summary%wall_seconds
@@ -222,7 +231,7 @@ contains
       end if
       if (.not. allocated(error)) return
       call self%close_all(calls)
-      call self%lock%release()
+      call end_name(self)
    end subroutine resume
 
    !> Close the file, for several processes to open it. This one keeps its lock and will complete it.
@@ -233,6 +242,8 @@ contains
 
       call self%close_all(calls)
       call calls%get_error(self%path//': cannot write', error)
+      ! the others may write into it from now on
+      call self%note_states()
    end subroutine hand_over
 
    !> Take part in writing a file that another process has handed over.
@@ -270,7 +281,7 @@ contains
       if (allocated(error)) then
          call self%abandon(error)
       else
-         call self%lock%release()
+         call end_name(self)
       end if
    end subroutine finish
 
@@ -286,7 +297,7 @@ contains
       if (allocated(error)) then
          call self%abandon(error)
       else
-         call self%lock%release()
+         call end_name(self)
       end if
    end subroutine stop_writing
 
@@ -316,12 +327,12 @@ contains
       type(hdf5_calls_t) :: calls
       type(error_t), allocatable :: another
 
-      if (self%path_now == new_name(self%path)) then
+      ! what was written before may still be saved
+      if (self%file /= no_id .and. self%path_now /= new_name(self%path)) call self%make_safe(another)
+      if (.not. self%has_states) then
          call self%discard()
          return
       end if
-      ! what was written before may still be saved
-      if (self%file /= no_id) call self%make_safe(another)
       call self%close_all(calls)
       if (is_same(self%id, id_of_file(self%path_now))) then
          if (is_readable(self%path_now)) then
@@ -330,7 +341,7 @@ contains
             error%message = error%message//'; no results could be kept, '//self%path_now//' cannot be read'
          end if
       end if
-      call self%lock%release()
+      call end_name(self)
    end subroutine abandon
 
    !> Close the file and remove what has been written by this run.
@@ -344,7 +355,18 @@ contains
       if (.not. self%is_resumed) then
          if (is_same(self%id, id_of_file(self%path_now))) call remove_file(self%path_now, error)
       end if
-      call self%lock%release()
+      call end_name(self)
    end subroutine discard
+
+   !> Give the name back: nothing of this run is at work any more.
+   subroutine end_name(self)
+      class(results_file_t), intent(inout) :: self
+
+      call forget_leftover(new_name(self%path))
+      call forget_leftover(partial_name(self%path))
+      call note_kept('')
+      call self%lock%release()
+      call forget_leftover(lock_name(self%path))
+   end subroutine end_name
 
 end module adfric_output_results_file

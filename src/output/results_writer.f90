@@ -14,6 +14,7 @@ module adfric_output_results_writer
    use adfric_output_status_log, only: status_log_t
    use adfric_sweep_clock, only: wall_clock
    use adfric_sweep_sink, only: sink_t
+   use adfric_system_leftovers, only: forget_leftover, note_kept
    implicit none (type, external)
    private
    public :: results_writer_t
@@ -33,6 +34,8 @@ module adfric_output_results_writer
       type(datasets_t) :: datasets
       !> When everything was last on the disk, and how long that took [s].
       real(dp) :: safe_at = 0, safe_took = 0
+      !> May there be states of points in the file?
+      logical :: has_states = .false.
       !> States that wait for their results to be on the disk.
       type(status_log_t), private :: log
       !> Numbers written since the system was last asked to bring them to the disk.
@@ -47,6 +50,7 @@ module adfric_output_results_writer
       procedure :: put_profiles
       procedure :: put_counts
       procedure :: make_safe
+      procedure :: note_states
       procedure :: close_all
    end type results_writer_t
 
@@ -178,6 +182,7 @@ contains
          call calls%get_error(self%path//': cannot write', error)
          if (.not. allocated(error)) call synchronise(self%path_now, error)
          if (allocated(error)) return
+         call self%note_states()
          done = 0
          do i = 1, self%log%n_rows
             associate (n => self%log%count(i))
@@ -193,6 +198,16 @@ contains
       self%safe_at = wall_clock()
       self%safe_took = self%safe_at - start
    end subroutine make_safe
+
+   !> From now on there may be states in the file: it is of use, however the program ends.
+   subroutine note_states(self)
+      class(results_writer_t), intent(inout) :: self
+
+      if (self%has_states) return
+      self%has_states = .true.
+      call note_kept(self%path_now)
+      call forget_leftover(self%path_now)
+   end subroutine note_states
 
    !> Hand everything written so far to the operating system. What is written into a shared file is there already: HDF5
    !> keeps back nothing of contiguous datasets that are written by MPI, and to flush them would take all processes.

@@ -45,6 +45,7 @@ void adfric_catch_signals(void)
    caught_signal = 0;
    catch_signal(SIGTERM);
    catch_signal(SIGINT);
+   catch_signal(SIGHUP);
 }
 
 /* The signal that came; 0 if none did. */

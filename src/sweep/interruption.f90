@@ -1,5 +1,5 @@
-!> Has a run been asked to end, by SIGTERM (a batch system) or SIGINT (Ctrl-C)? Another signal, more than a second later, ends
-!> it at once.
+!> Has a run been asked to end, by SIGTERM (a batch system), SIGINT (Ctrl-C) or SIGHUP (its terminal is gone)? Another signal,
+!> more than a second later, ends it at once.
 module adfric_sweep_interruption
    use, intrinsic :: iso_c_binding, only: c_int
    implicit none (type, external)
@@ -28,9 +28,16 @@ contains
       integer, intent(in) :: number
       character(:), allocatable :: name
       !> The same on every POSIX system.
-      integer, parameter :: number_of_int = 2
+      integer, parameter :: number_of_hup = 1, number_of_int = 2
 
-      name = trim(merge('SIGINT ', 'SIGTERM', number == number_of_int))
+      select case (number)
+      case (number_of_hup)
+         name = 'SIGHUP'
+      case (number_of_int)
+         name = 'SIGINT'
+      case default
+         name = 'SIGTERM'
+      end select
    end function signal_name
 
 end module adfric_sweep_interruption

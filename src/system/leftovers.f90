@@ -1,0 +1,56 @@
+!> Files that are of no use if the program ends now, as where memory is exhausted; the main program removes them then.
+module adfric_system_leftovers
+   use, intrinsic :: iso_c_binding, only: c_char, c_null_char
+   implicit none (type, external)
+   private
+   public :: note_leftover, forget_leftover, note_kept
+
+   interface
+
+      subroutine c_note_leftover(path) bind(c, name='adfric_note_leftover')
+         import :: c_char
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end subroutine c_note_leftover
+
+      subroutine c_forget_leftover(path) bind(c, name='adfric_forget_leftover')
+         import :: c_char
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end subroutine c_forget_leftover
+
+      subroutine c_note_kept(path) bind(c, name='adfric_note_kept')
+         import :: c_char
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end subroutine c_note_kept
+
+   end interface
+
+contains
+
+   !> Note a file that is of no use if the program ends now.
+   subroutine note_leftover(path)
+      !> Its name.
+      character(*), intent(in) :: path
+
+      call c_note_leftover(path//c_null_char)
+   end subroutine note_leftover
+
+   !> A file that was noted is gone, or is of use now.
+   subroutine forget_leftover(path)
+      !> Its name.
+      character(*), intent(in) :: path
+
+      call c_forget_leftover(path//c_null_char)
+   end subroutine forget_leftover
+
+   !> Note the file whose results stay if the program ends now.
+   subroutine note_kept(path)
+      !> Its name; empty: there is none any more.
+      character(*), intent(in) :: path
+
+      call c_note_kept(path//c_null_char)
+   end subroutine note_kept
+
+end module adfric_system_leftovers

@@ -1,0 +1,43 @@
+!> Can the threads of a run be started? OpenMP ends the program where they cannot, so it is tried before.
+module adfric_system_threads
+   use, intrinsic :: iso_c_binding, only: c_double, c_int
+   use adfric_base_error, only: error_t, set_error, file_failure
+   implicit none (type, external)
+   private
+   public :: check_threads
+
+   !> Least stack of a thread [kB]: ten times what any model has been seen to need.
+   integer, parameter :: least_stack = 256
+
+   interface
+      integer(c_int) function try_threads(n, n_started, stack_size) bind(c, name='adfric_try_threads')
+         import :: c_double, c_int
+         implicit none (type, external)
+         integer(c_int), intent(in), value :: n
+         integer(c_int), intent(out) :: n_started
+         real(c_double), intent(out) :: stack_size
+      end function try_threads
+   end interface
+
+contains
+
+   !> Refuse a run whose threads the system has no room for, or whose stacks are too small.
+   subroutine check_threads(n, error)
+      !> Number of threads besides the one that is there.
+      integer, intent(in) :: n
+      type(error_t), allocatable, intent(out) :: error
+      integer(c_int) :: number, n_started
+      real(c_double) :: stack_size
+      character(100) :: text
+
+      number = try_threads(int(n, c_int), n_started, stack_size)
+      if (stack_size > 0 .and. stack_size < 1024*least_stack) then
+         write (text, '(a, i0, a, i0, a)') 'the stack of a thread has ', int(stack_size)/1024, ' kB, needed: ', least_stack, ' kB'
+         call set_error(error, file_failure, trim(text)//'; OMP_STACKSIZE and ulimit -s set it')
+      else if (number /= 0) then
+         write (text, '(a, i0, a, i0, a)') 'cannot start ', n, ' threads, only ', n_started, ' could be had'
+         call set_error(error, file_failure, trim(text)//'; OMP_NUM_THREADS sets how many there are')
+      end if
+   end subroutine check_threads
+
+end module adfric_system_threads
