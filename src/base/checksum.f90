@@ -5,7 +5,7 @@ module adfric_base_checksum
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: checksum_t, checksum_length
+   public :: checksum_t, checksum_length, mix_reals, mix_integers
 
    !> Letters of a checksum as text.
    integer, parameter :: checksum_length = 16
@@ -29,6 +29,14 @@ module adfric_base_checksum
          type(c_ptr), intent(in), value :: bytes
          integer(c_size_t), intent(in), value :: n
       end function c_add
+
+      integer(c_int64_t) function c_mix(before, bytes, n) bind(c, name='adfric_mix')
+         import :: c_int64_t, c_ptr, c_size_t
+         implicit none (type, external)
+         integer(c_int64_t), intent(in), value :: before
+         type(c_ptr), intent(in), value :: bytes
+         integer(c_size_t), intent(in), value :: n
+      end function c_mix
    end interface
 
 contains
@@ -51,6 +59,32 @@ contains
 
       if (size(numbers) > 0) self%sum = c_add(self%sum, c_loc(numbers), bytes*size(numbers, kind=c_size_t))
    end subroutine add_reals
+
+   !> A fast sum of numbers and of what came before them: a change of one of them always changes it.
+   integer(c_int64_t) function mix_reals(before, n, numbers) result(sum)
+      !> Sum of what came before.
+      integer(c_int64_t), intent(in) :: before
+      !> How many numbers there are.
+      integer, intent(in) :: n
+      real(dp), intent(in), target :: numbers(*)
+      integer(c_size_t), parameter :: bytes = 8
+
+      sum = before
+      if (n > 0) sum = c_mix(before, c_loc(numbers), bytes*n)
+   end function mix_reals
+
+   !> The same of integers.
+   integer(c_int64_t) function mix_integers(before, n, numbers) result(sum)
+      !> Sum of what came before.
+      integer(c_int64_t), intent(in) :: before
+      !> How many numbers there are.
+      integer, intent(in) :: n
+      integer(c_int64_t), intent(in), target :: numbers(*)
+      integer(c_size_t), parameter :: bytes = 8
+
+      sum = before
+      if (n > 0) sum = c_mix(before, c_loc(numbers), bytes*n)
+   end function mix_integers
 
    !> Hexadecimal digits.
    pure function to_text(self) result(text)

@@ -99,7 +99,14 @@ contains
       is_complete = .not. allocated(mismatch)
       if (is_complete) is_complete = list%n_left == 0
       if (is_complete .or. command%overwrite) return
-      if (.not. allocated(mismatch)) call set_error(mismatch, file_failure, run%output//': not every point is solved')
+      if (.not. allocated(mismatch)) then
+         if (summary%n_damaged > 0) then
+            call set_error(mismatch, file_failure, run%output//': it is damaged, '//show_count(summary%n_damaged) &
+               //' points have not the values that were written')
+         else
+            call set_error(mismatch, file_failure, run%output//': not every point is solved')
+         end if
+      end if
       mismatch%message = mismatch%message//'; --force overwrites it, --output writes another file'
       call move_alloc(mismatch, error)
    end subroutine find_complete

@@ -9,15 +9,15 @@ module adfric_output_datasets
    use adfric_base_not_a_number, only: not_a_number
    use adfric_output_boxes, only: box_t, next_box
    use adfric_output_constant_datasets, only: create_constants, list_constants
-   use adfric_output_field_dataset, only: create_scale, create_field, create_counts, count_group
+   use adfric_output_field_dataset, only: create_scale, create_field, create_counts, create_sums, count_group, sum_name
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    use adfric_output_hdf5_layer_datasets, only: create_space, select_box, write_values, close_dataset, no_state
-   use adfric_output_hdf5_layer_reading, only: open_dataset, read_values
+   use adfric_output_hdf5_layer_reading, only: open_dataset, read_values, get_extent
    use adfric_output_layout, only: layout_t
    use adfric_output_virtual_parts, only: virtual_parts_t
    implicit none (type, external)
    private
-   public :: datasets_t
+   public :: datasets_t, to_state
 
    !> The datasets, in the order of the layout. Rows are places of points in the file, from 1.
    type :: datasets_t
@@ -29,6 +29,8 @@ module adfric_output_datasets
       !> Results, and last `error_estimate` and `status`.
       integer(hid_t), allocatable :: fields(:)
       integer(hid_t), allocatable :: profiles(:), counts(:)
+      !> Checksums of the blocks.
+      integer(hid_t) :: sums = no_id
    contains
       procedure :: create
       procedure :: open => open_all
@@ -36,10 +38,13 @@ module adfric_output_datasets
       procedure :: write_status
       procedure :: write_profiles
       procedure :: write_counts
+      procedure :: write_sums
       procedure :: read_results
       procedure :: read_status
       procedure :: read_profiles
       procedure :: read_counts
+      procedure :: read_sums
+      procedure :: get_extents
       procedure :: close => close_all
    end type datasets_t
 
@@ -79,6 +84,7 @@ contains
             merge(1, 2, is_whole), coordinates, self%profiles(i), parts, is_profile=.true.)
       end do
       call create_counts(calls, file, layout%counts, self%count_space, self%counts)
+      call create_sums(calls, file, self%count_space, self%sums)
    end subroutine create
 
    !> Open every dataset of results.
@@ -99,6 +105,7 @@ contains
       do i = 1, size(self%counts)
          call open_dataset(calls, file, count_group//'/'//layout%counts(i)%name, self%counts(i))
       end do
+      call open_dataset(calls, file, sum_name, self%sums)
    end subroutine open_all
 
    !> Make room for the ids, and make the spaces.
@@ -360,6 +367,53 @@ contains
       call calls%close_id(memory_space)
    end subroutine read_counts
 
+   !> Write the checksums of neighbouring blocks.
+   subroutine write_sums(self, calls, place, sums)
+      class(datasets_t), intent(in) :: self
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Place of the first block in the file, from 1.
+      integer(i8), intent(in) :: place
+      integer(i8), intent(in), contiguous :: sums(:)
+      integer(hid_t) :: memory_space
+
+      if (size(sums) == 0) return
+      call select_blocks(self, calls, place, size(sums), memory_space)
+      call write_values(calls, self%sums, memory_space, self%count_space, sums)
+      call calls%close_id(memory_space)
+   end subroutine write_sums
+
+   !> Read the checksums of neighbouring blocks.
+   subroutine read_sums(self, calls, place, sums)
+      class(datasets_t), intent(in) :: self
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Place of the first block in the file, from 1.
+      integer(i8), intent(in) :: place
+      integer(i8), intent(out), contiguous :: sums(:)
+      integer(hid_t) :: memory_space
+
+      sums = 0
+      if (size(sums) == 0) return
+      call select_blocks(self, calls, place, size(sums), memory_space)
+      call read_values(calls, self%sums, memory_space, self%count_space, sums)
+      call calls%close_id(memory_space)
+   end subroutine read_sums
+
+   !> Where in the file values stand that are written while a run goes on; of size 0 for those that are elsewhere.
+   subroutine get_extents(self, calls, extents)
+      class(datasets_t), intent(in) :: self
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> First byte, from 0, and number of bytes of each; shape `(2, n)`.
+      integer(i8), allocatable, intent(out) :: extents(:, :)
+      integer :: i
+
+      associate (ids => [self%fields, self%profiles, self%counts, self%sums])
+         allocate (extents(2, size(ids)))
+         do i = 1, size(ids)
+            call get_extent(calls, ids(i), extents(1, i), extents(2, i))
+         end do
+      end associate
+   end subroutine get_extents
+
    !> Select neighbouring blocks in the space of the counts.
    subroutine select_blocks(self, calls, place, n, memory_space)
       class(datasets_t), intent(in) :: self
@@ -378,6 +432,7 @@ contains
       class(datasets_t), intent(inout) :: self
       type(hdf5_calls_t), intent(inout) :: calls
 
+      call close_dataset(calls, self%sums)
       call close_list(calls, self%counts)
       call close_list(calls, self%profiles)
       call close_list(calls, self%fields)

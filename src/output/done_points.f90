@@ -1,16 +1,17 @@
 !> What a results file already has of a run.
 module adfric_output_done_points
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t, set_error, file_failure
-   use adfric_base_model, only: model_t
+   use adfric_base_model, only: model_t, status_solved
+   use adfric_output_block_sums, only: sum_of_block, sum_of_profiles
    use adfric_output_datasets, only: datasets_t
    use adfric_output_heading, only: heading_t, read_heading, say_difference
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
    use adfric_output_hdf5_layer_file, only: open_file, close_file
    use adfric_output_hdf5_layer_reading, only: read_attribute
    use adfric_output_layout, only: layout_t
+   use adfric_output_seal, only: check_seal
    use adfric_sweep_block_source, only: block_list_t, new_block_list
    use adfric_sweep_plan, only: plan_t
    use adfric_sweep_summary, only: run_summary_t, new_summary
@@ -45,6 +46,8 @@ contains
 
       call new_block_list(list, layout%blocks)
       call new_summary(summary, model%results)
+      call check_seal(path, error)
+      if (allocated(error)) return
       call open_file(calls, path, .false., file)
       call read_heading(calls, file, found)
       if (calls%is_good()) then
@@ -54,8 +57,8 @@ contains
       if (.not. allocated(error)) then
          call datasets%open(calls, file, layout)
          call read_attribute(calls, file, 'wall_seconds', summary%wall_seconds)
-         ! it is NaN in the file of a run that was killed
-         if (ieee_is_nan(summary%wall_seconds)) summary%wall_seconds = 0
+         ! it is NaN in the file of a run that was killed, and may be anything in one that is damaged
+         if (.not. (summary%wall_seconds >= 0 .and. summary%wall_seconds < huge(1.0_dp))) summary%wall_seconds = 0
          call scan(calls, datasets, layout, model, plan, list, summary)
          call datasets%close(calls)
       end if
@@ -74,28 +77,70 @@ contains
       type(run_summary_t), intent(inout) :: summary
       integer, allocatable :: status(:), status_of_block(:)
       real(dp), allocatable :: results(:, :), error_estimate(:)
-      integer(i8) :: place, row
+      integer(i8), allocatable :: sums(:)
+      integer(i8) :: place, row, sum
       integer :: i, k, n, first
 
       allocate (results(layout%blocks%size, size(model%results)), error_estimate(layout%blocks%size))
       do place = 1, layout%blocks%n_blocks(), blocks_at_once
          row = (place - 1)*layout%blocks%size + 1
          allocate (status(min(int(blocks_at_once, i8)*layout%blocks%size, layout%blocks%n_points() - row + 1)))
+         allocate (sums((size(status) - 1)/layout%blocks%size + 1))
          call datasets%read_status(calls, layout, row, status)
+         call datasets%read_sums(calls, place, sums)
          do i = 0, min(blocks_at_once - 1, (size(status) - 1)/layout%blocks%size)
             first = i*layout%blocks%size
             n = min(layout%blocks%size, size(status) - first)
             status_of_block = status(first + 1:first + n)
             ! a block may have been half written: it is solved again as a whole
             if (any(status_of_block < 0) .or. .not. calls%is_good()) cycle
+            call read_block(calls, datasets, layout, place + i, status_of_block, results(:n, :), error_estimate(:n), sum)
+            if (sum /= sums(i + 1) .or. .not. calls%is_good()) then
+               ! a damaged block is solved again, too
+               summary%n_damaged = summary%n_damaged + n
+               cycle
+            end if
             call list%mark_done(place + i)
-            call datasets%read_results(calls, layout, row + first, results(:n, :), error_estimate(:n))
             call add_swept(layout, model, plan, layout%blocks%block_at(place + i), results(:n, :))
             call summary%add_points(transpose(results(:n, :)), [(status_of_block(k), k=1, n)])
          end do
-         deallocate (status)
+         deallocate (status, sums)
       end do
    end subroutine scan
+
+   !> Read a block, and find its checksum.
+   subroutine read_block(calls, datasets, layout, place, status, results, error_estimate, sum)
+      type(hdf5_calls_t), intent(inout) :: calls
+      type(datasets_t), intent(in) :: datasets
+      type(layout_t), intent(in) :: layout
+      !> Its place in the file.
+      integer(i8), intent(in) :: place
+      !> Of its points.
+      integer, intent(in) :: status(:)
+      !> Shape `(n_points, n_results)`.
+      real(dp), intent(out) :: results(:, :)
+      real(dp), intent(out) :: error_estimate(:)
+      integer(i8), intent(out) :: sum
+      real(dp), allocatable :: profiles(:, :, :)
+      real(dp) :: counts(1, size(layout%counts))
+      integer(i8) :: row, block, profile_sum
+      integer :: i
+
+      row = (place - 1)*layout%blocks%size + 1
+      block = layout%blocks%block_at(place)
+      call datasets%read_results(calls, layout, row, results, error_estimate)
+      call datasets%read_counts(calls, place, counts)
+      profile_sum = 0
+      if (size(layout%profiles) > 0) then
+         allocate (profiles(product(layout%profile_shape()), 1, size(layout%profiles)))
+         do i = 1, size(status)
+            if (status(i) /= status_solved) cycle
+            call datasets%read_profiles(calls, layout, row + i - 1, profiles)
+            profile_sum = ieor(profile_sum, sum_of_profiles(layout%blocks%first_point(block) + i - 1, profiles))
+         end do
+      end if
+      sum = sum_of_block(layout, block, results, error_estimate, status, counts(1, :), profile_sum)
+   end subroutine read_block
 
    !> Results that are swept stand in the file as axes alone.
    subroutine add_swept(layout, model, plan, block, results)
@@ -126,8 +171,12 @@ contains
       character(*), intent(in) :: path
       type(hdf5_calls_t) :: calls
       type(heading_t) :: heading
+      type(error_t), allocatable :: error
       integer(hid_t) :: file
 
+      is_readable = .false.
+      call check_seal(path, error)
+      if (allocated(error)) return
       call open_file(calls, path, .false., file)
       call read_heading(calls, file, heading)
       call close_file(calls, file)

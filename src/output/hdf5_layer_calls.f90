@@ -33,6 +33,7 @@ module adfric_output_hdf5_layer_calls
       procedure :: open_library
       procedure :: silence
       procedure :: check
+      procedure :: fail
       procedure :: is_good
       procedure :: close_id
       procedure :: get_error
@@ -97,6 +98,17 @@ contains
       self%has_failed = .true.
       call find_reason(self%reason)
    end subroutine check
+
+   !> Break the chain off.
+   subroutine fail(self, reason)
+      class(hdf5_calls_t), intent(inout) :: self
+      !> Why.
+      character(*), intent(in) :: reason
+
+      if (self%has_failed) return
+      self%has_failed = .true.
+      self%reason = reason
+   end subroutine fail
 
    !> Has every call been successful?
    pure logical function is_good(self)

@@ -9,13 +9,15 @@ module adfric_output_hdf5_layer_datasets
    use hdf5, only: hid_t, hsize_t, h5screate_f, h5screate_simple_f, h5sselect_hyperslab_f, h5dcreate_f, h5dwrite_f, &
       h5dclose_f, h5pcreate_f, h5pset_layout_f, h5pset_alloc_time_f, h5pset_fill_time_f, h5pset_fill_value_f, &
       h5kind_to_type, h5gcreate_f, H5S_SCALAR_F, H5S_SELECT_SET_F, H5P_DATASET_CREATE_F, H5D_CONTIGUOUS_F, &
-      H5D_ALLOC_TIME_EARLY_F, H5D_FILL_TIME_ALLOC_F, H5T_IEEE_F64LE, H5T_STD_I8LE, H5T_NATIVE_DOUBLE, H5_INTEGER_KIND
+      H5D_ALLOC_TIME_EARLY_F, H5D_FILL_TIME_ALLOC_F, H5T_IEEE_F64LE, H5T_STD_I8LE, H5T_STD_I64LE, H5T_NATIVE_DOUBLE, &
+      H5_INTEGER_KIND
    use h5ds, only: h5dsset_scale_f, h5dsattach_scale_f
    use adfric_base_kinds, only: dp, i8
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    implicit none (type, external)
    private
-   public :: create_group, create_space, select_box, create_real_dataset, create_state_dataset, write_values, close_dataset
+   public :: create_group, create_space, select_box, create_real_dataset, create_state_dataset, create_integer_dataset
+   public :: write_values, close_dataset
    public :: make_scale, attach_scale, no_state, to_fortran
 
    !> What stands in a dataset of states where there is none.
@@ -25,6 +27,7 @@ module adfric_output_hdf5_layer_datasets
    interface write_values
       module procedure write_reals
       module procedure write_states
+      module procedure write_integers
    end interface write_values
 
 contains
@@ -118,6 +121,20 @@ contains
       call calls%close_id(list)
    end subroutine create_state_dataset
 
+   !> Create a dataset of integers, all 0.
+   subroutine create_integer_dataset(calls, file, name, space, dataset)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      character(*), intent(in) :: name
+      integer(hid_t), intent(in) :: space
+      integer(hid_t), intent(out) :: dataset
+      integer(hid_t) :: list
+
+      call create_list(calls, list)
+      call create_dataset(calls, file, name, H5T_STD_I64LE, space, list, dataset)
+      call calls%close_id(list)
+   end subroutine create_integer_dataset
+
    !> Create a list of properties: contiguous, laid out and filled at once.
    subroutine create_list(calls, list)
       type(hdf5_calls_t), intent(inout) :: calls
@@ -178,6 +195,19 @@ contains
          memory_space, file_space)
       call calls%check()
    end subroutine write_states
+
+   !> Write integers.
+   subroutine write_integers(calls, dataset, memory_space, file_space, values)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: dataset
+      !> Space of as many values, and a space of the dataset's shape with the part selected.
+      integer(hid_t), intent(in) :: memory_space, file_space
+      integer(i8), intent(in), contiguous, target :: values(:)
+
+      if (.not. calls%is_good()) return
+      call h5dwrite_f(dataset, h5kind_to_type(i8, H5_INTEGER_KIND), c_loc(values), calls%status, memory_space, file_space)
+      call calls%check()
+   end subroutine write_integers
 
    !> Close a dataset, even if its last writing fails.
    subroutine close_dataset(calls, dataset)

@@ -2,14 +2,15 @@
 module adfric_output_hdf5_layer_reading
    use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_loc, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only: int8
-   use hdf5, only: hid_t, hsize_t, h5aopen_f, h5aread_f, h5aexists_f, h5aget_type_f, h5aget_space_f, h5dvlen_reclaim_f, &
+   use hdf5, only: hid_t, hsize_t, haddr_t, h5dget_offset_f, h5dget_storage_size_f, &
+      h5aopen_f, h5aread_f, h5aexists_f, h5aget_type_f, h5aget_space_f, h5dvlen_reclaim_f, &
       h5dopen_f, h5dread_f, h5dget_space_f, h5sget_simple_extent_npoints_f, h5kind_to_type, &
       H5T_NATIVE_DOUBLE, H5_INTEGER_KIND, H5P_DEFAULT_F
    use adfric_base_kinds, only: dp, i8
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    implicit none (type, external)
    private
-   public :: has_attribute, read_attribute, open_dataset, n_values_of, read_values
+   public :: has_attribute, read_attribute, open_dataset, n_values_of, read_values, get_extent
 
    !> Read an attribute: a text of variable length, a number, an integer, or as many small integers as there is room for.
    interface read_attribute
@@ -23,6 +24,7 @@ module adfric_output_hdf5_layer_reading
    interface read_values
       module procedure read_reals
       module procedure read_states
+      module procedure read_integers
    end interface read_values
 
    interface
@@ -225,5 +227,40 @@ contains
       call h5dread_f(dataset, h5kind_to_type(int8, H5_INTEGER_KIND), address, calls%status, memory_space, file_space)
       call calls%check()
    end subroutine read_states
+
+   !> Read integers.
+   subroutine read_integers(calls, dataset, memory_space, file_space, values)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: dataset
+      !> Space of as many values, and a space of the dataset's shape with the part selected.
+      integer(hid_t), intent(in) :: memory_space, file_space
+      integer(i8), intent(inout), contiguous, target :: values(:)
+      type(c_ptr) :: address
+
+      if (.not. calls%is_good()) return
+      address = c_loc(values)
+      call h5dread_f(dataset, h5kind_to_type(i8, H5_INTEGER_KIND), address, calls%status, memory_space, file_space)
+      call calls%check()
+   end subroutine read_integers
+
+   !> Where the values of a dataset stand in the file: first byte, from 0, and how many; none if they have no place of their own.
+   subroutine get_extent(calls, dataset, first, n_bytes)
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: dataset
+      integer(i8), intent(out) :: first, n_bytes
+      integer(hsize_t) :: size
+      integer(haddr_t) :: offset
+
+      first = 0
+      n_bytes = 0
+      if (.not. calls%is_good()) return
+      ! that values have no place of their own is no failure
+      call h5dget_storage_size_f(dataset, size, calls%status)
+      if (calls%status < 0 .or. size == 0) return
+      call h5dget_offset_f(dataset, offset, calls%status)
+      if (calls%status < 0) return
+      first = int(offset, i8)
+      n_bytes = int(size, i8)
+   end subroutine get_extent
 
 end module adfric_output_hdf5_layer_reading

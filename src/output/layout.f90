@@ -251,11 +251,11 @@ contains
       do i = 1, size(self%fields)
          per_point = per_point + merge(state_bytes, real_bytes, len(self%fields(i)%flag_meanings) > 0)
       end do
-      per_point = per_point + real(real_bytes*size(self%counts), dp)/self%blocks%size
+      per_point = per_point + real(real_bytes*(size(self%counts) + 1), dp)/self%blocks%size
       n_bytes = n_points*per_point + real_bytes*(sum(real(self%point_shape(), dp)) &
          + sum(real(self%profile_shape(), dp))) + bytes_per_dataset &
          *(size(self%constants) + size(self%axes) + size(self%profile_axes) + size(self%fields) + size(self%profiles) &
-         + size(self%counts))
+         + size(self%counts) + 2)
    end function n_bytes
 
 end module adfric_output_layout

@@ -2,30 +2,37 @@
 module adfric_output_means
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_not_a_number, only: not_a_number
    use adfric_output_datasets, only: datasets_t
    use adfric_output_hdf5_layer_attributes, only: write_attribute, replace_attribute
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
    use adfric_output_layout, only: layout_t
+   use adfric_output_seal, only: placeholder
    implicit none (type, external)
    private
-   public :: write_placeholders, write_seconds, write_means
+   public :: write_placeholders, n_placeholders, write_seconds, write_means
 
    !> Number of blocks whose counts are read at once.
    integer, parameter :: blocks_at_once = 4096
 
 contains
 
-   !> Make the attributes, all NaN, so that the file keeps its form from now on.
+   !> Number of these attributes.
+   pure integer function n_placeholders(layout)
+      type(layout_t), intent(in) :: layout
+
+      n_placeholders = 1 + size(layout%counts)
+   end function n_placeholders
+
+   !> Make the attributes, each with a NaN of its own, so that the file keeps its form from now on.
    subroutine write_placeholders(calls, file, layout)
       type(hdf5_calls_t), intent(inout) :: calls
       integer(hid_t), intent(in) :: file
       type(layout_t), intent(in) :: layout
       integer :: i
 
-      call write_attribute(calls, file, 'wall_seconds', not_a_number())
+      call write_attribute(calls, file, 'wall_seconds', placeholder(1))
       do i = 1, size(layout%counts)
-         call write_attribute(calls, file, layout%counts(i)%name, not_a_number())
+         call write_attribute(calls, file, layout%counts(i)%name, placeholder(1 + i))
       end do
    end subroutine write_placeholders
 

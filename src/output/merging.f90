@@ -132,7 +132,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: numbers(:, :), error_estimate(:), counts(:, :), profiles(:, :, :)
       integer, allocatable :: status(:)
-      integer(i8) :: row, first
+      integer(i8) :: row, first, sums(n_blocks)
       integer :: i, n
 
       row = (place - 1)*layout%blocks%size + 1
@@ -140,8 +140,10 @@ contains
       n = int(min(int(n_blocks, i8)*layout%blocks%size, layout%blocks%n_points() - row + 1))
       allocate (counts(n_blocks, size(layout%counts)))
       call datasets%read_counts(calls, place, counts)
+      call datasets%read_sums(calls, place, sums)
       if (refers) then
          if (calls%is_good()) call results%put_counts(first, counts, error)
+         if (calls%is_good() .and. .not. allocated(error)) call results%put_known_sums(first, sums, error)
          return
       end if
       allocate (numbers(n, size(layout%fields) - 2), error_estimate(n), status(n))
@@ -157,6 +159,8 @@ contains
          end do
       end if
       if (calls%is_good()) call results%put(first, numbers, error_estimate, status, counts, error)
+      if (.not. calls%is_good() .or. allocated(error)) return
+      if (any(results%sums /= sums)) call calls%fail('it is damaged, its values are not those that were written')
    end subroutine copy_blocks
 
 end module adfric_output_merging

@@ -13,6 +13,7 @@ module adfric_output_part_files
    use adfric_output_layout, only: layout_t
    use adfric_output_operating_system, only: kind_of_path, path_other
    use adfric_output_part_layout, only: read_part_layout
+   use adfric_output_seal, only: check_seal
    use adfric_sweep_blocks, only: blocks_t
    implicit none (type, external)
    private
@@ -88,6 +89,8 @@ contains
          call set_error(error, file_failure, part%path//': cannot read: this is no regular file')
          return
       end if
+      call check_seal(part%path, error)
+      if (allocated(error)) return
       call open_file(calls, part%path, .false., file)
       call read_heading(calls, file, heading)
       if (calls%is_good() .and. len(heading%hash) > 0) call read_part_layout(calls, file, layout)

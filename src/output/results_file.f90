@@ -3,7 +3,7 @@
 !> It is written under other names beside the final one: `.new` until it has all its datasets, then `.partial`, by which
 !> a run that was stopped goes on, and the final name when it is complete. A lock keeps other runs away.
 module adfric_output_results_file
-   use adfric_base_kinds, only: dp
+   use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t, set_error, file_failure
    use adfric_base_model, only: model_t
    use adfric_output_constants, only: add_derived_constants
@@ -12,12 +12,13 @@ module adfric_output_results_file
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    use adfric_output_hdf5_layer_file, only: create_file, flush_file
    use adfric_output_layout, only: layout_t, new_layout
-   use adfric_output_means, only: write_placeholders, write_seconds, write_means
+   use adfric_output_means, only: write_placeholders, n_placeholders, write_seconds, write_means
    use adfric_output_names, only: check_output_name, check_partial_name, partial_name, new_name, lock_name, say_in_use
    use adfric_output_operating_system, only: kind_of_path, path_free, file_id_t, id_of_file, is_same, lock_t, take_lock, &
       move_file, rename_file, remove_file, synchronise, ignore_file_size_signal
    use adfric_output_part_layout, only: write_part_layout
    use adfric_output_results_writer, only: results_writer_t
+   use adfric_output_seal, only: seal_t
    use adfric_output_virtual_parts, only: virtual_parts_t
    use adfric_sweep_block_source, only: block_list_t
    use adfric_sweep_blocks, only: part_t
@@ -150,6 +151,8 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(virtual_parts_t), intent(in), optional :: parts
       type(hdf5_calls_t) :: calls
+      type(seal_t) :: seal
+      integer(i8), allocatable :: extents(:, :)
 
       if (kind_of_path(self%path_now) /= path_free) call remove_file(self%path_now, error)
       if (allocated(error)) return
@@ -157,10 +160,17 @@ contains
       call create_file(calls, self%path_now, self%file)
       ! what a creation leaves that has failed half way is ours, too
       self%id = id_of_file(self%path_now)
+      associate (layout => self%layout)
+         call seal%create(calls, self%file, n_placeholders(layout) + size(layout%fields) + size(layout%profiles) &
+            + size(layout%counts) + 1)
+      end associate
       call write_heading(calls, self%file, heading)
       call write_placeholders(calls, self%file, self%layout)
       if (.not. self%layout%blocks%part%is_whole()) call write_part_layout(calls, self%file, self%layout)
       call self%datasets%create(calls, self%file, self%layout, parts)
+      call flush_file(calls, self%file)
+      call self%datasets%get_extents(calls, extents)
+      call seal%write(calls, self%path_now, extents, n_placeholders(self%layout))
       call flush_file(calls, self%file)
       call calls%get_error(self%path//': cannot create', error)
       self%safe_at = wall_clock()

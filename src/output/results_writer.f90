@@ -6,6 +6,7 @@ module adfric_output_results_writer
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
+   use adfric_output_block_sums, only: profile_sums_t, sum_of_block, sum_of_profiles
    use adfric_output_datasets, only: datasets_t
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    use adfric_output_hdf5_layer_file, only: open_file, flush_file, close_file
@@ -36,8 +37,11 @@ module adfric_output_results_writer
       real(dp) :: safe_at = 0, safe_took = 0
       !> May there be states of points in the file?
       logical :: has_states = .false.
+      !> Checksums of the blocks that were put last.
+      integer(i8), allocatable :: sums(:)
       !> States that wait for their results to be on the disk.
       type(status_log_t), private :: log
+      type(profile_sums_t), private :: profile_sums
       !> Numbers written since the system was last asked to bring them to the disk.
       integer(i8), private :: n_numbers = 0
       !> Do several processes write the file now?
@@ -49,6 +53,7 @@ module adfric_output_results_writer
       procedure :: put
       procedure :: put_profiles
       procedure :: put_counts
+      procedure :: put_known_sums
       procedure :: make_safe
       procedure :: note_states
       procedure :: close_all
@@ -120,6 +125,7 @@ contains
       call self%datasets%write_results(calls, self%layout, row, results, error_estimate)
       call calls%get_error(self%path//': cannot write', error)
       if (.not. allocated(error)) call self%put_counts(first, counts, error)
+      if (.not. allocated(error)) call put_sums(self, first, results, error_estimate, status, counts, error)
       if (allocated(error)) return
       call self%log%add(row, status)
       call begin_to_bring(self, size(results))
@@ -141,6 +147,43 @@ contains
       call calls%get_error(self%path//': cannot write', error)
    end subroutine put_counts
 
+   !> Write the checksums of a row of blocks.
+   subroutine put_sums(self, first, results, error_estimate, status, counts, error)
+      class(results_writer_t), intent(inout) :: self
+      !> See `put`.
+      integer(i8), intent(in) :: first
+      real(dp), intent(in) :: results(:, :), error_estimate(:)
+      integer, intent(in) :: status(:)
+      real(dp), intent(in) :: counts(:, :)
+      type(error_t), allocatable, intent(out) :: error
+      integer(i8) :: sums(size(counts, 1)), block, profile_sum
+      integer :: i, start, end
+
+      do i = 1, size(sums)
+         start = (i - 1)*self%layout%blocks%size + 1
+         end = min(i*self%layout%blocks%size, size(status))
+         block = (first - 1)/self%layout%blocks%size + i
+         call self%profile_sums%take(block, profile_sum)
+         sums(i) = sum_of_block(self%layout, block, results(start:end, :), error_estimate(start:end), status(start:end), &
+            counts(i, :), profile_sum)
+      end do
+      self%sums = sums
+      call self%put_known_sums(first, sums, error)
+   end subroutine put_sums
+
+   !> Write checksums of a row of blocks that are known.
+   subroutine put_known_sums(self, first, sums, error)
+      class(results_writer_t), intent(inout) :: self
+      !> Number of the first point in the run.
+      integer(i8), intent(in) :: first
+      integer(i8), intent(in), contiguous :: sums(:)
+      type(error_t), allocatable, intent(out) :: error
+      type(hdf5_calls_t) :: calls
+
+      call self%datasets%write_sums(calls, (self%layout%row_of(first) - 1)/self%layout%blocks%size + 1, sums)
+      call calls%get_error(self%path//': cannot write', error)
+   end subroutine put_known_sums
+
    !> Write the profiles of a point.
    subroutine put_profiles(self, point, profiles, error)
       class(results_writer_t), intent(inout) :: self
@@ -151,6 +194,7 @@ contains
 
       call calls%silence()
       call self%datasets%write_profiles(calls, self%layout, self%layout%row_of(point), profiles)
+      call self%profile_sums%add((point - 1)/self%layout%blocks%size + 1, sum_of_profiles(point, profiles))
       call calls%get_error(self%path//': cannot write', error)
       call begin_to_bring(self, size(profiles))
    end subroutine put_profiles

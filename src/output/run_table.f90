@@ -29,6 +29,7 @@ contains
          if (summary%by_status(i) == 0 .and. i /= status_solved) cycle
          text = text//count_line('  '//words_of(get_word(status_meanings, i + 1)), summary%by_status(i))
       end do
+      if (summary%n_damaged > 0) text = text//count_line('damaged, solved again', summary%n_damaged)
       do i = 1, size(results)
          if (any(summary%enumerated == i)) text = text//state_lines(results(i), summary%by_state(:, i))
       end do

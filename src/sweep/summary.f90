@@ -17,6 +17,8 @@ module adfric_sweep_summary
       !> Range of each main result over the solved points, empty (lowest > highest) if there is none; shape
       !> `(n_results)`.
       real(dp), allocatable :: lowest(:), highest(:)
+      !> Points of a file whose values are not those that were written.
+      integer(i8) :: n_damaged = 0
       !> Duration of the run [s].
       real(dp) :: wall_seconds = 0
       !> The signal that ended the run before its time; 0 if none did.
@@ -88,6 +90,7 @@ contains
       type(run_summary_t), intent(in) :: other
 
       self%n_points = self%n_points + other%n_points
+      self%n_damaged = self%n_damaged + other%n_damaged
       self%by_status = self%by_status + other%by_status
       self%by_state = self%by_state + other%by_state
       self%lowest = min(self%lowest, other%lowest)

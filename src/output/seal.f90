@@ -1,0 +1,173 @@
+!> The seal of a results file: a checksum of every byte that does not change any more once the file has been created.
+!>
+!> HDF5 believes what a file says of itself, and a file that has been damaged makes it crash, hang, or give other values. So the
+!> bytes are compared with the seal before HDF5 sees them. The seal is a dataset, created before all others, so that it stands
+!> near the beginning, where it is found by its mark. Left out, as holes, are what is written while the run goes on: the values
+!> of the results, which have checksums of their own, and numbers that are known at the end.
+module adfric_output_seal
+   use, intrinsic :: iso_c_binding, only: c_int
+   use hdf5, only: hid_t
+   use adfric_base_checksum, only: mix_integers
+   use adfric_base_error, only: error_t, set_error, file_failure
+   use adfric_base_kinds, only: dp, i8
+   use adfric_output_field_dataset, only: count_group
+   use adfric_output_hdf5_layer_attributes, only: write_attribute
+   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
+   use adfric_output_hdf5_layer_datasets, only: create_group, create_space, create_integer_dataset, write_values, close_dataset
+   use adfric_output_hdf5_layer_reading, only: get_extent
+   use adfric_output_operating_system, only: error_text
+   use adfric_system_file_bytes, only: size_of_file, sum_of_file, find_word, read_words, is_short
+   implicit none (type, external)
+   private
+   public :: seal_t, check_seal, placeholder
+
+   !> The words of a seal: its mark, how many words it has, the size of the file, the checksum of its bytes, the number of
+   !> holes, the holes, zeros, and last the checksum of these words. The mark is 'adfric' and two bytes that are no text.
+   integer(i8), parameter :: mark = int(z'01F7636972666461', i8)
+   integer, parameter :: n_words_before = 5
+   !> The mark stands within so many bytes from the beginning, and no seal has more words.
+   integer(i8), parameter :: latest = 65536, most_words = 20000
+
+   !> First byte and number of bytes of what HDF5 changes itself: is the file open now? It believes nothing of it.
+   integer(i8), parameter :: flags(2) = [20, 4]
+
+   !> A seal that is being made.
+   type :: seal_t
+      private
+      integer(hid_t) :: dataset = no_id
+      integer :: n_words = 0
+   contains
+      procedure :: create
+      procedure :: write => write_seal
+   end type seal_t
+
+contains
+
+   !> A number that stands for one that is known at the end: a NaN of its own.
+   pure real(dp) function placeholder(i)
+      !> From 1 on.
+      integer, intent(in) :: i
+      integer(i8), parameter :: first = int(z'7FF8ADF71C000000', i8)
+
+      placeholder = transfer(first + i, 0.0_dp)
+   end function placeholder
+
+   !> Create its dataset, and the group in which it is; before all others.
+   subroutine create(self, calls, file, n_holes)
+      class(seal_t), intent(inout) :: self
+      type(hdf5_calls_t), intent(inout) :: calls
+      integer(hid_t), intent(in) :: file
+      !> There will not be more.
+      integer, intent(in) :: n_holes
+      integer(hid_t) :: group, space
+
+      self%n_words = n_words_before + 2*(n_holes + 2) + 1
+      call create_group(calls, file, count_group, group)
+      call calls%close_id(group)
+      call create_space(calls, [int(self%n_words, i8)], space)
+      call create_integer_dataset(calls, file, count_group//'/seal', space, self%dataset)
+      call calls%close_id(space)
+      call write_attribute(calls, self%dataset, 'units', '-')
+      call write_attribute(calls, self%dataset, 'long_name', 'checksum of the bytes of this file that never change')
+   end subroutine create
+
+   !> Write it into a file that has been handed to the operating system as a whole.
+   subroutine write_seal(self, calls, path, extents, n_placeholders)
+      class(seal_t), intent(inout) :: self
+      type(hdf5_calls_t), intent(inout) :: calls
+      character(*), intent(in) :: path
+      !> Where values stand that are written later, see `get_extents` of the datasets.
+      integer(i8), intent(in) :: extents(:, :)
+      !> Number of the placeholders, which are in the file.
+      integer, intent(in) :: n_placeholders
+      integer(i8), allocatable :: holes(:, :), words(:)
+      integer(i8) :: own(2), place, sum, n_bytes
+      integer(hid_t) :: space
+      integer :: i, n_found, number
+
+      call get_extent(calls, self%dataset, own(1), own(2))
+      n_bytes = size_of_file(path)
+      holes = in_order(reshape([flags, own, extents], [2, 2 + size(extents, 2)]))
+      do i = 1, n_placeholders
+         call find_word(path, n_bytes, holes, transfer(placeholder(i), 0_i8), place, n_found, number)
+         if (number /= 0 .or. n_found /= 1) call calls%fail('the attributes cannot be found in the file')
+         holes = in_order(reshape([holes, [place, 8_i8]], [2, 1 + size(holes, 2)]))
+      end do
+      call sum_of_file(path, n_bytes, holes, sum, number)
+      if (number /= 0) call calls%fail('the file cannot be read back')
+      allocate (words(self%n_words), source=0_i8)
+      words(:n_words_before) = [mark, int(self%n_words, i8), n_bytes, sum, size(holes, 2, kind=i8)]
+      words(n_words_before + 1:n_words_before + size(holes)) = reshape(holes, [size(holes)])
+      words(self%n_words) = mix_integers(0_i8, self%n_words - 1, words)
+      call create_space(calls, [int(self%n_words, i8)], space)
+      call write_values(calls, self%dataset, space, space, words)
+      call calls%close_id(space)
+      call close_dataset(calls, self%dataset)
+   end subroutine write_seal
+
+   !> Holes as they rise, without those that are empty.
+   pure function in_order(holes) result(rising)
+      integer(i8), intent(in) :: holes(:, :)
+      integer(i8), allocatable :: rising(:, :)
+      logical :: is_left(size(holes, 2))
+      integer :: i, next
+
+      is_left = holes(2, :) > 0
+      allocate (rising(2, count(is_left)))
+      do i = 1, size(rising, 2)
+         next = minloc(holes(1, :), dim=1, mask=is_left)
+         rising(:, i) = holes(:, next)
+         is_left(next) = .false.
+      end do
+   end function in_order
+
+   !> Is a file a results file that has not been damaged? Asked before HDF5 opens it.
+   subroutine check_seal(path, error)
+      character(*), intent(in) :: path
+      type(error_t), allocatable, intent(out) :: error
+      integer(i8), allocatable :: words(:)
+      integer(i8) :: sum
+      integer :: number
+
+      call read_seal(path, words, number)
+      if (number == 0) then
+         associate (n_holes => int(words(5)))
+            call sum_of_file(path, words(3), reshape(words(n_words_before + 1:n_words_before + 2*n_holes), [2, n_holes]), &
+               sum, number)
+         end associate
+         if (number == 0 .and. sum /= words(4)) number = is_short
+      end if
+      if (number > 0) then
+         call set_error(error, file_failure, path//': cannot read: '//error_text(int(number, c_int)))
+      else if (number < 0) then
+         call set_error(error, file_failure, path//': cannot read: it is damaged, or no results file of adfric')
+      end if
+   end subroutine check_seal
+
+   !> Read the seal of a file.
+   subroutine read_seal(path, words, number)
+      character(*), intent(in) :: path
+      integer(i8), allocatable, intent(out) :: words(:)
+      !> 0, `is_short` if there is no seal or it is damaged, or an error number.
+      integer, intent(out) :: number
+      integer(i8), allocatable :: empty(:, :)
+      integer(i8) :: place, head(2)
+      integer :: n_found
+
+      allocate (empty(2, 0))
+      call find_word(path, min(latest, max(size_of_file(path), 0_i8)), empty, mark, place, n_found, number)
+      if (number == 0 .and. n_found == 0) number = is_short
+      if (number == 0) call read_words(path, place, head, number)
+      if (number == 0) then
+         if (head(2) <= n_words_before .or. head(2) > most_words) number = is_short
+      end if
+      if (number /= 0) return
+      allocate (words(head(2)), source=0_i8)
+      call read_words(path, place, words, number)
+      if (number /= 0) return
+      associate (n => size(words))
+         if (words(n) /= mix_integers(0_i8, n - 1, words)) number = is_short
+      end associate
+   end subroutine read_seal
+
+end module adfric_output_seal
