@@ -34,21 +34,20 @@ contains
       real(dp), intent(in) :: counts(:)
       !> Of the profiles of its points, see `sum_of_profiles`: added up by exclusive or, in any order; 0 if there are none.
       integer(i8), intent(in) :: profile_sum
-      real(dp) :: numbers(size(status))
       integer :: i, n
 
       n = size(status)
       sum = mix_integers(0_i8, 1, [block])
       do i = 1, size(layout%fields) - 2
-         numbers = results(:, layout%fields(i)%column)
-         if (len(layout%fields(i)%flag_meanings) == 0) then
-            sum = mix_reals(sum, n, numbers)
-         else
-            sum = mix_integers(sum, n, int(to_state(numbers), i8))
-         end if
+         associate (numbers => results(:, layout%fields(i)%column))
+            if (len(layout%fields(i)%flag_meanings) == 0) then
+               sum = mix_reals(sum, n, numbers)
+            else
+               sum = mix_integers(sum, n, int(to_state(numbers), i8))
+            end if
+         end associate
       end do
-      numbers = error_estimate
-      sum = mix_reals(sum, n, numbers)
+      sum = mix_reals(sum, n, error_estimate)
       sum = mix_integers(sum, n, int(status, i8))
       sum = mix_reals(sum, size(counts), counts)
       sum = mix_integers(sum, 1, [profile_sum])

@@ -98,7 +98,7 @@ contains
       integer(hid_t), intent(out) :: dataset
 
       call create_integer_dataset(calls, file, sum_name, space, dataset)
-      call write_attribute(calls, dataset, 'units', '-')
+      call write_attribute(calls, dataset, 'units', '1')
       call write_attribute(calls, dataset, 'long_name', 'checksum of what stands in this file for the points of a block')
    end subroutine create_sums
 

@@ -10,6 +10,7 @@ module adfric_output_hdf5_layer_samples
    use adfric_output_hdf5_layer_datasets, only: close_dataset
    use adfric_output_hdf5_layer_file, only: open_file, close_file
    use adfric_output_hdf5_layer_labels, only: read_label
+   use adfric_output_hdf5_layer_sources, only: check_sources
    use adfric_output_operating_system, only: kind_of_path, path_free, path_file
    use adfric_system_memory, only: free_memory, has_room
    implicit none (type, external)
@@ -61,6 +62,8 @@ contains
          call read_label(calls, dataset, units_name, units, is_text)
          if (.not. is_text) flaw = 'the attribute '//units_name//' of the dataset is no text'
       end if
+      ! before anything is read: HDF5 would keep the sources open
+      if (len(flaw) == 0) call check_sources(calls, file, dataset, 0, flaw)
       if (len(flaw) == 0) call read_values(calls, dataset, counts, values, flaw)
       call close_dataset(calls, dataset)
       call close_file(calls, file_id)

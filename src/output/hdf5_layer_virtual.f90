@@ -11,7 +11,7 @@ module adfric_output_hdf5_layer_virtual
    use adfric_output_hdf5_layer_datasets, only: no_state, to_fortran
    implicit none (type, external)
    private
-   public :: select_nothing, add_box, create_virtual_list, add_source, create_virtual_dataset
+   public :: select_nothing, add_box, create_virtual_list, add_source, create_virtual_dataset, as_format
 
 contains
 

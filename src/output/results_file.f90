@@ -337,12 +337,12 @@ contains
       type(hdf5_calls_t) :: calls
       type(error_t), allocatable :: another
 
-      ! what was written before may still be saved
-      if (self%file /= no_id .and. self%path_now /= new_name(self%path)) call self%make_safe(another)
-      if (.not. self%has_states) then
+      if (self%path_now == new_name(self%path)) then
          call self%discard()
          return
       end if
+      ! what was written before may still be saved
+      if (self%file /= no_id) call self%make_safe(another)
       call self%close_all(calls)
       if (is_same(self%id, id_of_file(self%path_now))) then
          if (is_readable(self%path_now)) then

@@ -67,7 +67,7 @@ contains
       call create_space(calls, [int(self%n_words, i8)], space)
       call create_integer_dataset(calls, file, count_group//'/seal', space, self%dataset)
       call calls%close_id(space)
-      call write_attribute(calls, self%dataset, 'units', '-')
+      call write_attribute(calls, self%dataset, 'units', '1')
       call write_attribute(calls, self%dataset, 'long_name', 'checksum of the bytes of this file that never change')
    end subroutine create
 
