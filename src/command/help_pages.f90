@@ -27,8 +27,9 @@ module adfric_command_help_pages
       '  adfric --version'//newline// &
       newline// &
       'Exit status: 0 every point is answered, 1 some points did not converge,'//newline// &
-      '2 bad command line or input, 3 file error, 128 + N stopped by signal N (130 Ctrl-C,'//newline// &
-      '143 SIGTERM): --resume goes on. Threads as OMP_NUM_THREADS says.'//newline// &
+      '2 bad command line or input, 3 file error or too little memory, threads or stack,'//newline// &
+      '128 + N stopped by signal N (129 SIGHUP, 130 Ctrl-C, 143 SIGTERM): --resume goes on.'//newline// &
+      'Any other is a failure. Threads as OMP_NUM_THREADS says.'//newline// &
       'A program that was built with MPI (adfric --version says so): mpirun -n N adfric run ...'//newline// &
       newline
 

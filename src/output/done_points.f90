@@ -4,6 +4,7 @@ module adfric_output_done_points
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t, set_error, file_failure
    use adfric_base_model, only: model_t, status_solved
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_output_block_sums, only: sum_of_block, sum_of_profiles
    use adfric_output_datasets, only: datasets_t
    use adfric_output_heading, only: heading_t, read_heading, say_difference
@@ -134,9 +135,13 @@ contains
       if (size(layout%profiles) > 0) then
          allocate (profiles(product(layout%profile_shape()), 1, size(layout%profiles)))
          do i = 1, size(status)
-            if (status(i) /= status_solved) cycle
             call datasets%read_profiles(calls, layout, row + i - 1, profiles)
-            profile_sum = ieor(profile_sum, sum_of_profiles(layout%blocks%first_point(block) + i - 1, profiles))
+            if (status(i) == status_solved) then
+               profile_sum = ieor(profile_sum, sum_of_profiles(layout%blocks%first_point(block) + i - 1, profiles))
+            else if (any(transfer(profiles, [0_i8]) /= transfer(not_a_number(), 0_i8))) then
+               ! nothing has been written here
+               profile_sum = not(profile_sum)
+            end if
          end do
       end if
       sum = sum_of_block(layout, block, results, error_estimate, status, counts(1, :), profile_sum)

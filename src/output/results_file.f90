@@ -42,8 +42,6 @@ module adfric_output_results_file
       real(dp) :: seconds_before = 0
       !> What stands in the head of a file that has not been created yet.
       type(heading_t), allocatable :: heading
-      !> Did this run find the file when it began?
-      logical :: is_resumed = .false.
    contains
       procedure :: create
       procedure :: begin

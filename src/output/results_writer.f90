@@ -6,6 +6,8 @@ module adfric_output_results_writer
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
+   use adfric_base_model, only: status_solved
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_output_block_sums, only: profile_sums_t, sum_of_block, sum_of_profiles
    use adfric_output_datasets, only: datasets_t
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
@@ -35,6 +37,8 @@ module adfric_output_results_writer
       type(datasets_t) :: datasets
       !> When everything was last on the disk, and how long that took [s].
       real(dp) :: safe_at = 0, safe_took = 0
+      !> Did this run find the file when it began?
+      logical :: is_resumed = .false.
       !> May there be states of points in the file?
       logical :: has_states = .false.
       !> Checksums of the blocks that were put last.
@@ -125,6 +129,7 @@ contains
       call self%datasets%write_results(calls, self%layout, row, results, error_estimate)
       call calls%get_error(self%path//': cannot write', error)
       if (.not. allocated(error)) call self%put_counts(first, counts, error)
+      if (.not. allocated(error) .and. self%is_resumed) call clear_profiles(self, row, status, error)
       if (.not. allocated(error)) call put_sums(self, first, results, error_estimate, status, counts, error)
       if (allocated(error)) return
       call self%log%add(row, status)
@@ -146,6 +151,26 @@ contains
       call self%datasets%write_counts(calls, (self%layout%row_of(first) - 1)/self%layout%blocks%size + 1, counts)
       call calls%get_error(self%path//': cannot write', error)
    end subroutine put_counts
+
+   !> Points that are not solved have no profiles. In a file that was found something else may stand there.
+   subroutine clear_profiles(self, row, status, error)
+      class(results_writer_t), intent(inout) :: self
+      !> Place of the first point in the file, from 1.
+      integer(i8), intent(in) :: row
+      !> Of the points from there on.
+      integer, intent(in) :: status(:)
+      type(error_t), allocatable, intent(out) :: error
+      type(hdf5_calls_t) :: calls
+      real(dp), allocatable :: nothing(:, :, :)
+      integer :: i
+
+      if (size(self%layout%profiles) == 0) return
+      allocate (nothing(product(self%layout%profile_shape()), 1, size(self%layout%profiles)), source=not_a_number())
+      do i = 1, size(status)
+         if (status(i) /= status_solved) call self%datasets%write_profiles(calls, self%layout, row + i - 1, nothing)
+      end do
+      call calls%get_error(self%path//': cannot write', error)
+   end subroutine clear_profiles
 
    !> Write the checksums of a row of blocks.
    subroutine put_sums(self, first, results, error_estimate, status, counts, error)

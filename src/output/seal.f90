@@ -87,14 +87,18 @@ contains
 
       call get_extent(calls, self%dataset, own(1), own(2))
       n_bytes = size_of_file(path)
+      number = 0
+      sum = 0
       holes = in_order(reshape([flags, own, extents], [2, 2 + size(extents, 2)]))
       do i = 1, n_placeholders
          call find_word(path, n_bytes, holes, transfer(placeholder(i), 0_i8), place, n_found, number)
-         if (number /= 0 .or. n_found /= 1) call calls%fail('the attributes cannot be found in the file')
+         if (number == 0 .and. n_found /= 1) call calls%fail('the attributes cannot be found in the file')
+         if (number /= 0) exit
          holes = in_order(reshape([holes, [place, 8_i8]], [2, 1 + size(holes, 2)]))
       end do
-      call sum_of_file(path, n_bytes, holes, sum, number)
-      if (number /= 0) call calls%fail('the file cannot be read back')
+      if (number == 0) call sum_of_file(path, n_bytes, holes, sum, number)
+      if (number > 0) call calls%fail(error_text(int(number, c_int)))
+      if (number < 0) call calls%fail('the file is shorter than it should be')
       allocate (words(self%n_words), source=0_i8)
       words(:n_words_before) = [mark, int(self%n_words, i8), n_bytes, sum, size(holes, 2, kind=i8)]
       words(n_words_before + 1:n_words_before + size(holes)) = reshape(holes, [size(holes)])
