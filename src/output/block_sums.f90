@@ -3,7 +3,7 @@
 module adfric_output_block_sums
    use adfric_base_checksum, only: mix_reals, mix_integers
    use adfric_base_kinds, only: dp, i8
-   use adfric_output_datasets, only: to_state
+   use adfric_output_hdf5_layer_datasets, only: to_state
    use adfric_output_layout, only: layout_t
    implicit none (type, external)
    private

@@ -2,22 +2,22 @@
 !>
 !> Every dataset has its full size from the start and holds NaN, or the state -1, where nothing has been written yet.
 module adfric_output_datasets
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_fortran_env, only: int8
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_not_a_number, only: not_a_number
    use adfric_output_boxes, only: box_t, next_box
    use adfric_output_constant_datasets, only: create_constants, list_constants
-   use adfric_output_field_dataset, only: create_scale, create_field, create_counts, create_sums, count_group, sum_name
+   use adfric_output_field_dataset, only: create_scale, create_field, create_counts, count_group
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
-   use adfric_output_hdf5_layer_datasets, only: create_space, select_box, write_values, close_dataset, no_state
+   use adfric_output_hdf5_layer_datasets, only: create_space, select_box, write_values, close_dataset, no_state, to_state
    use adfric_output_hdf5_layer_reading, only: open_dataset, read_values, get_extent
    use adfric_output_layout, only: layout_t
+   use adfric_output_sums_dataset, only: sums_dataset_t
    use adfric_output_virtual_parts, only: virtual_parts_t
    implicit none (type, external)
    private
-   public :: datasets_t, to_state
+   public :: datasets_t
 
    !> The datasets, in the order of the layout. Rows are places of points in the file, from 1.
    type :: datasets_t
@@ -30,7 +30,7 @@ module adfric_output_datasets
       integer(hid_t), allocatable :: fields(:)
       integer(hid_t), allocatable :: profiles(:), counts(:)
       !> Checksums of the blocks.
-      integer(hid_t) :: sums = no_id
+      type(sums_dataset_t), public :: sums
    contains
       procedure :: create
       procedure :: open => open_all
@@ -38,12 +38,10 @@ module adfric_output_datasets
       procedure :: write_status
       procedure :: write_profiles
       procedure :: write_counts
-      procedure :: write_sums
       procedure :: read_results
       procedure :: read_status
       procedure :: read_profiles
       procedure :: read_counts
-      procedure :: read_sums
       procedure :: get_extents
       procedure :: close => close_all
    end type datasets_t
@@ -84,7 +82,7 @@ contains
             merge(1, 2, is_whole), coordinates, self%profiles(i), parts, is_profile=.true.)
       end do
       call create_counts(calls, file, layout%counts, self%count_space, self%counts)
-      call create_sums(calls, file, self%count_space, self%sums)
+      call self%sums%create(calls, file, layout%blocks%n_blocks())
    end subroutine create
 
    !> Open every dataset of results.
@@ -105,7 +103,7 @@ contains
       do i = 1, size(self%counts)
          call open_dataset(calls, file, count_group//'/'//layout%counts(i)%name, self%counts(i))
       end do
-      call open_dataset(calls, file, sum_name, self%sums)
+      call self%sums%open(calls, file, layout%blocks%n_blocks())
    end subroutine open_all
 
    !> Make room for the ids, and make the spaces.
@@ -175,15 +173,6 @@ contains
          done = done + n
       end do
    end subroutine write_results
-
-   !> A state as it stands in the file.
-   elemental integer(int8) function to_state(value)
-      !> The number of the state, or NaN where there is none.
-      real(dp), intent(in) :: value
-
-      to_state = no_state
-      if (ieee_is_finite(value)) to_state = nint(value, int8)
-   end function to_state
 
    !> Write the states of a row of points.
    subroutine write_status(self, calls, layout, first, states)
@@ -367,37 +356,6 @@ contains
       call calls%close_id(memory_space)
    end subroutine read_counts
 
-   !> Write the checksums of neighbouring blocks.
-   subroutine write_sums(self, calls, place, sums)
-      class(datasets_t), intent(in) :: self
-      type(hdf5_calls_t), intent(inout) :: calls
-      !> Place of the first block in the file, from 1.
-      integer(i8), intent(in) :: place
-      integer(i8), intent(in), contiguous :: sums(:)
-      integer(hid_t) :: memory_space
-
-      if (size(sums) == 0) return
-      call select_blocks(self, calls, place, size(sums), memory_space)
-      call write_values(calls, self%sums, memory_space, self%count_space, sums)
-      call calls%close_id(memory_space)
-   end subroutine write_sums
-
-   !> Read the checksums of neighbouring blocks.
-   subroutine read_sums(self, calls, place, sums)
-      class(datasets_t), intent(in) :: self
-      type(hdf5_calls_t), intent(inout) :: calls
-      !> Place of the first block in the file, from 1.
-      integer(i8), intent(in) :: place
-      integer(i8), intent(out), contiguous :: sums(:)
-      integer(hid_t) :: memory_space
-
-      sums = 0
-      if (size(sums) == 0) return
-      call select_blocks(self, calls, place, size(sums), memory_space)
-      call read_values(calls, self%sums, memory_space, self%count_space, sums)
-      call calls%close_id(memory_space)
-   end subroutine read_sums
-
    !> Where in the file values stand that are written while a run goes on; of size 0 for those that are elsewhere.
    subroutine get_extents(self, calls, extents)
       class(datasets_t), intent(in) :: self
@@ -406,7 +364,7 @@ contains
       integer(i8), allocatable, intent(out) :: extents(:, :)
       integer :: i
 
-      associate (ids => [self%fields, self%profiles, self%counts, self%sums])
+      associate (ids => [self%fields, self%profiles, self%counts, self%sums%id])
          allocate (extents(2, size(ids)))
          do i = 1, size(ids)
             call get_extent(calls, ids(i), extents(1, i), extents(2, i))
@@ -432,7 +390,7 @@ contains
       class(datasets_t), intent(inout) :: self
       type(hdf5_calls_t), intent(inout) :: calls
 
-      call close_dataset(calls, self%sums)
+      call self%sums%close(calls)
       call close_list(calls, self%counts)
       call close_list(calls, self%profiles)
       call close_list(calls, self%fields)

@@ -88,7 +88,7 @@ contains
          allocate (status(min(int(blocks_at_once, i8)*layout%blocks%size, layout%blocks%n_points() - row + 1)))
          allocate (sums((size(status) - 1)/layout%blocks%size + 1))
          call datasets%read_status(calls, layout, row, status)
-         call datasets%read_sums(calls, place, sums)
+         call datasets%sums%read(calls, place, sums)
          do i = 0, min(blocks_at_once - 1, (size(status) - 1)/layout%blocks%size)
             first = i*layout%blocks%size
             n = min(layout%blocks%size, size(status) - first)

@@ -5,18 +5,16 @@ module adfric_output_field_dataset
    use adfric_output_flags, only: write_flags
    use adfric_output_hdf5_layer_attributes, only: write_attribute
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
-   use adfric_output_hdf5_layer_datasets, only: create_space, create_real_dataset, create_state_dataset, create_integer_dataset, &
+   use adfric_output_hdf5_layer_datasets, only: create_space, create_real_dataset, create_state_dataset, &
       write_values, make_scale, attach_scale
    use adfric_output_layout, only: scale_t, field_t
    use adfric_output_virtual_parts, only: virtual_parts_t
    implicit none (type, external)
    private
-   public :: create_scale, create_field, create_counts, create_sums, count_group, sum_name
+   public :: create_scale, create_field, create_counts, count_group
 
    !> Group of what is known of each block.
    character(*), parameter :: count_group = 'blocks'
-   !> Path of the checksums of the blocks.
-   character(*), parameter :: sum_name = count_group//'/checksum'
 
 contains
 
@@ -88,18 +86,5 @@ contains
          call write_attribute(calls, datasets(i), 'long_name', counts(i)%long_name)
       end do
    end subroutine create_counts
-
-   !> Create the dataset of the checksums of the blocks.
-   subroutine create_sums(calls, file, space, dataset)
-      type(hdf5_calls_t), intent(inout) :: calls
-      integer(hid_t), intent(in) :: file
-      !> Of all blocks.
-      integer(hid_t), intent(in) :: space
-      integer(hid_t), intent(out) :: dataset
-
-      call create_integer_dataset(calls, file, sum_name, space, dataset)
-      call write_attribute(calls, dataset, 'units', '1')
-      call write_attribute(calls, dataset, 'long_name', 'checksum of what stands in this file for the points of a block')
-   end subroutine create_sums
 
 end module adfric_output_field_dataset

@@ -5,7 +5,7 @@
 module adfric_output_hdf5_layer_datasets
    use, intrinsic :: iso_c_binding, only: c_loc
    use, intrinsic :: iso_fortran_env, only: int8
-   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_value, ieee_quiet_nan
    use hdf5, only: hid_t, hsize_t, h5screate_f, h5screate_simple_f, h5sselect_hyperslab_f, h5dcreate_f, h5dwrite_f, &
       h5dclose_f, h5pcreate_f, h5pset_layout_f, h5pset_alloc_time_f, h5pset_fill_time_f, h5pset_fill_value_f, &
       h5kind_to_type, h5gcreate_f, H5S_SCALAR_F, H5S_SELECT_SET_F, H5P_DATASET_CREATE_F, H5D_CONTIGUOUS_F, &
@@ -18,7 +18,7 @@ module adfric_output_hdf5_layer_datasets
    private
    public :: create_group, create_space, select_box, create_real_dataset, create_state_dataset, create_integer_dataset
    public :: write_values, close_dataset
-   public :: make_scale, attach_scale, no_state, to_fortran
+   public :: make_scale, attach_scale, no_state, to_state, to_fortran
 
    !> What stands in a dataset of states where there is none.
    integer(int8), parameter :: no_state = -1
@@ -242,5 +242,14 @@ contains
       call h5dsattach_scale_f(dataset, scale, dimension, calls%status)
       call calls%check()
    end subroutine attach_scale
+
+   !> A state as it stands in the file.
+   elemental integer(int8) function to_state(value)
+      !> The number of the state, or NaN where there is none.
+      real(dp), intent(in) :: value
+
+      to_state = no_state
+      if (ieee_is_finite(value)) to_state = nint(value, int8)
+   end function to_state
 
 end module adfric_output_hdf5_layer_datasets

@@ -140,7 +140,7 @@ contains
       n = int(min(int(n_blocks, i8)*layout%blocks%size, layout%blocks%n_points() - row + 1))
       allocate (counts(n_blocks, size(layout%counts)))
       call datasets%read_counts(calls, place, counts)
-      call datasets%read_sums(calls, place, sums)
+      call datasets%sums%read(calls, place, sums)
       if (refers) then
          if (calls%is_good()) call results%put_counts(first, counts, error)
          if (calls%is_good() .and. .not. allocated(error)) call results%put_known_sums(first, sums, error)

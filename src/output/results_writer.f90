@@ -205,7 +205,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
 
-      call self%datasets%write_sums(calls, (self%layout%row_of(first) - 1)/self%layout%blocks%size + 1, sums)
+      call self%datasets%sums%write(calls, (self%layout%row_of(first) - 1)/self%layout%blocks%size + 1, sums)
       call calls%get_error(self%path//': cannot write', error)
    end subroutine put_known_sums
 
