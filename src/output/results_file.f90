@@ -25,7 +25,7 @@ module adfric_output_results_file
    use adfric_sweep_clock, only: wall_clock
    use adfric_sweep_plan, only: plan_t
    use adfric_sweep_summary, only: run_summary_t
-   use adfric_system_leftovers, only: note_leftover, forget_leftover, note_kept
+   use adfric_system_leftovers, only: note_leftover, forget_leftover, note_kept, begin_making, end_making
    implicit none (type, external)
    private
    public :: results_file_t
@@ -114,11 +114,15 @@ contains
       ! some file systems give room no earlier than this; and where it never came, zeros would look like results
       if (.not. allocated(error)) call synchronise(self%path_now, error)
       ! nobody can have begun to write results in the meantime, since we have the lock
-      if (.not. allocated(error)) call rename_file(self%path_now, partial_name(self%path), error)
       if (allocated(error)) return
-      self%path_now = partial_name(self%path)
       ! it is of no use before there are results in it
-      call note_leftover(self%path_now)
+      call note_leftover(partial_name(self%path))
+      call rename_file(self%path_now, partial_name(self%path), error)
+      if (allocated(error)) then
+         call forget_leftover(partial_name(self%path))
+         return
+      end if
+      self%path_now = partial_name(self%path)
       call forget_leftover(new_name(self%path))
    end subroutine prepare
 
@@ -154,8 +158,10 @@ contains
 
       if (kind_of_path(self%path_now) /= path_free) call remove_file(self%path_now, error)
       if (allocated(error)) return
+      call begin_making()
       call note_leftover(self%path_now)
       call create_file(calls, self%path_now, self%file)
+      call end_making()
       ! what a creation leaves that has failed half way is ours, too
       self%id = id_of_file(self%path_now)
       associate (layout => self%layout)

@@ -4,8 +4,10 @@
 #define _XOPEN_SOURCE 700
 
 #include <limits.h>
+#include <pthread.h>
 #include <stdatomic.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { most_leftovers = 4 };
@@ -17,6 +19,22 @@ struct leftover {
 };
 
 static struct leftover leftovers[most_leftovers], kept;
+
+/* Held while such a file is made: it must not come when all are being removed. */
+static pthread_mutex_t making = PTHREAD_MUTEX_INITIALIZER;
+static _Thread_local int is_making = 0;
+
+void adfric_begin_making(void)
+{
+   pthread_mutex_lock(&making);
+   is_making = 1;
+}
+
+void adfric_end_making(void)
+{
+   is_making = 0;
+   pthread_mutex_unlock(&making);
+}
 
 static void note(struct leftover *self, const char *path)
 {
@@ -59,9 +77,14 @@ const char *adfric_kept(void)
    return atomic_load(&kept.is_noted) ? kept.path : NULL;
 }
 
-/* Remove what is of no use. Calls only what is safe at any moment, in any thread. */
+/* Remove what is of no use; the process ends then, and no more of it is made. Asks for no memory. A thread that makes a file
+   is waited for, unless it is this one, but not for ever: it may wait for us. */
 void adfric_remove_leftovers(void)
 {
+   struct timespec latest;
+   clock_gettime(CLOCK_REALTIME, &latest);
+   latest.tv_sec += 2;
+   if (!is_making) (void)pthread_mutex_timedlock(&making, &latest);
    for (int i = 0; i < most_leftovers; i++) {
       if (atomic_load(&leftovers[i].is_noted)) unlink(leftovers[i].path);
    }

@@ -3,9 +3,19 @@ module adfric_system_leftovers
    use, intrinsic :: iso_c_binding, only: c_char, c_null_char
    implicit none (type, external)
    private
-   public :: note_leftover, forget_leftover, note_kept
+   public :: note_leftover, forget_leftover, note_kept, begin_making, end_making
 
    interface
+
+      !> A file is about to be made that is of no use at first. If the program ends in another thread now, it waits for that.
+      subroutine begin_making() bind(c, name='adfric_begin_making')
+         implicit none (type, external)
+      end subroutine begin_making
+
+      !> The file is there.
+      subroutine end_making() bind(c, name='adfric_end_making')
+         implicit none (type, external)
+      end subroutine end_making
 
       subroutine c_note_leftover(path) bind(c, name='adfric_note_leftover')
          import :: c_char
