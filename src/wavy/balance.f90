@@ -9,12 +9,11 @@ module adfric_wavy_balance
    use adfric_numerics_trigonometry, only: angle_minus_sine
    use adfric_wavy_contact_zone, only: decay
    use adfric_wavy_edge_equations, only: get_edge_rates, get_adhesion_rate
-   use adfric_wavy_saturated_adhesion, only: depth_of_half_width
    use adfric_wavy_strip, only: strip_t, profile, lifted_profile, steady_state_t, regime_adhesion_only, regime_discrete, &
       & regime_saturated_adhesion, regime_adhesion_zones, regime_saturated
    implicit none (type, external)
    private
-   public :: balance_t, get_balance, get_load_slope
+   public :: balance_t, get_balance, get_load_slope, get_slope_bound
 
    !> Integrals over the phase of one period, in units of the strip (c for lengths, c/K for stresses).
    type :: balance_t
@@ -72,7 +71,7 @@ contains
          balance%load = two_pi*strip%mean
          balance%friction = pi*f%loss
          balance%contact = two_pi
-         balance%load_scale = abs(balance%load)
+         balance%load_scale = two_pi*(abs(strip%crest) + 1)
          balance%friction_scale = balance%friction
          ! q = loss (sin + u cos), and loss (1 + u^2)/u = beta - 1
          balance%dissipation = pi*f%loss
@@ -275,22 +274,18 @@ contains
    pure real(dp) function get_load_slope(strip, state) result(slope)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
-      real(dp) :: rates(4), depth, depth_rate, shift_rate, by_width, by_shift
+      real(dp) :: rates(4), by_width, by_shift
 
       slope = 0
       select case (state%regime)
-      case (regime_saturated)
-         slope = two_pi
-         return
       case (regime_adhesion_only)
          if (state%half_width < pi) slope = -2*strip%stress*get_adhesion_rate(strip, state)
          return
       case (regime_adhesion_zones)
          rates = get_edge_rates(strip, state)
-      case (regime_discrete, regime_saturated_adhesion)
-         call depth_of_half_width(strip%foundation, state%half_width, depth, depth_rate, shift_rate)
-         rates = [1/depth_rate, shift_rate/depth_rate, -2/depth_rate, 0.0_dp]
       case default
+         ! no edge of adhesion can move
+         slope = get_slope_bound(strip, state)
          return
       end select
       associate (v => strip%foundation%v, w => state%half_width, s => state%shift)
@@ -299,6 +294,36 @@ contains
          slope = 2*w + by_width*rates(1) + by_shift*rates(2) - strip%stress*(2*rates(1) + rates(3) + rates(4))
       end associate
    end function get_load_slope
+
+   !> Change of the integral of the pressure with the depth of the strip while the edges of adhesion stay where they are: the
+   !> largest change that this penetration and all smaller ones can have (docs/wavy.md).
+   !>
+   !> Where the phases of release and attachment are held, the length e of the dashpot, K p = w + (beta - 1)(w - e), answers
+   !> continuously to everything else: over a change of the depth of 1 it relaxes towards 1 in contact, over the phase u, and
+   !> towards 0 where the pressure is held, over the phase v. The mean displacement tells the mean pressure.
+   pure real(dp) function get_slope_bound(strip, state) result(bound)
+      type(strip_t), intent(in) :: strip
+      type(steady_state_t), intent(in) :: state
+      real(dp) :: open, lost_closed, lost_open, lost
+
+      bound = 0
+      select case (state%regime)
+      case (regime_saturated)
+         bound = two_pi
+      case (regime_discrete, regime_saturated_adhesion, regime_adhesion_zones)
+         associate (f => strip%foundation)
+            open = two_pi - 2*state%half_width
+            lost_closed = decay(2*state%half_width/f%u)
+            lost_open = decay(open/f%v)
+            ! 1 - (1 - lost_closed)(1 - lost_open) without loss of digits
+            lost = lost_closed + lost_open - lost_closed*lost_open
+            bound = 2*state%half_width
+            if (lost > 0) bound = bound + (1 - 1/f%beta)*f%v*lost_open*(lost_closed/lost)
+         end associate
+      case default
+         continue
+      end select
+   end function get_slope_bound
 
    !> What follows from the sums.
    pure subroutine finish(strip, sums, balance)

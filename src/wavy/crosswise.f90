@@ -12,7 +12,7 @@ module adfric_wavy_crosswise
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_saturated
    use adfric_wavy_surface, only: negligible, surface_t, totals_t, new_surface_strip, share_at, add_strip, add_totals, &
-      & add_load_slope
+      & add_load_slope, add_regime
    implicit none (type, external)
    private
    public :: memory_t, get_totals
@@ -54,6 +54,7 @@ contains
       type(strip_t) :: strip
       type(steady_state_t) :: crest
       type(totals_t) :: half
+      integer :: k
 
       error = 0
       call new_surface_strip(surface, penetration, 1.0_dp, strip)
@@ -63,6 +64,7 @@ contains
       if (.not. surface%is_3d) then
          call add_strip(surface, strip, crest, 1.0_dp, 1.0_dp, totals)
          if (memory%needs_slope) call add_load_slope(strip, crest, 1.0_dp, totals)
+         call add_regime(totals, crest%regime)
          totals%n_closed_form = merge(1, 0, crest%regime == regime_saturated .or. crest%regime == regime_free)
       else if (surface%n_strips > 0) then
          call sum_equal_strips(surface, penetration, (surface%n_strips + 1)/2, crest, half, error)
@@ -72,6 +74,9 @@ contains
          totals%n_strips = totals%n_strips + half%n_strips
       else
          call integrate_strips(surface, penetration, memory, totals, error)
+         do k = 1, memory%division%n_panels
+            call add_regime(totals, memory%division%panels(k)%regime)
+         end do
       end if
    end subroutine get_totals
 
@@ -130,6 +135,7 @@ contains
          call add_load_slope(strip, state, width, one)
          one%n_closed_form = merge(1, 0, state%regime == regime_saturated .or. state%regime == regime_free)
          call add_totals(totals, one)
+         call add_regime(totals, state%regime)
       end do
    end subroutine sum_equal_strips
 
@@ -323,7 +329,8 @@ contains
       friction = surface%foundation%loss*second/4
       totals%load = totals%load + load
       totals%load_slope = totals%load_slope + width/pi
-      totals%load_scale = totals%load_scale + abs(load)
+      totals%slope_bound = totals%slope_bound + width/pi
+      totals%load_scale = totals%load_scale + (abs(penetration - 1)*width + first/2)/pi
       totals%friction = totals%friction + friction
       totals%friction_scale = totals%friction_scale + friction
       totals%dissipation = totals%dissipation + friction

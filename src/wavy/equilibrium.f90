@@ -2,30 +2,31 @@
 !>
 !> Under load the penetration is sought on the chosen branch where the load rises with it. On the adhered branch
 !> that is the largest such penetration, where unloading arrives; on the approach branch the smallest, where loading
-!> arrives. A gap is never negative and the mean displacement is K times the mean pressure, so the load of
-!> endless contact is the least that a penetration can have: it bounds the penetration from above.
+!> arrives. Two loads enclose that of either branch at every penetration: without adhesion a surface carries no less, and with
+!> adhesion in the whole gap it carries no more. Both are convex and rise, so each search starts next to where it may end.
 module adfric_wavy_equilibrium
    use adfric_base_kinds, only: dp
-   use adfric_base_unset, only: is_set
    use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_wavy_crosswise, only: memory_t, get_totals
+   use adfric_wavy_crosswise, only: memory_t
+   use adfric_wavy_load_search, only: search_down, search_up, find_entry, search_found, search_empty
+   use adfric_wavy_load_trial, only: trial_t, try_penetration, carries_load, get_reach, is_plain, round_off, indistinct
    use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_surface, only: share_of_scale, surface_t, totals_t, is_same_surface, get_relative_error
+   use adfric_wavy_surface, only: surface_t, totals_t, is_same_surface, get_relative_error
    implicit none (type, external)
    private
-   public :: equilibrium_t, solve_penetration, solve_load, leads_to
+   public :: equilibrium_t, neighbour_t, solve_penetration, solve_load, leads_to
 
-   integer, parameter :: max_iterations = 100, max_steps = 1000, max_refinements = 6
+   integer, parameter :: max_iterations = 100, max_refinements = 6
    !> Mean level of the profile below its crest [h], in 2-D and 3-D.
    real(dp), parameter :: mean_depth_2d = 0.5_dp, mean_depth_3d = 0.75_dp
-   !> Longest and shortest step of the penetration on the way to a bracket [h].
-   real(dp), parameter :: longest_step = 0.05_dp, shortest_step = 1.0e-6_dp
-   !> Relative tolerance on the way to a bracket.
+   !> Longest step of the penetration from a neighbour's [h].
+   real(dp), parameter :: longest_step = 0.05_dp
+   !> Relative tolerance of a start.
    real(dp), parameter :: rough_tolerance = 1.0e-4_dp
-   !> A minimum of the load is known well enough when its place is known to this [h].
-   real(dp), parameter :: closest = 1.0e-10_dp
-   !> Relative tolerance of what is known in closed form.
-   real(dp), parameter :: round_off = 1.0e-13_dp
+   !> A start is near enough when the next step would be this short [h].
+   real(dp), parameter :: near_enough = 1.0e-5_dp
+   !> By how much less than the load a start from below carries, as a share.
+   real(dp), parameter :: below = 1.0e-3_dp
 
    !> A point: its penetration, what it carries, and how well that is known.
    type :: equilibrium_t
@@ -38,12 +39,15 @@ module adfric_wavy_equilibrium
       real(dp) :: error_estimate = 0
    end type equilibrium_t
 
-   !> The load less the one that is sought, at a penetration.
-   type :: trial_t
-      real(dp) :: penetration = 0, excess = 0
-      type(totals_t) :: totals
-      real(dp) :: error(2) = 0
-   end type trial_t
+   !> Points of the same surface that have been solved before, the last of which leads to the next one (see `leads_to`).
+   type :: neighbour_t
+      !> Number of points that are known, 2 at most.
+      integer :: n = 0
+      !> The last point. Its excess is that over its own load.
+      type(trial_t) :: last
+      !> Penetration of the point before it [h].
+      real(dp) :: before = 0
+   end type neighbour_t
 
 contains
 
@@ -52,6 +56,7 @@ contains
       type(surface_t), intent(in) :: surface
       !> [h]
       real(dp), intent(in) :: penetration
+      !> Strips of a neighbour; they save time and change nothing.
       type(memory_t), intent(inout) :: memory
       type(equilibrium_t), intent(out) :: equilibrium
       type(trial_t) :: trial
@@ -61,285 +66,269 @@ contains
    end subroutine solve_penetration
 
    !> Solve a point of given load.
-   pure subroutine solve_load(surface, load, guess, memory, equilibrium)
+   pure subroutine solve_load(surface, load, neighbour, memory, equilibrium)
       type(surface_t), intent(in) :: surface
       !> Per period in x (and y) [h/K].
       real(dp), intent(in) :: load
-      !> Where the branch may be followed from: see `leads_to`. `unset` if nowhere.
-      real(dp), intent(in) :: guess
+      !> In: points that lead to this one, or none; they save time and change nothing. Out: this one is the last.
+      type(neighbour_t), intent(inout) :: neighbour
+      !> Strips of a neighbour; they save time and change nothing.
       type(memory_t), intent(inout) :: memory
       type(equilibrium_t), intent(out) :: equilibrium
-      type(trial_t) :: low, high
+      type(trial_t) :: state
       real(dp) :: excess
+      integer :: outcome
       logical :: is_found
 
-      call refine_guess(surface, load, guess, memory, high, is_found)
-      if (.not. is_found) then
-         call find_bracket(surface, load, memory, low, high, is_found)
-         if (is_found) call close_bracket(surface, load, memory, low, high)
+      is_found = .false.
+      if (neighbour%n > 0) call follow_neighbour(surface, load, neighbour, memory, state, is_found)
+      outcome = search_found
+      if (.not. is_found) call search(surface, load, neighbour, memory, state, outcome)
+      if (outcome /= search_found) then
+         equilibrium%status = merge(status_no_equilibrium, status_not_converged, outcome == search_empty)
+         neighbour%n = 0
+         return
       end if
-      equilibrium%status = merge(status_no_equilibrium, status_not_converged, &
-         & low%totals%is_converged .and. high%totals%is_converged)
-      if (.not. is_found) return
-      excess = abs(high%excess)
+      excess = abs(state%excess)
       ! an error of the load is one of the penetration that carries it; what so few strips as the user wants carry is their load
-      if (surface%n_strips == 0) excess = excess + high%error(1)
-      call finish(high, excess, equilibrium)
+      if (surface%n_strips == 0) excess = excess + state%error(1)
+      call finish(state, excess, equilibrium)
+      neighbour%before = neighbour%last%penetration
+      neighbour%last = state
+      neighbour%n = min(neighbour%n + 1, 2)
+      if (equilibrium%status /= status_solved) neighbour%n = 0
    end subroutine solve_load
 
-   !> Load at a penetration.
-   pure subroutine try_penetration(surface, penetration, load, memory, trial)
-      type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: penetration, load
-      type(memory_t), intent(inout) :: memory
-      type(trial_t), intent(out) :: trial
-
-      trial%penetration = penetration
-      call get_totals(surface, penetration, memory, trial%totals, trial%error)
-      trial%excess = trial%totals%load - load
-   end subroutine try_penetration
-
-   !> Does a trial carry the load, to a tenth of the tolerance (in 2-D to round-off)?
-   pure logical function carries_load(surface, trial)
-      type(surface_t), intent(in) :: surface
-      type(trial_t), intent(in) :: trial
-      real(dp) :: tolerance
-
-      tolerance = round_off
-      if (surface%is_3d .and. surface%n_strips == 0) tolerance = max(surface%tolerance/10, round_off)
-      carries_load = abs(trial%excess) <= tolerance*max(abs(trial%totals%load), share_of_scale*trial%totals%load_scale) &
-         & .and. abs(trial%excess) < huge(tolerance)
-   end function carries_load
-
-   !> Does the penetration of one load (or one penetration) lead to another on the same branch? Without adhesion it always does.
+   !> Does the state of one load (or one penetration) lead to another on the same branch? Without adhesion it always does.
    !> With it the load need not be monotone. On the adhered branch every penetration above the one that carries a load
-   !> carries more, so what carries less lies below it; on the approach branch it is the other way round.
+   !> carries more, so what carries less lies below it; on the approach branch it is the other way round, for loads that press:
+   !> a surface that is drawn in passes tensions twice, and one tension may be met before another, smaller or larger, is reached.
    pure logical function leads_to(from, from_load, to, to_load)
       type(surface_t), intent(in) :: from, to
       real(dp), intent(in) :: from_load, to_load
 
-      leads_to = from%stress <= 0 .and. to%stress <= 0
-      if (leads_to .or. .not. is_same_surface(from, to)) return
+      leads_to = is_same_surface(from, to)
+      if (.not. leads_to .or. to%stress <= 0) return
       if (to%branch == branch_adhered) then
          leads_to = to_load <= from_load
       else
-         leads_to = to_load >= from_load
+         leads_to = to_load >= from_load .and. from_load > 0
       end if
    end function leads_to
 
-   !> Newton's method from a neighbour's penetration.
-   pure subroutine refine_guess(surface, load, guess, memory, trial, is_found)
+   !> Newton's method from a neighbour's state, and the proof that nothing is passed on the way.
+   pure subroutine follow_neighbour(surface, load, neighbour, memory, state, is_found)
       type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load, guess
+      !> [h/K]
+      real(dp), intent(in) :: load
+      type(neighbour_t), intent(in) :: neighbour
       type(memory_t), intent(inout) :: memory
-      type(trial_t), intent(out) :: trial
+      type(trial_t), intent(out) :: state
       logical, intent(out) :: is_found
       type(trial_t) :: last
       real(dp) :: penetration, step, slope
-      integer :: k, regime
+      integer :: k
 
       is_found = .false.
-      if (.not. is_set(guess)) return
-      penetration = guess
-      regime = memory%crest%regime
+      penetration = neighbour%last%penetration
+      if (neighbour%n > 1) penetration = 2*penetration - neighbour%before
       do k = 1, max_refinements
-         call try_penetration(surface, penetration, load, memory, trial)
-         if (.not. trial%totals%is_converged .or. .not. trial%totals%load_slope > 0) return
-         ! a 2-D surface loses adhesion all at once: its regimes overlap
-         if (surface%stress > 0 .and. .not. surface%is_3d .and. memory%crest%regime /= regime) return
-         is_found = carries_load(surface, trial)
-         if (is_found) return
+         call try_penetration(surface, penetration, load, memory, state)
+         if (.not. state%totals%is_converged .or. .not. state%totals%load_slope > 0) return
+         if (carries_load(surface, state)) then
+            last = neighbour%last
+            last%excess = last%totals%load - load
+            is_found = is_next(surface, last, state)
+            return
+         end if
          ! regimes that spread add to the slope of the strips: the chord sees that
-         slope = trial%totals%load_slope
+         slope = state%totals%load_slope
          if (k > 1) then
             ! as near as round-off lets the penetration come
-            if (.not. abs(trial%penetration - last%penetration) > 0) return
-            slope = (trial%excess - last%excess)/(trial%penetration - last%penetration)
+            if (.not. abs(state%penetration - last%penetration) > 0) return
+            slope = (state%excess - last%excess)/(state%penetration - last%penetration)
          end if
-         step = -trial%excess/slope
+         step = -state%excess/slope
          if (.not. (slope > 0 .and. abs(step) < longest_step)) return
          penetration = penetration + step
-         last = trial
+         last = state
       end do
-   end subroutine refine_guess
+   end subroutine follow_neighbour
 
-   !> A penetration that carries too little and a larger one that carries enough, next to each other on the branch: to a
-   !> tolerance that tells the one from the other, or else to the one that is asked for.
-   pure subroutine find_bracket(surface, load, memory, low, high, has_bracket)
+   !> Is a state that carries the load the first one on the way from a neighbour?
+   pure logical function is_next(surface, last, state)
       type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load
-      type(memory_t), intent(inout) :: memory
-      type(trial_t), intent(out) :: low, high
-      logical, intent(out) :: has_bracket
-      type(surface_t) :: rough
-      real(dp) :: ends(2)
+      !> The neighbour's state, and the one found.
+      type(trial_t), intent(in) :: last, state
 
-      rough = surface
-      if (surface%is_3d .and. surface%stress > 0) rough%tolerance = rough_tolerance
-      call bracket_load(rough, load, memory, low, high, has_bracket)
-      if (.not. has_bracket .or. surface%tolerance >= rough%tolerance) return
-      ends = [low%penetration, high%penetration]
-      call try_penetration(surface, ends(1), load, memory, low)
-      call try_penetration(surface, ends(2), load, memory, high)
-      if (low%excess < 0 .and. (high%excess >= 0 .or. carries_load(surface, high))) return
-      call bracket_load(surface, load, memory, low, high, has_bracket)
-   end subroutine find_bracket
+      if (surface%stress <= 0) then
+         is_next = .true.
+      else if (surface%branch == branch_adhered) then
+         is_next = last%penetration - state%penetration <= get_reach(last, last%totals%slope_bound)
+         if (.not. is_next) is_next = is_plain(surface, state, last, state)
+      else
+         is_next = state%penetration - last%penetration <= get_reach(last, state%totals%slope_bound)
+         if (.not. is_next) is_next = is_plain(surface, last, state, state)
+      end if
+   end function is_next
 
-   !> The same to the tolerance of the surface.
-   pure subroutine bracket_load(surface, load, memory, low, high, has_bracket)
+   !> The state of a load, from a neighbour or from nothing.
+   pure subroutine search(surface, load, neighbour, memory, state, outcome)
       type(surface_t), intent(in) :: surface
+      !> [h/K]
       real(dp), intent(in) :: load
+      type(neighbour_t), intent(in) :: neighbour
       type(memory_t), intent(inout) :: memory
-      type(trial_t), intent(out) :: low, high
-      logical, intent(out) :: has_bracket
-      real(dp) :: highest
+      type(trial_t), intent(out) :: state
+      !> One of `search_...`.
+      integer, intent(out) :: outcome
+      type(trial_t) :: low, high
+      real(dp) :: start
+
+      if (surface%stress <= 0) then
+         call search_without_adhesion(surface, load, memory, state, outcome)
+         return
+      end if
+      if (surface%branch == branch_adhered) then
+         outcome = search_found
+         if (neighbour%n > 0) then
+            high = neighbour%last
+            high%excess = high%totals%load - load
+         else
+            call start_above(surface, load, high, outcome)
+            start = high%penetration
+            if (outcome == search_found) call try_penetration(surface, start, load, memory, high)
+         end if
+         ! adhesion does not reach further down than its stress lifts the foundation
+         if (outcome == search_found) call search_down(surface, load, -(surface%stress + surface%range), memory, low, high, outcome)
+      else
+         if (neighbour%n > 0) then
+            low = neighbour%last
+            low%excess = low%totals%load - load
+            outcome = search_found
+         else
+            call start_below(surface, load, memory, low, outcome)
+         end if
+         if (outcome == search_found) &
+            & call search_up(surface, load, .not. load > 0, highest(surface, load), memory, low, high, outcome)
+      end if
+      if (outcome /= search_found) return
+      call close_bracket(surface, load, memory, low, high)
+      state = high
+   end subroutine search
+
+   !> A penetration that carries a load or more, whatever the branch [h]: that of endless contact and a little.
+   pure real(dp) function highest(surface, load)
+      type(surface_t), intent(in) :: surface
+      !> [h/K]
+      real(dp), intent(in) :: load
 
       highest = load + merge(mean_depth_3d, mean_depth_2d, surface%is_3d)
-      if (surface%stress <= 0) then
-         low%excess = -load
-         has_bracket = load >= 0
-         if (has_bracket) call try_penetration(surface, highest, load, memory, high)
-         ! nothing is carried by just touching
-         if (.not. load > 0) high = low
-      else if (surface%branch == branch_adhered) then
-         call try_penetration(surface, highest, load, memory, high)
-         call descend(surface, load, memory, low, high, has_bracket)
-      else
-         call ascend(surface, load, highest, memory, low, high, has_bracket)
-      end if
-   end subroutine bracket_load
+      highest = highest + indistinct*max(1.0_dp, abs(highest))
+   end function highest
 
-   !> Go down from a penetration that carries enough, until one carries too little.
-   pure subroutine descend(surface, load, memory, low, high, has_bracket)
+   !> Without adhesion the load is a convex function of the penetration: Newton's method from above passes nothing.
+   pure subroutine search_without_adhesion(surface, load, memory, state, outcome)
       type(surface_t), intent(in) :: surface
+      !> [h/K]
+      real(dp), intent(in) :: load
+      type(memory_t), intent(inout) :: memory
+      type(trial_t), intent(out) :: state
+      !> One of `search_...`.
+      integer, intent(out) :: outcome
+      real(dp) :: penetration, next
+      integer :: k
+
+      outcome = merge(search_found, search_empty, load >= 0)
+      ! nothing is carried by just touching
+      if (.not. load > 0) return
+      next = highest(surface, load)
+      do k = 1, max_iterations
+         penetration = next
+         call try_penetration(surface, penetration, load, memory, state)
+         if (carries_load(surface, state) .or. .not. state%totals%is_converged .or. .not. state%excess > 0) exit
+         next = penetration - state%excess/state%totals%slope_bound
+         if (.not. next < penetration) exit
+      end do
+   end subroutine search_without_adhesion
+
+   !> A penetration above which every state carries more than a load: with adhesion in the whole gap it carries as much.
+   pure subroutine start_above(surface, load, high, outcome)
+      type(surface_t), intent(in) :: surface
+      !> [h/K]
+      real(dp), intent(in) :: load
+      !> Out: its penetration; the rest is that of the other surface.
+      type(trial_t), intent(out) :: high
+      !> Empty if every penetration carries more.
+      integer, intent(out) :: outcome
+      type(surface_t) :: attached
+
+      attached = surface
+      attached%branch = branch_adhered
+      ! more than any gap
+      attached%range = 4*(1 + surface%stress + surface%range + abs(load))
+      call descend_convex(attached, load, load, high, outcome)
+   end subroutine start_above
+
+   !> A penetration below which every state carries less than a load, and which carries less itself.
+   pure subroutine start_below(surface, load, memory, low, outcome)
+      type(surface_t), intent(in) :: surface
+      !> [h/K]
       real(dp), intent(in) :: load
       type(memory_t), intent(inout) :: memory
       type(trial_t), intent(out) :: low
-      !> In: the highest penetration.
-      type(trial_t), intent(inout) :: high
-      logical, intent(out) :: has_bracket
-      type(trial_t) :: turn
-      real(dp) :: lowest
-      integer :: k, regime
+      !> One of `search_...`.
+      integer, intent(out) :: outcome
+      type(surface_t) :: bare
+      type(trial_t) :: high
+      real(dp) :: start
 
-      ! adhesion does not reach further down than this
-      lowest = -(surface%stress + surface%range)
-      low = high
-      has_bracket = carries_load(surface, high)
-      if (has_bracket) return
-      do k = 1, max_steps
-         if (high%penetration < lowest) return
-         regime = memory%crest%regime
-         call step_to(surface, high%penetration, -get_step(surface, high), load, memory, low)
-         has_bracket = low%excess < 0
-         if (has_bracket .or. .not. low%totals%is_converged) return
-         if (low%totals%load_slope <= 0 .or. (.not. surface%is_3d .and. memory%crest%regime /= regime)) then
-            turn = low
-            call find_turn(surface, load, regime, memory, high, turn, has_bracket)
-            if (has_bracket) then
-               low = turn
-               return
-            end if
-         end if
-         high = low
-      end do
-      low%totals%is_converged = .false.
-   end subroutine descend
-
-   !> Load a step away; a little less far where a strip happens to be at the very end of its branch.
-   pure subroutine step_to(surface, penetration, step, load, memory, trial)
-      type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: penetration, step, load
-      type(memory_t), intent(inout) :: memory
-      type(trial_t), intent(out) :: trial
-      integer :: k
-
-      do k = 0, 3
-         call try_penetration(surface, penetration + step*(1 - k/128.0_dp), load, memory, trial)
-         if (trial%totals%is_converged) return
-      end do
-   end subroutine step_to
-
-   !> How far the next penetration on the way to a bracket is: a little beyond the tangent, and not too far.
-   pure real(dp) function get_step(surface, trial) result(step)
-      type(surface_t), intent(in) :: surface
-      type(trial_t), intent(in) :: trial
-
-      step = longest_step*max(1.0_dp, surface%stress + surface%range)
-      if (trial%totals%load_slope > 0) then
-         step = min(step, 1.2_dp*abs(trial%excess)/trial%totals%load_slope + shortest_step)
+      if (load > 0) then
+         bare = surface
+         bare%stress = 0
+         bare%range = 0
+         call descend_convex(bare, load*(1 - below), load, low, outcome)
+         start = low%penetration
+         call try_penetration(surface, start, load, memory, low)
+      else
+         call start_above(surface, load, high, outcome)
+         if (outcome /= search_found) return
+         ! just inside the range, where adhesion draws the crest in
+         call try_penetration(surface, -surface%range*(1 - indistinct), load, memory, low)
+         call find_entry(surface, load, high%penetration, memory, low, outcome)
       end if
-   end function get_step
+   end subroutine start_below
 
-   !> Between two penetrations the load may turn, smoothly or at the end of a regime, and pass the one that is
-   !> sought: close in on the turn from `near`, in whose regime the load rises with the penetration.
-   pure subroutine find_turn(surface, load, regime, memory, near, far, has_passed)
+   !> Newton's method from above on a surface whose load is a convex function of the penetration, to where it carries no more
+   !> than `enough`, or is near a load.
+   pure subroutine descend_convex(surface, load, enough, state, outcome)
       type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load
-      !> Regime of the crest strip at `near`.
-      integer, intent(in) :: regime
-      type(memory_t), intent(inout) :: memory
-      type(trial_t), intent(inout) :: near
-      !> In: beyond the turn. Out: where the load has passed the one that is sought, if it has.
-      type(trial_t), intent(inout) :: far
-      logical, intent(out) :: has_passed
-      type(trial_t) :: middle, limit
+      !> The load, and one not below it [h/K].
+      real(dp), intent(in) :: load, enough
+      type(trial_t), intent(out) :: state
+      !> Empty if every penetration carries more.
+      integer, intent(out) :: outcome
+      type(surface_t) :: rough
+      type(memory_t) :: memory
+      real(dp) :: penetration, step
       integer :: k
 
-      limit = far
-      has_passed = .false.
+      outcome = search_found
+      rough = surface
+      rough%tolerance = max(surface%tolerance, rough_tolerance)
+      penetration = highest(surface, load)
       do k = 1, max_iterations
-         if (abs(near%penetration - limit%penetration) <= closest*max(abs(near%penetration), 1.0_dp)) return
-         call try_penetration(surface, near%penetration + (limit%penetration - near%penetration)/2, load, memory, middle)
-         has_passed = middle%excess < 0 .neqv. near%excess < 0
-         if (has_passed) far = middle
-         if (has_passed .or. .not. middle%totals%is_converged) return
-         if (middle%totals%load_slope > 0 .and. (surface%is_3d .or. memory%crest%regime == regime)) then
-            near = middle
-         else
-            limit = middle
-         end if
+         call try_penetration(rough, penetration, load, memory, state)
+         if (.not. state%totals%is_converged .or. state%totals%load <= enough .and. enough > load) return
+         step = get_reach(state, state%totals%slope_bound)
+         if (step >= huge(step)/2) outcome = search_empty
+         if (outcome == search_empty) return
+         ! what the quadrature may be wrong by is not gone down
+         step = step*max(0.0_dp, 1 - 2*state%error(1)/max(abs(state%excess), tiny(step)))
+         if (.not. state%excess > 0 .or. (step <= near_enough .and. .not. enough > load)) return
+         penetration = penetration - step
       end do
-   end subroutine find_turn
-
-   !> Go up from where nothing is touched, until a penetration carries enough after one that did not.
-   pure subroutine ascend(surface, load, highest, memory, low, high, has_bracket)
-      type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load, highest
-      type(memory_t), intent(inout) :: memory
-      type(trial_t), intent(out) :: low, high
-      logical, intent(out) :: has_bracket
-      type(trial_t) :: turn, top
-      integer :: k, regime
-
-      has_bracket = .false.
-      ! just inside the range, where adhesion draws the crest in
-      call try_penetration(surface, -surface%range*(1 - closest), load, memory, low)
-      high = low
-      do k = 1, max_steps
-         if (low%penetration >= highest .or. .not. low%totals%is_converged) return
-         regime = memory%crest%regime
-         call step_to(surface, low%penetration, min(get_step(surface, low), highest - low%penetration), load, memory, high)
-         turn = high
-         if (low%excess < 0 .and. .not. surface%is_3d .and. memory%crest%regime /= regime) then
-            ! enough just before adhesion takes hold everywhere at once?
-            call find_turn(surface, load, regime, memory, low, turn, has_bracket)
-            if (has_bracket) high = turn
-         else if (low%excess >= 0 .and. high%excess >= 0 .and. low%totals%load_slope <= 0 &
-            & .and. high%totals%load_slope > 0) then
-            ! a tension that is only reached between the two?
-            top = high
-            turn = low
-            call find_turn(surface, load, memory%crest%regime, memory, top, turn, has_bracket)
-            if (has_bracket) low = turn
-            if (has_bracket) high = top
-         end if
-         has_bracket = has_bracket .or. (low%excess < 0 .and. (high%excess >= 0 .or. carries_load(surface, high)))
-         if (has_bracket) return
-         low = high
-      end do
-      low%totals%is_converged = .false.
-   end subroutine ascend
+   end subroutine descend_convex
 
    !> Close a bracket: Newton's method from its better end, with bisection wherever that gains too little.
    pure subroutine close_bracket(surface, load, memory, low, high)
@@ -353,6 +342,7 @@ contains
       real(dp) :: width, penetration
       integer :: k
 
+      if (carries_load(surface, low)) high = low
       do k = 1, max_iterations
          if (carries_load(surface, high)) return
          width = high%penetration - low%penetration

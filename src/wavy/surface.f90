@@ -4,16 +4,17 @@
 !> The strip at distance y from the crest line has the share Y = (1 + cos ky)/2 of the height:
 !> h_y = h Y, D_y = D - h (1 - Y) (GM 9, 10). A 2-D surface is the one strip Y = 1.
 module adfric_wavy_surface
-   use adfric_base_kinds, only: dp
+   use adfric_base_kinds, only: dp, i8
    use adfric_base_constants, only: two_pi
-   use adfric_wavy_balance, only: balance_t, get_balance, get_load_slope
+   use adfric_wavy_balance, only: balance_t, get_balance, get_load_slope, get_slope_bound
    use adfric_wavy_finite_slope, only: get_finite_slope_friction
    use adfric_wavy_foundation, only: foundation_t
    use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, edge_continuous, regime_free
+   use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, edge_continuous, regime_free, &
+      & regime_adhesion_only, regime_adhesion_zones, regime_saturated, regime_saturated_adhesion
    implicit none (type, external)
    private
-   public :: negligible, share_of_scale, surface_t, totals_t, new_surface_strip, add_strip, add_totals, add_load_slope
+   public :: negligible, share_of_scale, surface_t, totals_t, new_surface_strip, add_strip, add_totals, add_load_slope, add_regime
    public :: is_same_surface, share_at, phase_of_share, get_relative_error
 
    !> A balance that is violated by this share of its terms has not been solved.
@@ -48,8 +49,15 @@ module adfric_wavy_surface
 
    !> Forces and areas of a surface, per period in x (and in y), at one penetration.
    type :: totals_t
-      !> Load [h/K] and friction [h^2/(K l)], and the change of the load with the penetration [1/K].
+      !> Load [h/K] and friction [h^2/(K l)], and the change of the load with the penetration [1/K]: that of the strips as they
+      !> are, without what strips gain or lose that change their regime.
       real(dp) :: load = 0, friction = 0, load_slope = 0
+      !> The largest change of the load with the penetration here and at all smaller penetrations [1/K].
+      real(dp) :: slope_bound = 0
+      !> Which regimes follow each other across the surface, as a number; see `add_regime`.
+      integer(i8) :: structure = 0
+      !> Does every strip touch, and adhere wherever it does not?
+      logical :: is_attached = .true.
       !> Shares of the surface in contact and in adhesion.
       real(dp) :: contact = 0, adhesion = 0
       !> Energy that the foundation takes, and the edges of adhesion, in the units of friction.
@@ -172,6 +180,7 @@ contains
       totals%load = totals%load + w*part%load
       totals%friction = totals%friction + w*part%friction
       totals%load_slope = totals%load_slope + w*part%load_slope
+      totals%slope_bound = totals%slope_bound + w*part%slope_bound
       totals%contact = totals%contact + w*part%contact
       totals%adhesion = totals%adhesion + w*part%adhesion
       totals%dissipation = totals%dissipation + w*part%dissipation
@@ -186,14 +195,34 @@ contains
       totals%is_converged = totals%is_converged .and. part%is_converged
    end subroutine add_totals
 
-   !> Add the change of a strip's load with the penetration.
+   !> Note one more regime across the surface.
+   pure subroutine add_regime(totals, regime)
+      type(totals_t), intent(inout) :: totals
+      !> One of `regime_...`.
+      integer, intent(in) :: regime
+      !> A prime below 2**60/8: the sum does not overflow, and two structures hardly ever have one number.
+      integer(i8), parameter :: modulus = 144115188075855859_i8
+
+      totals%structure = mod(totals%structure*8 + regime + 1, modulus)
+      totals%is_attached = totals%is_attached .and. (regime == regime_saturated .or. regime == regime_saturated_adhesion)
+   end subroutine add_regime
+
+   !> Add the change of a strip's load with the penetration, and its bound.
    pure subroutine add_load_slope(strip, state, width, totals)
       type(strip_t), intent(in) :: strip
       type(steady_state_t), intent(in) :: state
       real(dp), intent(in) :: width
       type(totals_t), intent(inout) :: totals
 
-      totals%load_slope = totals%load_slope + width*get_load_slope(strip, state)/two_pi
+      real(dp) :: slope, bound
+
+      bound = width*get_slope_bound(strip, state)/two_pi
+      slope = bound
+      ! without edges of adhesion nothing is gained or lost
+      if (state%regime == regime_adhesion_zones .or. state%regime == regime_adhesion_only) &
+         & slope = width*get_load_slope(strip, state)/two_pi
+      totals%load_slope = totals%load_slope + slope
+      totals%slope_bound = totals%slope_bound + bound
    end subroutine add_load_slope
 
    !> The larger of the relative errors of load and friction, 1 at most.

@@ -6,11 +6,10 @@ module adfric_wavy_model
    use adfric_base_model, only: model_t, result_t, attribute_t, status_solved, status_no_equilibrium
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: unset, is_set
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
-   use adfric_wavy_equilibrium, only: equilibrium_t, solve_penetration, solve_load, leads_to
+   use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load, leads_to
    use adfric_wavy_profiles, only: get_profiles
    use adfric_wavy_steady_state, only: branch_adhered
    use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only
@@ -121,13 +120,13 @@ contains
       type(wavy_case_t) :: point, last, hopeless
       type(equilibrium_t) :: equilibrium
       type(memory_t) :: memory
-      real(dp) :: known(2), guess, n_strips, n_closed_form
+      type(neighbour_t) :: neighbour
+      real(dp) :: n_strips, n_closed_form
       integer :: i, k, n
       logical :: is_reversed
 
       n_strips = 0
       n_closed_form = 0
-      known = unset
       n = size(values, 2)
       is_reversed = .false.
       if (n > 1 .and. size(self%variables) > 0) is_reversed = leads_backwards(values(:, 1), values(:, 2))
@@ -137,21 +136,15 @@ contains
          memory%is_even = .not. point%is_load_given
          memory%needs_slope = point%is_load_given
          if (point%is_load_given) then
-            guess = unset
-            if (is_set(known(1))) then
-               if (leads_to(last%surface, last%load, point%surface, point%load)) then
-                  guess = known(1)
-                  if (is_set(known(2))) guess = 2*known(1) - known(2)
-               end if
+            if (neighbour%n > 0) then
+               if (.not. leads_to(last%surface, last%load, point%surface, point%load)) neighbour%n = 0
             end if
-            if (.not. is_set(guess)) known(2) = unset
             if (is_hopeless(hopeless, point)) then
                equilibrium = equilibrium_t(status_no_equilibrium)
             else
-               call solve_load(point%surface, point%load, guess, memory, equilibrium)
+               call solve_load(point%surface, point%load, neighbour, memory, equilibrium)
             end if
             if (equilibrium%status == status_no_equilibrium) hopeless = point
-            known = [merge(equilibrium%penetration, unset, equilibrium%status == status_solved), known(1)]
             last = point
          else
             call solve_penetration(point%surface, point%penetration, memory, equilibrium)

@@ -1,0 +1,116 @@
+!> What a surface carries at one penetration, beside the load that is sought, and what follows for other penetrations.
+!>
+!> With a fixed pattern of what adheres and what is free the displacement is a convex function of the penetration D, and a
+!> larger pattern of adhesion lowers it. Adhesion grows with D on both branches, so of two penetrations D1 < D2
+!> $$ P(D_2) - P(D_1) \le s(D_2)\,(D_2 - D_1), \qquad 0 \le s \le l/K, $$
+!> where s is the slope of the load while the edges of adhesion stay where they are (`slope_bound`; docs/wavy.md has the proof).
+!> So a penetration that carries too much, by an excess e, is followed downwards by none that carries too little within e/s.
+module adfric_wavy_load_trial
+   use adfric_base_kinds, only: dp
+   use adfric_wavy_crosswise, only: memory_t, get_totals
+   use adfric_wavy_surface, only: share_of_scale, surface_t, totals_t
+   implicit none (type, external)
+   private
+   public :: trial_t, try_penetration, try_near, carries_load, get_reach, is_plain, round_off, indistinct
+
+   !> Relative tolerance of what is known in closed form.
+   real(dp), parameter :: round_off = 1.0e-13_dp
+   !> Penetrations nearer to each other than this are one [h, or of the penetration].
+   real(dp), parameter :: indistinct = 1.0e-10_dp
+   !> On surfaces that are integrated across, whose slope is known but for what moving edges add, the load must change by this
+   !> share of the slope's bound, over no more than this step [h], to be taken for monotone between two penetrations.
+   real(dp), parameter :: plain_share = 0.1_dp, plain_step = 0.01_dp
+
+   !> A penetration, and what it carries.
+   type :: trial_t
+      !> [h]
+      real(dp) :: penetration = 0
+      !> The load less the one that is sought [h/K].
+      real(dp) :: excess = 0
+      type(totals_t) :: totals
+      !> Errors of load and friction by the quadrature.
+      real(dp) :: error(2) = 0
+   end type trial_t
+
+contains
+
+   !> Load at a penetration.
+   pure subroutine try_penetration(surface, penetration, load, memory, trial)
+      type(surface_t), intent(in) :: surface
+      !> [h]
+      real(dp), intent(in) :: penetration
+      !> Load that is sought [h/K].
+      real(dp), intent(in) :: load
+      type(memory_t), intent(inout) :: memory
+      type(trial_t), intent(out) :: trial
+
+      trial%penetration = penetration
+      call get_totals(surface, penetration, memory, trial%totals, trial%error)
+      trial%excess = trial%totals%load - load
+   end subroutine try_penetration
+
+   !> Load at a penetration, or next to it towards `from` where a strip happens to be at the very end of its branch.
+   pure subroutine try_near(surface, penetration, from, load, memory, trial)
+      type(surface_t), intent(in) :: surface
+      !> [h]
+      real(dp), intent(in) :: penetration
+      !> Another penetration [h].
+      real(dp), intent(in) :: from
+      !> Load that is sought [h/K].
+      real(dp), intent(in) :: load
+      type(memory_t), intent(inout) :: memory
+      type(trial_t), intent(out) :: trial
+      integer :: k
+
+      do k = 0, 3
+         call try_penetration(surface, penetration + (from - penetration)*(k/128.0_dp), load, memory, trial)
+         if (trial%totals%is_converged) return
+      end do
+   end subroutine try_near
+
+   !> Does a trial carry the load, to a tenth of the tolerance (in 2-D to round-off)?
+   pure logical function carries_load(surface, trial)
+      type(surface_t), intent(in) :: surface
+      type(trial_t), intent(in) :: trial
+      real(dp) :: tolerance
+
+      tolerance = round_off
+      if (surface%is_3d .and. surface%n_strips == 0) tolerance = max(surface%tolerance/10, round_off)
+      carries_load = abs(trial%excess) <= tolerance*max(abs(trial%totals%load), share_of_scale*trial%totals%load_scale) &
+         & .and. abs(trial%excess) < huge(tolerance)
+   end function carries_load
+
+   !> How far from a trial the sign of its excess holds for certain [h]: downwards if it carries too much, upwards if it carries
+   !> too little.
+   pure real(dp) function get_reach(trial, slope_bound) result(reach)
+      type(trial_t), intent(in) :: trial
+      !> That of the trial downwards, upwards that of the furthest penetration in question [1/K].
+      real(dp), intent(in) :: slope_bound
+
+      reach = huge(reach)
+      if (slope_bound > tiny(reach)*max(1.0_dp, abs(trial%excess))*2.0_dp**60) reach = abs(trial%excess)/slope_bound
+   end function get_reach
+
+   !> Does the load between two penetrations cross each level between its ends once, and none beyond the end that is further on
+   !> the way?
+   !>
+   !> Where all adheres at the smaller penetration, and without adhesion, the load is convex and rises. Between the same regimes
+   !> it is smooth, and turns at most twice: it rises with the penetration in one stretch between two where it falls
+   !> (docs/wavy.md). So where it rises at the end that is further on the way it has passed no more than its largest value.
+   pure logical function is_plain(surface, low, high, far)
+      type(surface_t), intent(in) :: surface
+      !> The smaller and the larger penetration.
+      type(trial_t), intent(in) :: low, high
+      !> That of the two which is further on the way.
+      type(trial_t), intent(in) :: far
+      real(dp) :: width
+
+      is_plain = low%totals%is_converged .and. high%totals%is_converged
+      if (.not. is_plain .or. surface%stress <= 0 .or. low%totals%is_attached) return
+      is_plain = low%totals%structure == high%totals%structure .and. far%totals%load_slope > 0
+      if (.not. is_plain .or. .not. surface%is_3d .or. surface%n_strips > 0) return
+      width = high%penetration - low%penetration
+      is_plain = width <= plain_step .and. high%excess - low%excess > plain_share*high%totals%slope_bound*width
+   end function is_plain
+
+end module adfric_wavy_load_trial
