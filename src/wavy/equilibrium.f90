@@ -91,7 +91,8 @@ contains
       end if
       excess = abs(state%excess)
       ! an error of the load is one of the penetration that carries it; what so few strips as the user wants carry is their load
-      if (surface%n_strips == 0) excess = excess + state%error(1)
+      if (surface%n_strips > 0) state%error(1) = 0
+      excess = excess + state%error(1)
       call finish(state, excess, equilibrium)
       neighbour%before = neighbour%last%penetration
       neighbour%last = state
@@ -200,7 +201,8 @@ contains
             if (outcome == search_found) call try_penetration(surface, start, load, memory, high)
          end if
          ! adhesion does not reach further down than its stress lifts the foundation
-         if (outcome == search_found) call search_down(surface, load, -(surface%stress + surface%range), memory, low, high, outcome)
+         if (outcome == search_found) &
+            & call search_down(surface, load, .false., -(surface%stress + surface%range), memory, low, high, outcome)
       else
          if (neighbour%n > 0) then
             low = neighbour%last

@@ -8,7 +8,8 @@
 module adfric_wavy_load_search
    use adfric_base_kinds, only: dp
    use adfric_wavy_crosswise, only: memory_t
-   use adfric_wavy_load_trial, only: trial_t, try_near, carries_load, get_reach, is_plain, indistinct
+   use adfric_wavy_load_trial, only: trial_t, try_near, carries_load, get_reach, get_fall, has_moving_edges, is_plain, &
+      & is_past_least, indistinct
    use adfric_wavy_surface, only: surface_t
    implicit none (type, external)
    private
@@ -30,10 +31,12 @@ module adfric_wavy_load_search
 contains
 
    !> The largest penetration that carries a load, below one above which all carry more.
-   pure subroutine search_down(surface, load, lowest, memory, low, high, outcome)
+   pure subroutine search_down(surface, load, is_turn, lowest, memory, low, high, outcome)
       type(surface_t), intent(in) :: surface
       !> [h/K]
       real(dp), intent(in) :: load
+      !> Is `high` where the load has just turned, from falling on the way down to rising?
+      logical, intent(in) :: is_turn
       !> Below this penetration nothing is sought [h].
       real(dp), intent(in) :: lowest
       type(memory_t), intent(inout) :: memory
@@ -46,20 +49,26 @@ contains
       type(aside_t) :: aside
       type(trial_t) :: last
       real(dp) :: sure, next
+      logical :: has_risen, is_clear
       integer :: k
 
       outcome = search_found
       last = high
+      has_risen = is_turn
       do k = 1, max_trials
          low = high
          if (carries_load(surface, high)) return
-         sure = high%penetration - get_reach(high, high%totals%slope_bound)
+         sure = high%penetration - get_fall(surface, high)
+         has_risen = (has_risen .and. high%totals%structure == last%totals%structure) .or. high%totals%load_slope > 0
          if (aside%n == 0) then
             if (sure <= lowest) exit
             next = min(sure, high%penetration - get_step(surface, high, last))
          else
             low = aside%trials(aside%n)
-            if (low%penetration >= sure .or. is_plain(surface, low, high, low) .or. is_one(low%penetration, sure)) then
+            is_clear = low%penetration >= sure .or. is_plain(surface, low, high, low) .or. is_one(low%penetration, sure)
+            if (.not. is_clear .and. low%excess > 0) &
+               & is_clear = is_past_least(surface, has_risen, aside%trials(max(aside%n - 1, 1)), low, high)
+            if (is_clear) then
                if (low%excess < 0 .and. low%penetration < sure) return
                last = high
                high = low
@@ -215,7 +224,7 @@ contains
       real(dp) :: slope, change
 
       slope = trial%totals%load_slope
-      if (surface%is_3d .and. trial%totals%structure == last%totals%structure) then
+      if (has_moving_edges(surface) .and. trial%totals%structure == last%totals%structure) then
          ! the chord sees what regimes that spread add to the slope of the strips
          change = abs(trial%penetration - last%penetration)
          if (change > indistinct) slope = min(slope, abs(trial%excess - last%excess)/change)

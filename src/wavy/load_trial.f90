@@ -11,14 +11,16 @@ module adfric_wavy_load_trial
    use adfric_wavy_surface, only: share_of_scale, surface_t, totals_t
    implicit none (type, external)
    private
-   public :: trial_t, try_penetration, try_near, carries_load, get_reach, is_plain, round_off, indistinct
+   public :: trial_t, try_penetration, try_near, carries_load, get_reach, get_fall, is_plain
+   public :: is_past_least, has_moving_edges, round_off, indistinct
 
    !> Relative tolerance of what is known in closed form.
    real(dp), parameter :: round_off = 1.0e-13_dp
    !> Penetrations nearer to each other than this are one [h, or of the penetration].
    real(dp), parameter :: indistinct = 1.0e-10_dp
    !> On surfaces that are integrated across, whose slope is known but for what moving edges add, the load must change by this
-   !> share of the slope's bound, over no more than this step [h], to be taken for monotone between two penetrations.
+   !> share of the slope's bound, and no more than this step may be in question [h], to be taken for monotone between two
+   !> penetrations.
    real(dp), parameter :: plain_share = 0.1_dp, plain_step = 0.01_dp
 
    !> A penetration, and what it carries.
@@ -75,13 +77,21 @@ contains
       real(dp) :: tolerance
 
       tolerance = round_off
-      if (surface%is_3d .and. surface%n_strips == 0) tolerance = max(surface%tolerance/10, round_off)
+      if (has_moving_edges(surface)) tolerance = max(surface%tolerance/10, round_off)
       carries_load = abs(trial%excess) <= tolerance*max(abs(trial%totals%load), share_of_scale*trial%totals%load_scale) &
          & .and. abs(trial%excess) < huge(tolerance)
    end function carries_load
 
+   !> Is the surface integrated across, with panels of one regime whose edges move with the penetration? Then the slope of the
+   !> load is that of its strips and what the edges add, which is not known.
+   pure logical function has_moving_edges(surface)
+      type(surface_t), intent(in) :: surface
+
+      has_moving_edges = surface%is_3d .and. surface%n_strips == 0
+   end function has_moving_edges
+
    !> How far from a trial the sign of its excess holds for certain [h]: downwards if it carries too much, upwards if it carries
-   !> too little.
+   !> too little (`get_fall` knows more downwards).
    pure real(dp) function get_reach(trial, slope_bound) result(reach)
       type(trial_t), intent(in) :: trial
       !> That of the trial downwards, upwards that of the furthest penetration in question [1/K].
@@ -90,6 +100,16 @@ contains
       reach = huge(reach)
       if (slope_bound > tiny(reach)*max(1.0_dp, abs(trial%excess))*2.0_dp**60) reach = abs(trial%excess)/slope_bound
    end function get_reach
+
+   !> How far below a trial that carries too much nothing can carry too little [h].
+   pure real(dp) function get_fall(surface, trial) result(fall)
+      type(surface_t), intent(in) :: surface
+      type(trial_t), intent(in) :: trial
+
+      fall = get_reach(trial, trial%totals%slope_bound)
+      ! nothing that adheres pulls with more than the stress, and less of the surface adheres at smaller penetrations
+      if (surface%stress*(trial%totals%contact + trial%totals%adhesion) < trial%excess - trial%totals%load) fall = huge(fall)
+   end function get_fall
 
    !> Does the load between two penetrations cross each level between its ends once, and none beyond the end that is further on
    !> the way?
@@ -103,14 +123,49 @@ contains
       type(trial_t), intent(in) :: low, high
       !> That of the two which is further on the way.
       type(trial_t), intent(in) :: far
-      real(dp) :: width
+      real(dp) :: width, reach
 
       is_plain = low%totals%is_converged .and. high%totals%is_converged
       if (.not. is_plain .or. surface%stress <= 0 .or. low%totals%is_attached) return
       is_plain = low%totals%structure == high%totals%structure .and. far%totals%load_slope > 0
-      if (.not. is_plain .or. .not. surface%is_3d .or. surface%n_strips > 0) return
+      if (.not. is_plain .or. .not. has_moving_edges(surface)) return
       width = high%penetration - low%penetration
-      is_plain = width <= plain_step .and. high%excess - low%excess > plain_share*high%totals%slope_bound*width
+      ! what is certain from the start of the way is not in question
+      reach = abs(high%excess)
+      if (far%penetration > low%penetration) reach = abs(low%excess)
+      is_plain = high%totals%slope_bound*(width - plain_step) <= reach &
+         & .and. high%excess - low%excess > plain_share*high%totals%slope_bound*width
    end function is_plain
+
+   !> Is the least load between two penetrations known to be no less than half of what the smaller of their excesses is, for the
+   !> load has been looked at once more?
+   !>
+   !> Where the slope is known, a load that falls with the penetration after it has risen, seen from above, has passed the
+   !> least of its stretch (see `is_plain`). On surfaces that are integrated across, the parabola through three trials tells.
+   pure logical function is_past_least(surface, has_risen, below, low, high)
+      type(surface_t), intent(in) :: surface
+      !> Does the load rise with the penetration somewhere above `high`, between the same regimes?
+      logical, intent(in) :: has_risen
+      !> Three trials with rising penetration; `below` may be `low` where there is no third one.
+      type(trial_t), intent(in) :: below, low, high
+      real(dp) :: width, wider, slope, curvature, place, least
+
+      is_past_least = .false.
+      if (low%totals%structure /= high%totals%structure .or. .not. low%totals%is_converged) return
+      if (.not. has_moving_edges(surface)) then
+         is_past_least = has_risen .and. high%totals%load_slope <= 0
+         return
+      end if
+      width = high%penetration - low%penetration
+      wider = high%penetration - below%penetration
+      if (.not. wider > width .or. wider > 4*plain_step .or. below%totals%structure /= low%totals%structure) return
+      ! slope at `high` and half the curvature of the parabola
+      curvature = ((below%excess - high%excess)/wider - (low%excess - high%excess)/width)/(wider - width)
+      slope = (high%excess - low%excess)/width + curvature*width
+      least = min(high%excess, low%excess)
+      place = 0
+      if (curvature > 0) place = min(max(slope/(2*curvature), 0.0_dp), width)
+      is_past_least = high%excess - place*(slope - curvature*place) > least/2
+   end function is_past_least
 
 end module adfric_wavy_load_trial
