@@ -104,6 +104,7 @@ module adfric_base_model
       procedure(get_profile_axis_i), deferred :: get_profile_axis
       procedure(solve_block_i), deferred :: solve_block
       procedure(solve_profiles_i), deferred :: solve_profiles
+      procedure :: prepare
       procedure :: solve_block_and_profiles
       procedure :: take_dataset
       procedure :: describe_results
@@ -221,6 +222,19 @@ contains
 
       variable = variable_t(group, name, kind_real, unit, meaning, '', unset, 0.0_dp, lower_open=.true.)
    end function positive_variable
+
+   !> Find out what all points of a run have in common, once, before the first block is solved. It saves time and changes no
+   !> bit of the results. Here there is nothing; a model with something costly of that kind overrides it.
+   subroutine prepare(self, values, is_swept)
+      class(model_t), intent(inout) :: self
+      !> Of the first point; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+
+      associate (unused => self, unused_values => values, unused_is_swept => is_swept)
+      end associate
+   end subroutine prepare
 
    !> Solve neighbouring points as `solve_block` does, to the same bits, and hand over the profiles of those that are solved. A
    !> model whose points would be solved once more for their profiles overrides it.

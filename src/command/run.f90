@@ -1,6 +1,7 @@
 !> `adfric run`: solve every point of an input and write the results file.
 module adfric_command_run
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure
+   use adfric_base_kinds, only: dp, i8
    use adfric_base_model, only: model_t, status_not_converged
    use adfric_base_printable, only: shell_word
    use adfric_command_case, only: open_case
@@ -21,6 +22,7 @@ module adfric_command_run
    use adfric_sweep_block_source, only: block_list_t
    use adfric_sweep_blocks, only: blocks_t, new_blocks
    use adfric_sweep_interruption, only: signal_name
+   use adfric_sweep_plan, only: plan_t
    use adfric_sweep_progress, only: progress_t
    use adfric_sweep_summary, only: run_summary_t
    implicit none (type, external)
@@ -52,7 +54,10 @@ contains
       if (.not. (allocated(error) .or. is_complete)) call check_output(command, world, model, run, error)
       call share_error(world, error)
       call share_answer(world, is_complete)
-      if (.not. (allocated(error) .or. is_complete)) call solve_case(command, world, model, run, progress, summary, error)
+      if (.not. (allocated(error) .or. is_complete)) then
+         call prepare_model(model, run%plan)
+         call solve_case(command, world, model, run, progress, summary, error)
+      end if
       if (allocated(error)) then
          call outcome%fail(error)
       else if (summary%signal /= 0) then
@@ -66,6 +71,22 @@ contains
          if (is_complete) call outcome%say('this run was complete already'//newline)
       end if
    end subroutine run_case
+
+   !> Have the model find out what all points have in common.
+   subroutine prepare_model(model, plan)
+      class(model_t), intent(inout) :: model
+      type(plan_t), intent(in) :: plan
+      real(dp) :: values(size(plan%base), 1)
+      logical :: is_swept(size(plan%base))
+      integer :: k
+
+      call plan%get_values(1_i8, values)
+      is_swept = .false.
+      do k = 1, size(plan%axes)
+         is_swept(plan%axes(k)%variable) = .true.
+      end do
+      call model%prepare(values(:, 1), is_swept)
+   end subroutine prepare_model
 
    !> Is the run that is to be resumed complete already? A file of another run is left to `check_output`.
    subroutine find_complete(command, model, run, is_complete, summary, error)

@@ -11,6 +11,7 @@ module adfric_wavy_equilibrium
    use adfric_wavy_load_search, only: search_down, search_up, find_entry, search_found, search_empty
    use adfric_wavy_load_trial, only: trial_t, try_penetration, carries_load, get_reach, is_plain, round_off, indistinct
    use adfric_wavy_steady_state, only: branch_adhered
+   use adfric_wavy_strip, only: steady_state_t
    use adfric_wavy_surface, only: surface_t, totals_t, is_same_surface, get_relative_error
    implicit none (type, external)
    private
@@ -35,6 +36,8 @@ module adfric_wavy_equilibrium
       !> [h]
       real(dp) :: penetration = 0
       type(totals_t) :: totals
+      !> The strip of the crest line.
+      type(steady_state_t) :: crest
       !> Relative error of friction and load.
       real(dp) :: error_estimate = 0
    end type equilibrium_t
@@ -211,22 +214,23 @@ contains
          else
             call start_below(surface, load, memory, low, outcome)
          end if
-         if (outcome == search_found) &
-            & call search_up(surface, load, .not. load > 0, highest(surface, load), memory, low, high, outcome)
+         ! a little beyond endless contact, for round-off
+         start = highest(surface, load)
+         start = start + indistinct*max(1.0_dp, abs(start))
+         if (outcome == search_found) call search_up(surface, load, .not. load > 0, start, memory, low, high, outcome)
       end if
       if (outcome /= search_found) return
       call close_bracket(surface, load, memory, low, high)
       state = high
    end subroutine search
 
-   !> A penetration that carries a load or more, whatever the branch [h]: that of endless contact and a little.
+   !> The penetration of endless contact, which carries a load or more on every branch [h].
    pure real(dp) function highest(surface, load)
       type(surface_t), intent(in) :: surface
       !> [h/K]
       real(dp), intent(in) :: load
 
       highest = load + merge(mean_depth_3d, mean_depth_2d, surface%is_3d)
-      highest = highest + indistinct*max(1.0_dp, abs(highest))
    end function highest
 
    !> Without adhesion the load is a convex function of the penetration: Newton's method from above passes nothing.
@@ -380,6 +384,7 @@ contains
 
       equilibrium%penetration = trial%penetration
       equilibrium%totals = trial%totals
+      equilibrium%crest = trial%crest
       equilibrium%error_estimate = get_relative_error(trial%totals, trial%error, excess)
       equilibrium%status = merge(status_solved, status_not_converged, &
          & trial%totals%is_converged .and. equilibrium%error_estimate < 1)

@@ -8,6 +8,7 @@
 module adfric_wavy_load_trial
    use adfric_base_kinds, only: dp
    use adfric_wavy_crosswise, only: memory_t, get_totals
+   use adfric_wavy_strip, only: steady_state_t
    use adfric_wavy_surface, only: share_of_scale, surface_t, totals_t
    implicit none (type, external)
    private
@@ -32,6 +33,8 @@ module adfric_wavy_load_trial
       type(totals_t) :: totals
       !> Errors of load and friction by the quadrature.
       real(dp) :: error(2) = 0
+      !> The strip of the crest line.
+      type(steady_state_t) :: crest
    end type trial_t
 
 contains
@@ -49,6 +52,7 @@ contains
       trial%penetration = penetration
       call get_totals(surface, penetration, memory, trial%totals, trial%error)
       trial%excess = trial%totals%load - load
+      trial%crest = memory%crest
    end subroutine try_penetration
 
    !> Load at a penetration, or next to it towards `from` where a strip happens to be at the very end of its branch.

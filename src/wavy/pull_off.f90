@@ -11,10 +11,10 @@ module adfric_wavy_pull_off
    use adfric_wavy_load_trial, only: trial_t, try_penetration, try_near, is_plain, has_moving_edges, round_off, &
       & indistinct
    use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_surface, only: surface_t, is_same_surface
+   use adfric_wavy_surface, only: surface_t, is_identical_surface
    implicit none (type, external)
    private
-   public :: pull_off_t, find_pull_off
+   public :: pull_off_t, find_pull_off, is_below_pull_off
 
    integer, parameter :: max_turns = 20, max_steps = 400, max_iterations = 80
    !> A step that is short enough to tell the load's way by its ends, as a share of stress and range, the longest one [h], and by
@@ -25,6 +25,8 @@ module adfric_wavy_pull_off
    !> Secants towards a smooth turn at most, and how far the first one reaches [h, or of the penetration].
    integer, parameter :: max_secants = 8
    real(dp), parameter :: nearby = 1.0e-6_dp
+   !> A load that is smaller than another one by this share of the stress is so for certain.
+   real(dp), parameter :: distinct = 1.0e-9_dp
    !> Golden section.
    real(dp), parameter :: golden = 0.3819660112501051_dp
 
@@ -65,9 +67,9 @@ contains
       integer :: k, outcome
 
       if (self%is_known) then
-         if (is_same_surface(surface, self%surface)) return
+         if (is_identical_surface(surface, self%surface)) return
       end if
-      self = pull_off_t(surface, .true.)
+      self = pull_off_t(surface, is_known=.true.)
       adhered = surface
       adhered%branch = branch_adhered
       call solve_load(adhered, 0.0_dp, neighbour, memory, unloaded)
@@ -85,6 +87,19 @@ contains
       end do
       if (outcome == search_empty) call compare_turns(adhered, memory, turns(:k), self)
    end subroutine find_pull_off
+
+   !> Is a load so small that no state carries it, on any branch?
+   pure logical function is_below_pull_off(self, surface, load)
+      type(pull_off_t), intent(in) :: self
+      type(surface_t), intent(in) :: surface
+      !> [h/K]
+      real(dp), intent(in) :: load
+
+      is_below_pull_off = self%is_known .and. self%is_converged
+      ! a load as near as this is left to the search
+      if (is_below_pull_off) is_below_pull_off = load < self%load - max(distinct, surface%tolerance)*surface%stress
+      if (is_below_pull_off) is_below_pull_off = is_identical_surface(surface, self%surface)
+   end function is_below_pull_off
 
    !> The least of all turns; only those that may be the least are looked at closely.
    pure subroutine compare_turns(surface, memory, turns, self)

@@ -15,7 +15,7 @@ module adfric_wavy_surface
    implicit none (type, external)
    private
    public :: negligible, share_of_scale, surface_t, totals_t, new_surface_strip, add_strip, add_totals, add_load_slope, add_regime
-   public :: is_same_surface, share_at, phase_of_share, get_relative_error
+   public :: is_same_surface, is_identical_surface, share_at, phase_of_share, get_relative_error
 
    !> A balance that is violated by this share of its terms has not been solved.
    real(dp), parameter :: unbalanced = 1.0e-3_dp
@@ -73,7 +73,7 @@ module adfric_wavy_surface
 
 contains
 
-   !> Are two surfaces the same?
+   !> Are two surfaces the same, but for round-off of their units?
    elemental logical function is_same_surface(one, two)
       type(surface_t), intent(in) :: one, two
 
@@ -82,6 +82,16 @@ contains
          & .and. is_same(one%foundation%beta, two%foundation%beta) .and. is_same(one%stress, two%stress) &
          & .and. is_same(one%range, two%range) .and. is_same(one%steepness, two%steepness)
    end function is_same_surface
+
+   !> Are two surfaces the same to the last bit, and are to be solved to the same tolerance?
+   elemental logical function is_identical_surface(one, two)
+      type(surface_t), intent(in) :: one, two
+
+      is_identical_surface = is_same_surface(one, two) .and. .not. ( &
+         & abs(one%foundation%u - two%foundation%u) > 0 .or. abs(one%foundation%beta - two%foundation%beta) > 0 &
+         & .or. abs(one%stress - two%stress) > 0 .or. abs(one%range - two%range) > 0 &
+         & .or. abs(one%steepness - two%steepness) > 0 .or. abs(one%tolerance - two%tolerance) > 0)
+   end function is_identical_surface
 
    !> Are two numbers the same but for round-off of their units?
    elemental logical function is_same(one, two)

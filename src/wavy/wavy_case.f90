@@ -5,7 +5,8 @@ module adfric_wavy_case
    use adfric_base_unset, only: is_set
    use adfric_wavy_foundation, only: new_foundation
    use adfric_wavy_surface, only: surface_t
-   use adfric_wavy_variables, only: v_branch, v_edge, v_height, v_kind, v_load, v_penetration, v_period, v_poisson_ratio, v_range, &
+   use adfric_wavy_variables, only: v_branch, v_edge, v_height, v_kind, v_load, v_penetration, v_period, v_poisson_ratio, &
+      & v_pull_off, v_range, &
       & v_relative_tolerance, v_relaxation_time, v_retardation_ratio, v_slope, v_stiffness, v_stress, &
       & v_strips, v_surface_energy, v_thickness, v_velocity, v_young_modulus
    implicit none (type, external)
@@ -20,6 +21,8 @@ module adfric_wavy_case
    type :: wavy_case_t
       type(surface_t) :: surface
       logical :: is_load_given = .false.
+      !> Is the pull-off load asked for? There is none without adhesion.
+      logical :: wants_pull_off = .false.
       !> Load [h/K per period] or penetration [h].
       real(dp) :: load = 0, penetration = 0
       !> Units: period [m], height [m], pressure h/K [Pa], load [N/m or N], friction [N/m or N], area [m or m^2].
@@ -75,6 +78,9 @@ contains
       else
          self%penetration = values(v_penetration)/self%height
       end if
+      self%wants_pull_off = self%is_load_given
+      if (is_set(values(v_pull_off))) self%wants_pull_off = values(v_pull_off) > 0
+      self%wants_pull_off = self%wants_pull_off .and. self%surface%stress > 0
    end subroutine resolve_case
 
 end module adfric_wavy_case

@@ -11,13 +11,13 @@ module adfric_wavy_model
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load, leads_to
    use adfric_wavy_profiles, only: get_profiles
-   use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only
+   use adfric_wavy_pull_off, only: pull_off_t, find_pull_off, is_below_pull_off
+   use adfric_wavy_strip, only: regime_free, regime_adhesion_only
    use adfric_wavy_surface, only: negligible, is_same_surface
    use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
       & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, &
-      & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_regime, v_kind, v_load, v_n_x, &
-      & v_n_y, v_period, v_profiles
+      & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_pull_off_load, &
+      & r_pull_off_penetration, r_regime, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_profiles
    implicit none (type, external)
    private
    public :: wavy_model_t, new_wavy_model
@@ -26,7 +26,11 @@ module adfric_wavy_model
    real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
 
    type, extends(model_t) :: wavy_model_t
+      private
+      !> The pull-off load of the surface of a run, if there is one surface.
+      type(pull_off_t) :: pull_off
    contains
+      procedure :: prepare
       procedure :: check_values
       procedure :: describe_results
       procedure :: wants_profiles
@@ -108,6 +112,20 @@ contains
       coordinate = [(values(v_period)*(real(2*k - (n - 1), dp)/(2*(n - 1))), k=0, n - 1)]
    end function get_profile_axis
 
+   !> See `model_t`: the pull-off load, where all points are of one surface.
+   subroutine prepare(self, values, is_swept)
+      class(wavy_model_t), intent(inout) :: self
+      real(dp), intent(in) :: values(:)
+      logical, intent(in) :: is_swept(:)
+      type(wavy_case_t) :: point
+      logical :: makes_surface(size(is_swept))
+
+      makes_surface = is_swept
+      makes_surface([v_load, v_penetration, v_profiles, v_n_x, v_n_y]) = .false.
+      call resolve_case(values, point)
+      if (point%wants_pull_off .and. .not. any(makes_surface)) call find_pull_off(point%surface, self%pull_off)
+   end subroutine prepare
+
    !> See `model_t`. Loads, and penetrations in 3-D, are solved in the order in which each leads to the next on its
    !> branch.
    subroutine solve_block(self, values, results, error_estimate, status, attributes)
@@ -121,6 +139,7 @@ contains
       type(equilibrium_t) :: equilibrium
       type(memory_t) :: memory
       type(neighbour_t) :: neighbour
+      type(pull_off_t) :: pull_off
       real(dp) :: n_strips, n_closed_form
       integer :: i, k, n
       logical :: is_reversed
@@ -128,18 +147,20 @@ contains
       n_strips = 0
       n_closed_form = 0
       n = size(values, 2)
+      pull_off = self%pull_off
       is_reversed = .false.
       if (n > 1 .and. size(self%variables) > 0) is_reversed = leads_backwards(values(:, 1), values(:, 2))
       do k = 1, n
          i = merge(n + 1 - k, k, is_reversed)
          call resolve_case(values(:, i), point)
+         if (point%wants_pull_off) call find_pull_off(point%surface, pull_off)
          memory%is_even = .not. point%is_load_given
          memory%needs_slope = point%is_load_given
          if (point%is_load_given) then
             if (neighbour%n > 0) then
                if (.not. leads_to(last%surface, last%load, point%surface, point%load)) neighbour%n = 0
             end if
-            if (is_hopeless(hopeless, point)) then
+            if (is_below_pull_off(pull_off, point%surface, point%load) .or. is_hopeless(hopeless, point)) then
                equilibrium = equilibrium_t(status_no_equilibrium)
             else
                call solve_load(point%surface, point%load, neighbour, memory, equilibrium)
@@ -149,7 +170,7 @@ contains
          else
             call solve_penetration(point%surface, point%penetration, memory, equilibrium)
          end if
-         call store(point, memory%crest, equilibrium, results(:, i))
+         call store(point, equilibrium, pull_off, results(:, i))
          status(i) = equilibrium%status
          error_estimate(i) = equilibrium%error_estimate
          if (status(i) /= status_solved) error_estimate(i) = not_a_number()
@@ -161,14 +182,14 @@ contains
       attributes(2) = attribute_t('closed_form_strips_per_point', n_closed_form)
    end subroutine solve_block
 
-   !> Is a load without equilibrium for sure, because a larger one had none on the same surface? On the adhered branch both are
-   !> below pull-off; the other one may jump over loads.
+   !> Is a load without equilibrium for sure, because a larger one had none on the same surface? The load rises with the
+   !> penetration without jumps, so where one load has no state all penetrations carry more.
    pure logical function is_hopeless(known, point)
       !> A point without equilibrium, or a new one.
       type(wavy_case_t), intent(in) :: known
       type(wavy_case_t), intent(in) :: point
 
-      is_hopeless = known%is_load_given .and. point%surface%branch == branch_adhered .and. point%load <= known%load
+      is_hopeless = known%is_load_given .and. point%load <= known%load
       if (is_hopeless) is_hopeless = is_same_surface(known%surface, point%surface)
    end function is_hopeless
 
@@ -189,10 +210,11 @@ contains
    end function leads_backwards
 
    !> Results of a point in SI units.
-   pure subroutine store(point, crest, equilibrium, results)
+   pure subroutine store(point, equilibrium, pull_off, results)
       type(wavy_case_t), intent(in) :: point
-      type(steady_state_t), intent(in) :: crest
       type(equilibrium_t), intent(in) :: equilibrium
+      !> That of the point's surface, if it is asked for.
+      type(pull_off_t), intent(in) :: pull_off
       real(dp), intent(out) :: results(:)
       real(dp) :: width, losses
 
@@ -215,11 +237,16 @@ contains
          results(r_energy_imbalance) = 0
          if (losses > 0) results(r_energy_imbalance) = t%energy_mismatch/losses
       end associate
-      width = 2*crest%half_width
-      if (crest%regime == regime_free .or. crest%regime == regime_adhesion_only) width = 0
-      results(r_contact_width) = width/two_pi*point%period
-      results(r_contact_shift) = merge(crest%shift, 0.0_dp, width > 0 .and. crest%half_width < pi)/two_pi*point%period
-      results(r_regime) = crest%regime
+      associate (crest => equilibrium%crest)
+         width = 2*crest%half_width
+         if (crest%regime == regime_free .or. crest%regime == regime_adhesion_only) width = 0
+         results(r_contact_width) = width/two_pi*point%period
+         results(r_contact_shift) = merge(crest%shift, 0.0_dp, width > 0 .and. crest%half_width < pi)/two_pi*point%period
+         results(r_regime) = crest%regime
+      end associate
+      if (.not. point%wants_pull_off .or. .not. pull_off%is_converged) return
+      results(r_pull_off_load) = pull_off%load*point%load_unit
+      results(r_pull_off_penetration) = pull_off%penetration*point%height
    end subroutine store
 
    !> See `model_t`.

@@ -13,14 +13,16 @@ module adfric_wavy_variables
    integer, parameter, public :: v_kind = 1, v_period = 2, v_height = 3, v_slope = 4, v_stiffness = 5, &
       & v_young_modulus = 6, v_poisson_ratio = 7, v_thickness = 8, v_relaxation_time = 9, v_retardation_ratio = 10, &
       & v_stress = 11, v_surface_energy = 12, v_range = 13, v_edge = 14, v_branch = 15, v_velocity = 16, v_load = 17, &
-      & v_penetration = 18, v_relative_tolerance = 19, v_strips = 20, v_profiles = 21, v_n_x = 22, v_n_y = 23
-   integer, parameter :: n_variables = 23
+      & v_penetration = 18, v_relative_tolerance = 19, v_strips = 20, v_pull_off = 21, v_profiles = 22, &
+      & v_n_x = 23, v_n_y = 24
+   integer, parameter :: n_variables = 24
 
    !> Places of the results.
    integer, parameter, public :: r_load = 1, r_penetration = 2, r_friction_force = 3, r_friction_coefficient = 4, &
       & r_contact_area = 5, r_adhesion_area = 6, r_contact_width = 7, r_contact_shift = 8, r_regime = 9, &
-      & r_dissipation = 10, r_edge_loss = 11, r_energy_imbalance = 12
-   integer, parameter, public :: n_wavy_results = 12
+      & r_dissipation = 10, r_edge_loss = 11, r_energy_imbalance = 12, r_pull_off_load = 13, &
+      & r_pull_off_penetration = 14
+   integer, parameter, public :: n_wavy_results = 14
 
 contains
 
@@ -67,6 +69,8 @@ contains
          & 'equal strips on half a period of wave_3d, as published; 0: as many as the tolerance needs', '', &
          & 0.0_dp, 0.0_dp, 1.0e8_dp)
 
+      v(v_pull_off) = variable_t('output', 'pull_off', kind_logical, '', &
+         & 'find the pull-off load, too; by default under a given load alone', '')
       v(v_profiles) = variable_t('output', 'profiles', kind_logical, '', &
          & 'write pressure, shear stress, displacement and gap of every point', '', 0.0_dp)
       v(v_n_x) = variable_t('output', 'n_x', kind_integer, '-', 'samples of a profile along the sliding direction', '', &
@@ -101,6 +105,8 @@ contains
          & 'energy lost where adhesion starts and ends per distance slid', '')
       r(r_energy_imbalance) = result_t('energy_imbalance', '-', &
          & 'friction less all losses, over the sum of their sizes', '')
+      r(r_pull_off_load) = result_t('pull_off_load', force, 'least load of the adhered branch', '')
+      r(r_pull_off_penetration) = result_t('pull_off_penetration', 'm', 'penetration of the least load of the adhered branch', '')
    end function get_wavy_results
 
    !> The table of profiles.
