@@ -103,7 +103,7 @@ contains
       if (equilibrium%status /= status_solved) neighbour%n = 0
    end subroutine solve_load
 
-   !> Does the state of one load (or one penetration) lead to another on the same branch? Without adhesion it always does.
+   !> Does the state of one load lead to that of another on the same branch? Without adhesion it always does.
    !> With it the load need not be monotone. On the adhered branch every penetration above the one that carries a load
    !> carries more, so what carries less lies below it; on the approach branch it is the other way round, for loads that press:
    !> a surface that is drawn in passes tensions twice, and one tension may be met before another, smaller or larger, is reached.

@@ -98,7 +98,8 @@ contains
 
       if (branch == branch_approach) then
          state%regime = regime_free
-         is_found = -strip%crest > strip%range
+         ! a crest that is just in range, but for round-off, draws nothing in
+         is_found = -strip%crest >= strip%range*(1 - 4*epsilon(1.0_dp))
       else
          call find_without_release(strip, state, guess)
          is_found = .not. state%is_converged

@@ -12,6 +12,7 @@ module adfric_wavy_model
    use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load, leads_to
    use adfric_wavy_profiles, only: get_profiles
    use adfric_wavy_pull_off, only: pull_off_t, find_pull_off, is_below_pull_off
+   use adfric_wavy_steady_state, only: branch_adhered
    use adfric_wavy_strip, only: regime_free, regime_adhesion_only
    use adfric_wavy_surface, only: negligible, is_same_surface
    use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
@@ -126,8 +127,8 @@ contains
       if (point%wants_pull_off .and. .not. any(makes_surface)) call find_pull_off(point%surface, self%pull_off)
    end subroutine prepare
 
-   !> See `model_t`. Loads, and penetrations in 3-D, are solved in the order in which each leads to the next on its
-   !> branch.
+   !> See `model_t`. Loads, and penetrations in 3-D and on the approach branch, are solved in the order in which each leads to
+   !> the next on its branch.
    subroutine solve_block(self, values, results, error_estimate, status, attributes)
       class(wavy_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
@@ -204,8 +205,12 @@ contains
          leads_backwards = leads_to(two%surface, two%load, one%surface, one%load) &
             & .and. .not. leads_to(one%surface, one%load, two%surface, two%load)
       else
-         leads_backwards = two%surface%is_3d .and. leads_to(two%surface, two%penetration, one%surface, one%penetration) &
-            & .and. .not. leads_to(one%surface, one%penetration, two%surface, two%penetration)
+         leads_backwards = one%surface%stress > 0 .and. is_same_surface(one%surface, two%surface)
+         if (one%surface%branch == branch_adhered) then
+            leads_backwards = leads_backwards .and. two%surface%is_3d .and. two%penetration > one%penetration
+         else
+            leads_backwards = leads_backwards .and. two%penetration < one%penetration
+         end if
       end if
    end function leads_backwards
 
