@@ -1,5 +1,6 @@
 !> What a results file already has of a run.
 module adfric_output_done_points
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t, set_error, file_failure
@@ -59,7 +60,8 @@ contains
          call datasets%open(calls, file, layout)
          call read_attribute(calls, file, 'wall_seconds', summary%wall_seconds)
          ! it is NaN in the file of a run that was killed, and may be anything in one that is damaged
-         if (.not. (summary%wall_seconds >= 0 .and. summary%wall_seconds < huge(1.0_dp))) summary%wall_seconds = 0
+         if (.not. ieee_is_finite(summary%wall_seconds)) summary%wall_seconds = 0
+         summary%wall_seconds = max(summary%wall_seconds, 0.0_dp)
          call scan(calls, datasets, layout, model, plan, list, summary)
          call datasets%close(calls)
       end if
