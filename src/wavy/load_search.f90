@@ -69,7 +69,7 @@ contains
             if (.not. is_clear .and. low%excess > 0) &
                & is_clear = is_past_least(surface, has_risen, aside%trials(max(aside%n - 1, 1)), low, high)
             if (is_clear) then
-               if (low%excess < 0 .and. low%penetration < sure) return
+               if (low%excess < 0) return
                last = high
                high = low
                aside%n = aside%n - 1
