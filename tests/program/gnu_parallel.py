@@ -60,7 +60,7 @@ class GnuParallel(Runs):
 
     def check_again(self, lines):
         process = self.shell(lines)
-        os.kill(self.meet(KILLED, N_PARTS, 0.3*PART_SECONDS), signal.SIGKILL)
+        os.kill(self.meet(KILLED, N_PARTS), signal.SIGKILL)
         _, errors = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 2)
         self.assertIn(f"1 of {N_PARTS} parts are missing: {KILLED}", errors)

@@ -149,10 +149,11 @@ class Runs(unittest.TestCase):
                 return n_done
         self.fail(f"no points in {name}")
 
-    def meet(self, number, n_parts, seconds, patience=60):
-        """Wait until a part of big.h5 has been solved for so long; its process."""
-        self.wait_for(f"big.part-{number:04}-of-{n_parts:04}.h5.partial", patience)
-        time.sleep(seconds)
+    def meet(self, number, n_parts, patience=60):
+        """Wait until a part of big.h5 has results on the disk; its process."""
+        partial = f"big.part-{number:04}-of-{n_parts:04}.h5.partial"
+        self.wait_for(partial, patience)
+        self.wait_for_points(partial, patience=patience)
         process = self.process_of(f"{number}/{n_parts}")
         self.assertIsNotNone(process, "this part has ended already")
         return process

@@ -72,7 +72,7 @@ class Slurm(Runs):
         return found.groups()
 
     def meet_task(self, number):
-        return self.meet(number, N_PARTS, 0.3*PART_SECONDS, PATIENCE)
+        return self.meet(number, N_PARTS, PATIENCE)
 
     def log_of(self, job, number=None):
         name = f"adfric-{job}.log" if number is None else f"adfric-{job}_{number}.log"
