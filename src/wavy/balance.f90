@@ -46,8 +46,11 @@ contains
 
    !> Balance of a steady state.
    pure subroutine get_balance(strip, state, balance)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state of the strip, in any regime.
       type(steady_state_t), intent(in) :: state
+      !> Forces, zones, losses and mismatches of the strip, per period.
       type(balance_t), intent(out) :: balance
 
       select case (state%regime)
@@ -64,7 +67,9 @@ contains
 
    !> Contact everywhere (GM 17, with the factor that the print has lost).
    pure subroutine balance_saturated(strip, balance)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Receives the integrals of endless contact.
       type(balance_t), intent(inout) :: balance
 
       associate (f => strip%foundation)
@@ -80,8 +85,11 @@ contains
 
    !> Discrete contact, with whatever zones there are beside it.
    pure subroutine balance_contact(strip, state, balance)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state with contact, with adhesion zones or without.
       type(steady_state_t), intent(in) :: state
+      !> Receives the integrals over the period.
       type(balance_t), intent(inout) :: balance
       type(sums_t) :: sums
       real(dp) :: a, b, trailing, free, w, gap_sum
@@ -115,8 +123,11 @@ contains
 
    !> Adhesion without contact: everywhere, or in one zone.
    pure subroutine balance_adhesion_only(strip, state, balance)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state with adhesion and without contact.
       type(steady_state_t), intent(in) :: state
+      !> Receives the integrals over the period.
       type(balance_t), intent(inout) :: balance
       type(sums_t) :: sums
       real(dp) :: a, b, change, w
@@ -142,9 +153,13 @@ contains
    !> Integrals over the contact zone of r = p + stress, from r - u r' = drive tested with 1, sin and
    !> 1 - cos of the distance from its centre: sums of terms of one order in narrow contacts.
    pure subroutine add_contact(strip, state, sums, balance)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state with contact.
       type(steady_state_t), intent(in) :: state
+      !> Receives the integrals over the contact zone.
       type(sums_t), intent(inout) :: sums
+      !> In: the phases in contact and in adhesion. Out: load and friction of the contact, too.
       type(balance_t), intent(inout) :: balance
       real(dp) :: s, c, sin_width, cubic_1, cubic_2, even, odd, m0, m_sin, m_versine, test_sin, test_versine, versine
       real(dp) :: square(11), direct(4)
@@ -185,7 +200,9 @@ contains
 
    !> The four terms of the integral of q^2 over the contact, q = loss (sin + u cos) + a decaying exponential.
    pure function contact_square(strip, state, s, c) result(terms)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state with contact.
       type(steady_state_t), intent(in) :: state
       !> Sine and cosine of the shift.
       real(dp), intent(in) :: s, c
@@ -211,7 +228,9 @@ contains
 
    !> The same integral by Gauss's rule, for narrow contacts in which the closed forms cancel: there q is smooth.
    pure real(dp) function integrate_square(strip, state) result(square)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state with contact.
       type(steady_state_t), intent(in) :: state
       real(dp) :: b, start, passed, lost, q
       integer :: k
@@ -234,11 +253,15 @@ contains
 
    !> An open zone of constant pressure, in which w - p decays.
    pure subroutine add_open_zone(strip, excess, length, pressure, sums)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> w - p where the zone begins (at its leading end).
+      !> Displacement less pressure, w - p, where the zone begins (at its leading end) [c].
       real(dp), intent(in) :: excess
+      !> Length of the zone [rad].
       real(dp), intent(in) :: length
+      !> Pressure in the zone, -stress or 0 [c/K].
       real(dp), intent(in) :: pressure
+      !> Integrals over zones; those over this zone are added.
       type(sums_t), intent(inout) :: sums
       real(dp) :: lost
 
@@ -249,10 +272,13 @@ contains
 
    !> Energy that the two edges of the adhesion stress take.
    pure subroutine add_edge_loss(strip, state, released, balance)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state with adhesion and free zones.
       type(steady_state_t), intent(in) :: state
-      !> Displacement behind the trailing edge of adhesion, where the free zone begins.
+      !> Displacement behind the trailing edge of adhesion, where the free zone begins [c].
       real(dp), intent(in) :: released
+      !> Receives the energy that the edges take.
       type(balance_t), intent(inout) :: balance
       real(dp) :: attached, work
 
@@ -272,7 +298,9 @@ contains
 
    !> Change of the integral of the pressure with the depth of the strip, on its branch.
    pure real(dp) function get_load_slope(strip, state) result(slope)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state of the strip, in any regime.
       type(steady_state_t), intent(in) :: state
       real(dp) :: rates(4), by_width, by_shift
 
@@ -302,7 +330,9 @@ contains
    !> continuously to everything else: over a change of the depth of 1 it relaxes towards 1 in contact, over the phase u, and
    !> towards 0 where the pressure is held, over the phase v. The mean displacement tells the mean pressure.
    pure real(dp) function get_slope_bound(strip, state) result(bound)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state of the strip, in any regime.
       type(steady_state_t), intent(in) :: state
       real(dp) :: open, lost_closed, lost_open, lost
 
@@ -327,8 +357,11 @@ contains
 
    !> What follows from the sums.
    pure subroutine finish(strip, sums, balance)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Integrals over the whole period.
       type(sums_t), intent(in) :: sums
+      !> In: the load. Out: its mismatch and the dissipation, too.
       type(balance_t), intent(inout) :: balance
 
       associate (f => strip%foundation)

@@ -35,12 +35,15 @@ contains
 
    !> Where the branch of a state folds.
    pure subroutine find_fold(surface, penetration, theta, state, is_found)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> In: a guess of the crosswise phase. Out: where the branch folds.
+      !> In: a guess of the crosswise phase [rad]. Out: where the branch folds.
       real(dp), intent(inout) :: theta
-      !> In: a state near it. Out: the state there.
+      !> In: a state near the fold. Out: the state at the fold.
       type(steady_state_t), intent(inout) :: state
+      !> Was a fold found, with an admissible state? If not, `state` is of no use.
       logical, intent(out) :: is_found
 
       call solve_end(surface, penetration, .true., theta, state, is_found)
@@ -48,12 +51,15 @@ contains
 
    !> Where the gap in an adhesion zone without contact just touches zero.
    pure subroutine find_touch(surface, penetration, theta, state, is_found)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> In: a guess of the crosswise phase. Out: where the gap touches zero.
+      !> In: a guess of the crosswise phase [rad]. Out: where the gap touches zero.
       real(dp), intent(inout) :: theta
-      !> In: a state near it, with contact or without. Out: the state there, without contact.
+      !> In: a state near the touch, with contact or without. Out: the state at the touch, without contact.
       type(steady_state_t), intent(inout) :: state
+      !> Was a touch found, with an admissible state? If not, `state` is of no use.
       logical, intent(out) :: is_found
 
       if (state%regime == regime_adhesion_zones) then
@@ -69,12 +75,17 @@ contains
 
    !> Newton's method on the edges, 1/Y, and the condition that the branch ends.
    pure subroutine solve_end(surface, penetration, is_fold, theta, state, is_found)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Does it end in a fold, or where the gap touches zero?
+      !> Does the branch end in a fold? Else it ends where the gap touches zero.
       logical, intent(in) :: is_fold
+      !> In: a guess of the crosswise phase [rad]. Out: where the branch ends.
       real(dp), intent(inout) :: theta
+      !> In: a state near the end. Out: the state at the end.
       type(steady_state_t), intent(inout) :: state
+      !> Was an end found, with an admissible state? If not, `state` is of no use.
       logical, intent(out) :: is_found
       type(family_t) :: family
       real(dp) :: matrix(n_zones + 1, n_zones + 1), step(n_zones + 1, 1), inverse, share, size_now, size_last
@@ -122,8 +133,13 @@ contains
 
    !> The strip at 1/Y, and one at twice that.
    pure subroutine new_family(surface, penetration, inverse, family)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: penetration, inverse
+      !> Penetration of the crests into the undisturbed surface [h].
+      real(dp), intent(in) :: penetration
+      !> Inverse 1/Y of the share of the first strip, >= 1.
+      real(dp), intent(in) :: inverse
+      !> Both strips, and the difference of their 1/Y.
       type(family_t), intent(out) :: family
 
       call new_surface_strip(surface, penetration, 1/inverse, family%strip)
@@ -133,9 +149,13 @@ contains
 
    !> The four edge equations: derivatives by (half_width, shift, trailing, leading, 1/Y), and values.
    pure subroutine get_zone_rows(family, state, matrix, value)
+      !> The strip, and another one that tells the change with 1/Y.
       type(family_t), intent(in) :: family
+      !> Edges of contact and adhesion where the equations are evaluated [rad].
       type(steady_state_t), intent(in) :: state
+      !> Derivatives of the equations, a row for each; the row of the end of the branch is left to be filled.
       real(dp), intent(out) :: matrix(n_zones + 1, n_zones + 1)
+      !> Values of the equations, in the same rows.
       real(dp), intent(out) :: value(n_zones + 1, 1)
       type(edge_equations_t) :: equations, other
 
@@ -156,9 +176,13 @@ contains
 
    !> The two equations of an adhesion zone without contact: derivatives by (half_width, shift, 1/Y), and values.
    pure subroutine get_adhesion_rows(family, state, matrix, value)
+      !> The strip, and another one that tells the change with 1/Y.
       type(family_t), intent(in) :: family
+      !> The adhesion zone where the equations are evaluated, by its half width and shift [rad].
       type(steady_state_t), intent(in) :: state
+      !> Derivatives of the equations, a row for each; the row of the end of the branch is left to be filled.
       real(dp), intent(out) :: matrix(n_zones + 1, n_zones + 1)
+      !> Values of the equations, in the same rows.
       real(dp), intent(out) :: value(n_zones + 1, 1)
       real(dp) :: jacobian(2, 2), by_depth(2), other(2)
 
@@ -173,7 +197,9 @@ contains
 
    !> A state with the stress at entry of a strip.
    pure type(steady_state_t) function with_entry(strip, state) result(changed)
+      !> The strip, whose jump and range give the stress at entry.
       type(strip_t), intent(in) :: strip
+      !> State of another strip, or one whose entry is not known yet.
       type(steady_state_t), intent(in) :: state
 
       changed = state
@@ -182,9 +208,14 @@ contains
 
    !> The condition that the multiplier is 1, freed of its denominators, which are next to nothing in slow sliding.
    pure subroutine get_fold_row(family, state, row, value)
+      !> The strip, and another one that tells the change with 1/Y.
       type(family_t), intent(in) :: family
+      !> Edges where the condition is evaluated [rad].
       type(steady_state_t), intent(in) :: state
-      real(dp), intent(out) :: row(:), value
+      !> Derivatives of the condition by the edges and, last, by 1/Y; shape `(n_unknowns)`.
+      real(dp), intent(out) :: row(:)
+      !> Value of the condition; 0 at a fold.
+      real(dp), intent(out) :: value
       type(edge_rates_t) :: rates, other
       real(dp), dimension(size(row)) :: release_by, freed_by, attach_by, attached_by, damping_by
       real(dp) :: at_release, at_attach, kept
@@ -221,7 +252,9 @@ contains
 
    !> Slope of the drive.
    pure real(dp) function drive_slope(strip, xi)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
 
       drive_slope = -sin(xi) + strip%foundation%v*cos(xi)
@@ -230,9 +263,14 @@ contains
    !> The condition that the least gap in an adhesion zone without contact is zero. Where it is least it does not
    !> change with the place, so only the edge where the zone begins and the strip count.
    pure subroutine get_touch_row(family, state, row, value)
+      !> The strip, and another one that tells the change with 1/Y.
       type(family_t), intent(in) :: family
+      !> The adhesion zone where the condition is evaluated, by its half width and shift [rad].
       type(steady_state_t), intent(in) :: state
-      real(dp), intent(out) :: row(:), value
+      !> Derivatives of the condition by half width, shift and 1/Y; shape `(3)`.
+      real(dp), intent(out) :: row(:)
+      !> Least gap in the adhesion zone [c]; huge where the gap has no minimum there.
+      real(dp), intent(out) :: value
       real(dp) :: b, span, gap, other_gap, lost, w
 
       b = state%half_width + state%shift
@@ -253,7 +291,9 @@ contains
 
    !> Add a step to the edges of a state.
    pure subroutine take_step(state, step)
+      !> State whose edges are moved.
       type(steady_state_t), intent(inout) :: state
+      !> Changes of half_width and shift, or also of trailing and leading [rad]; shape `(2)` or `(4)`.
       real(dp), intent(in) :: step(:)
 
       state%half_width = state%half_width + step(1)
@@ -266,9 +306,13 @@ contains
 
    !> Is the end that was found one of admissible states?
    pure subroutine judge_end(strip, is_fold, state, is_end)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Does the branch end in a fold? Else it ends where the gap touches zero.
       logical, intent(in) :: is_fold
+      !> The state at the end; its entry and its multiplier are set.
       type(steady_state_t), intent(inout) :: state
+      !> Is the state admissible, and stable if it is a touch?
       logical, intent(out) :: is_end
 
       state%is_converged = .true.

@@ -13,11 +13,16 @@ contains
 
    !> Displacement and pressure at a phase, in units of the strip.
    elemental subroutine get_column(strip, state, xi, displacement, pressure)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state of the strip, which tells where its zones end.
       type(steady_state_t), intent(in) :: state
       !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
-      real(dp), intent(out) :: displacement, pressure
+      !> Displacement of the foundation at the phase, positive into the foundation [c].
+      real(dp), intent(out) :: displacement
+      !> Pressure at the phase, compression positive [c/K].
+      real(dp), intent(out) :: pressure
       real(dp) :: passed, trailing, start, excess
 
       select case (state%regime)
@@ -59,7 +64,9 @@ contains
 
    !> Pressure of endless contact, above the mean level.
    elemental real(dp) function steady_pressure(strip, xi)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
 
       steady_pressure = strip%foundation%storage*cos(xi) + strip%foundation%loss*sin(xi)
@@ -67,15 +74,20 @@ contains
 
    !> A column that has left the contact, or entered adhesion: adhesion, free, adhesion again.
    elemental subroutine get_open_column(strip, state, trailing, excess, passed, displacement, pressure)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state of the strip, which tells where its zones end.
       type(steady_state_t), intent(in) :: state
-      !> Length of the first zone of adhesion.
+      !> Length of the first zone of adhesion [rad].
       real(dp), intent(in) :: trailing
-      !> Displacement + stress where it begins.
+      !> Displacement + stress where that zone begins [c].
       real(dp), intent(in) :: excess
-      !> Phase passed since it began.
+      !> Phase passed since that zone began [rad].
       real(dp), intent(in) :: passed
-      real(dp), intent(out) :: displacement, pressure
+      !> Displacement of the foundation at the phase, positive into the foundation [c].
+      real(dp), intent(out) :: displacement
+      !> Pressure at the phase, compression positive [c/K].
+      real(dp), intent(out) :: pressure
       real(dp) :: free, w, edge
 
       associate (v => strip%foundation%v)

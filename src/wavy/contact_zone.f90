@@ -14,8 +14,12 @@ contains
 
    !> coth x and coth^2 x - 1 for x > 0.
    elemental subroutine coth_and_slope(x, coth, excess)
+      !> Argument, > 0.
       real(dp), intent(in) :: x
-      real(dp), intent(out) :: coth, excess
+      !> The value coth x.
+      real(dp), intent(out) :: coth
+      !> The difference coth^2 x - 1, which is minus the slope of coth.
+      real(dp), intent(out) :: excess
       real(dp) :: q
 
       q = 1/expm1(min(2*x, longest_decay))
@@ -25,6 +29,7 @@ contains
 
    !> 1 - exp(-x) without loss of digits, for x >= 0: what a decay over x takes away.
    elemental real(dp) function decay(x)
+      !> Way over the length of the decay [-], >= 0.
       real(dp), intent(in) :: x
 
       decay = -expm1(-x)
@@ -32,6 +37,7 @@ contains
 
    !> Langevin's function coth x - 1/x for x >= 0.
    elemental real(dp) function langevin(x)
+      !> Argument, >= 0.
       real(dp), intent(in) :: x
       real(dp) :: y
 
@@ -45,7 +51,12 @@ contains
 
    !> \( \sin\lambda\coth(\lambda/u) - u\cos\lambda \), without loss of digits in narrow contacts.
    elemental real(dp) function get_lag(half_width, u, coth_u)
-      real(dp), intent(in) :: half_width, u, coth_u
+      !> Half width of the contact [rad], in (0, pi).
+      real(dp), intent(in) :: half_width
+      !> Relaxation phase of the foundation [-], > 0.
+      real(dp), intent(in) :: u
+      !> Value of coth(half_width/u).
+      real(dp), intent(in) :: coth_u
 
       if (half_width >= 1) then
          get_lag = sin(half_width)*coth_u - u*cos(half_width)

@@ -45,13 +45,15 @@ contains
 
    !> Forces and areas of a surface at a penetration.
    pure subroutine get_totals(surface, penetration, memory, totals, error)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> [h]
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Guesses; they save time and change nothing. Out: the strips found.
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
+      !> Forces and areas per period in x (and y).
       type(totals_t), intent(out) :: totals
-      !> Estimates of the quadrature errors of load and friction.
+      !> Estimates of the quadrature errors of load and friction, in the units of `totals`.
       real(dp), intent(out) :: error(2)
       type(strip_t) :: strip
       type(steady_state_t) :: crest
@@ -90,6 +92,7 @@ contains
 
    !> What the next crest strip is expected to be.
    pure type(steady_state_t) function next_crest(memory) result(next)
+      !> Strips found before, of which the last two crest strips are read.
       type(memory_t), intent(in) :: memory
       real(dp) :: lengths(4), change(4)
 
@@ -108,12 +111,15 @@ contains
 
    !> GM's sum of 2N strips of equal width.
    pure subroutine sum_equal_strips(surface, penetration, n_strips, crest, totals, jumps)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> On half a period.
+      !> Number of strips on half a period.
       integer, intent(in) :: n_strips
-      !> The strip of the crest line.
+      !> State of the crest strip, which is the first guess.
       type(steady_state_t), intent(in) :: crest
+      !> Sums over strips; all of these are added.
       type(totals_t), intent(inout) :: totals
       !> Half of what load and friction change by from strip to strip where the regime changes: the edge is in between.
       real(dp), intent(out) :: jumps(2)
@@ -149,10 +155,15 @@ contains
 
    !> The integral over all strips, to the tolerance of the surface.
    pure subroutine integrate_strips(surface, penetration, memory, totals, error)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
+      !> Sums over strips; all of the surface are added.
       type(totals_t), intent(inout) :: totals
+      !> Estimates of the errors of load and friction, in the units of `totals`.
       real(dp), intent(out) :: error(2)
       type(interval_t), allocatable :: intervals(:)
       type(totals_t) :: closed
@@ -187,17 +198,23 @@ contains
 
    !> Raise and halve intervals until all together meet the tolerance, or a strip of another regime is met.
    pure subroutine refine_intervals(surface, penetration, memory, base, is_last, intervals, n, is_uniform, is_fine)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> What is summed in closed form.
+      !> Sums over the strips in closed form.
       type(totals_t), intent(in) :: base
       !> Go on where a strip of another regime is met?
       logical, intent(in) :: is_last
+      !> The intervals, `n` of them in use; the array grows where it is full.
       type(interval_t), allocatable, intent(inout) :: intervals(:)
+      !> Number of intervals in use.
       integer, intent(inout) :: n
       !> Are all strips of each panel in its regime?
       logical, intent(inout) :: is_uniform
+      !> Do all errors together meet the tolerance?
       logical, intent(out) :: is_fine
       real(dp) :: scales(2)
       integer :: worst, n_whole, last_place
@@ -228,11 +245,17 @@ contains
 
    !> One interval for every panel that has no closed form, which is added to the totals.
    pure subroutine start_intervals(surface, penetration, memory, intervals, n, totals, is_uniform)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
+      !> Receives the intervals; the array grows where it is full.
       type(interval_t), allocatable, intent(inout) :: intervals(:)
+      !> Number of intervals in use.
       integer, intent(out) :: n
+      !> Sums over strips; those of panels in closed form are added.
       type(totals_t), intent(inout) :: totals
       !> Are all strips of each panel in its regime?
       logical, intent(out) :: is_uniform
@@ -258,9 +281,13 @@ contains
 
    !> The first two rules of an interval, whose difference tells an error.
    pure subroutine start_interval(surface, penetration, interval, memory)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> In: an interval without strips. Out: the interval at its second rule.
       type(interval_t), intent(inout) :: interval
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
 
       call raise(surface, penetration, interval, memory)
@@ -269,9 +296,13 @@ contains
 
    !> Raise an interval to the next rule.
    pure subroutine raise(surface, penetration, interval, memory)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> The interval, whose level rises by one.
       type(interval_t), intent(inout) :: interval
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       type(steady_state_t), allocatable :: states(:, :)
 
@@ -286,13 +317,17 @@ contains
 
    !> The interval with the largest error, and whether all errors together are within the tolerance.
    pure subroutine find_worst(tolerance, base, intervals, worst, scales, is_fine)
+      !> Relative tolerance of load and friction [-].
       real(dp), intent(in) :: tolerance
-      !> What is summed in closed form.
+      !> Sums over the strips in closed form.
       type(totals_t), intent(in) :: base
+      !> All intervals in use.
       type(interval_t), intent(in) :: intervals(:)
+      !> Place of the interval with the largest error.
       integer, intent(out) :: worst
       !> Sizes of load and friction that errors are relative to.
       real(dp), intent(out) :: scales(2)
+      !> Do all errors together meet the tolerance?
       logical, intent(out) :: is_fine
       type(totals_t) :: all_totals
       real(dp) :: error(2), largest, weight
@@ -322,9 +357,13 @@ contains
 
    !> Saturated strips from start to finish in closed form (GM 17).
    pure subroutine add_saturated_panel(surface, penetration, panel, totals)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> A panel in which all strips are saturated.
       type(panel_t), intent(in) :: panel
+      !> Sums over strips; those of the panel are added.
       type(totals_t), intent(inout) :: totals
       real(dp) :: width, first, second, load, friction
 

@@ -28,8 +28,11 @@ contains
 
    !> The edge equations at the edges of `state`.
    pure subroutine get_edge_equations(strip, state, equations)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Edges of contact and adhesion where the equations are evaluated [rad].
       type(steady_state_t), intent(in) :: state
+      !> Values and derivatives of the four equations.
       type(edge_equations_t), intent(out) :: equations
       real(dp) :: sin_w, cos_w, sin_s, cos_s, sin_t, cos_t, sin_l, cos_l
       real(dp) :: sin_a, cos_a, sin_b, cos_b, sin_a1, cos_a1, sin_b1, cos_b1, sin_outer
@@ -88,7 +91,9 @@ contains
 
    !> The step of (half_width, shift, trailing, leading) that takes away `value` from the edge equations.
    pure function solve_edges(equations, value) result(step)
+      !> Derivatives of the four equations; the values in it are not used.
       type(edge_equations_t), intent(in) :: equations
+      !> Values of the four equations that the step takes away [c].
       real(dp), intent(in) :: value(4)
       real(dp) :: step(4)
       real(dp) :: edge_a(2), length_a(2), edge_b(2), length_b(2)
@@ -117,7 +122,9 @@ contains
 
    !> Change of (half_width, shift, trailing, leading) with the depth of the strip.
    pure function get_edge_rates(strip, state) result(rates)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state with contact and adhesion zones.
       type(steady_state_t), intent(in) :: state
       real(dp) :: rates(4)
       type(edge_equations_t) :: equations
@@ -129,7 +136,9 @@ contains
    !> Solve value + by_edge x + by_length y = 0 as x = edge(1) + edge(2) t, y = length(1) + length(2) t,
    !> for the unknown with the larger factor.
    pure subroutine tie_zone(value, by_edge, by_length, edge, length)
+      !> Value of an equation, and its derivatives by the contact edge and by the length of the zone.
       real(dp), intent(in) :: value, by_edge, by_length
+      !> Constant and factor of t of the edge (x), and of the length (y).
       real(dp), intent(out) :: edge(2), length(2)
 
       edge = [0.0_dp, 1.0_dp]
@@ -143,7 +152,9 @@ contains
 
    !> Sine and cosine of a sum of angles.
    pure subroutine turn(sin_x, cos_x, sin_y, cos_y, sin_sum, cos_sum)
+      !> Sine and cosine of either angle.
       real(dp), intent(in) :: sin_x, cos_x, sin_y, cos_y
+      !> Sine and cosine of their sum.
       real(dp), intent(out) :: sin_sum, cos_sum
 
       sin_sum = sin_x*cos_y + cos_x*sin_y
@@ -152,10 +163,13 @@ contains
 
    !> The condition that the pressure returns to -stress at the trailing edge of contact.
    pure subroutine get_contact_equation(strip, state, sin_w, cos_w, sin_s, cos_s, value, by_a, by_b)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Edges of contact where the condition is evaluated [rad].
       type(steady_state_t), intent(in) :: state
       !> Sine and cosine of half width and shift.
       real(dp), intent(in) :: sin_w, cos_w, sin_s, cos_s
+      !> Value of the condition; 0 where the edges fulfil it.
       real(dp), intent(out) :: value
       !> Derivatives with respect to the edges a and b.
       real(dp), intent(out) :: by_a, by_b
@@ -179,6 +193,7 @@ contains
 
    !> 1 - cos x from sine and cosine, without loss of digits.
    elemental real(dp) function versine(sine, cosine)
+      !> Sine and cosine of x.
       real(dp), intent(in) :: sine, cosine
 
       if (cosine > 0) then
@@ -190,8 +205,11 @@ contains
 
    !> The conditions that the gap is the range at both ends of an adhesion zone without contact.
    pure subroutine get_adhesion_equations(strip, state, value, jacobian, by_depth)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> The adhesion zone, by its half width and shift [rad].
       type(steady_state_t), intent(in) :: state
+      !> Values of the conditions at the trailing and at the leading end [c]; 0 where the edges fulfil them.
       real(dp), intent(out) :: value(2)
       !> Derivatives of both by the edges a and b, and by the depth of the strip.
       real(dp), intent(out) :: jacobian(2, 2), by_depth(2)
@@ -219,6 +237,7 @@ contains
 
    !> The step that takes away `value`, by Cramer's rule; `no_step` if there is none.
    pure function solve_pair(jacobian, value) result(step)
+      !> Derivatives of two equations (rows) by two unknowns (columns), and the values of the equations.
       real(dp), intent(in) :: jacobian(2, 2), value(2)
       real(dp) :: step(2), determinant
 
@@ -231,7 +250,9 @@ contains
 
    !> Change of the half width of an adhesion zone without contact with the depth of the strip.
    pure real(dp) function get_adhesion_rate(strip, state) result(rate)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state with adhesion and without contact.
       type(steady_state_t), intent(in) :: state
       real(dp) :: value(2), jacobian(2, 2), by_depth(2)
 
@@ -241,6 +262,7 @@ contains
 
    !> Length of the free zone.
    pure real(dp) function free_length(state)
+      !> State of which the lengths of contact and adhesion zones are read [rad].
       type(steady_state_t), intent(in) :: state
 
       free_length = two_pi - 2*state%half_width - state%trailing - state%leading

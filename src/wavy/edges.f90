@@ -35,8 +35,9 @@ contains
 
    !> Newton's method on the edges of contact and adhesion, from the edges in `state`.
    pure subroutine refine_edges(strip, state)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> In: a guess of half_width, shift, trailing and leading. Out: the edges; `is_converged` tells.
+      !> In: a guess of half_width, shift, trailing and leading. Out: the edges; `is_converged` tells whether they were found.
       type(steady_state_t), intent(inout) :: state
       type(edge_equations_t) :: equations
       real(dp) :: step(4), size_now, size_last, share
@@ -74,7 +75,9 @@ contains
 
    !> The share of a step that keeps every zone longer than a tenth of what it was.
    pure real(dp) function largest_share(state, step) result(share)
+      !> State before the step, with contact and adhesion zones.
       type(steady_state_t), intent(in) :: state
+      !> Changes of half_width, shift, trailing and leading [rad].
       real(dp), intent(in) :: step(4)
       real(dp) :: lengths(4), change(4)
 
@@ -85,8 +88,9 @@ contains
 
    !> Newton's method on the two edges of adhesion where there is no contact.
    pure subroutine refine_adhesion_edges(strip, state)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> In: a guess of half_width and shift of the adhesion zone. Out: the edges; `is_converged` tells.
+      !> In: a guess of half_width and shift of the adhesion zone. Out: the edges; `is_converged` tells whether they were found.
       type(steady_state_t), intent(inout) :: state
       real(dp) :: value(2), by_depth(2), jacobian(2, 2), step(2), size_now, size_last
       integer :: iteration
@@ -115,7 +119,9 @@ contains
    !> Do the edges of contact with adhesion zones fulfil every inequality of the model? The closed forms
    !> then have no earlier event (see `march`), so signs at the edges are enough.
    pure logical function is_admissible(strip, state)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> The state that is judged, with contact and adhesion zones.
       type(steady_state_t), intent(in) :: state
       real(dp) :: a, b, margin
 
@@ -133,9 +139,11 @@ contains
    !> Does an adhesion zone without contact fulfil every inequality? Its gap is least at the end of the interval where
    !> the drive is positive, or at the end of the zone.
    pure logical function is_admissible_adhesion(strip, state, may_touch)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> The state that is judged, with adhesion and without contact.
       type(steady_state_t), intent(in) :: state
-      !> May the gap touch zero?
+      !> May the gap touch zero? It may not if this is absent.
       logical, intent(in), optional :: may_touch
       real(dp) :: a, b, span, margin
 
@@ -157,7 +165,9 @@ contains
 
    !> Derivative of the return map at a steady state with adhesion and free zones.
    pure real(dp) function get_multiplier(strip, state) result(multiplier)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state with adhesion and free zones.
       type(steady_state_t), intent(in) :: state
       type(edge_rates_t) :: rates
       real(dp) :: kept, denominator
@@ -171,7 +181,9 @@ contains
 
    !> What the edges of adhesion do to a disturbance.
    pure type(edge_rates_t) function get_rates(strip, state) result(rates)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state with adhesion and free zones.
       type(steady_state_t), intent(in) :: state
       real(dp) :: a1, b, b1
 

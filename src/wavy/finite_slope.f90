@@ -14,7 +14,10 @@ contains
 
    !> Shear stress under a pressure p at a phase, positive against the motion: -p sin(arctan f').
    elemental real(dp) function shear_of_pressure(pressure, xi, slope) result(shear)
-      real(dp), intent(in) :: pressure, xi
+      !> Pressure p, compression positive; its unit is that of the shear stress.
+      real(dp), intent(in) :: pressure
+      !> Phase [rad]; the crest is at 0.
+      real(dp), intent(in) :: xi
       !> Largest slope of the strip, k h_y/2; f' = -slope sin(xi).
       real(dp), intent(in) :: slope
 
@@ -23,12 +26,15 @@ contains
 
    !> Integral of the shear stress over a period, over the slope: in the units of `balance_t%friction`.
    pure subroutine get_finite_slope_friction(strip, state, slope, friction, small_slope)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state of the strip.
       type(steady_state_t), intent(in) :: state
-      !> Largest slope of the strip.
+      !> Largest slope of the strip, k h_y/2 [-], > 0.
       real(dp), intent(in) :: slope
+      !> Friction of tau = p sin(arctan f'), over the slope.
       real(dp), intent(out) :: friction
-      !> What the same rule gives for tau = p f'.
+      !> Friction of tau = p f' by the same rule, over the slope.
       real(dp), intent(out) :: small_slope
       real(dp) :: a, b, trailing, start, finish, length, total(2)
 
@@ -72,6 +78,7 @@ contains
       !> How far a piece may reach down from a phase. Steep slopes turn about crest and valley within 1/slope: a piece is no longer
       !> than its distance from there, or than that.
       pure real(dp) function room_below(xi)
+         !> Phase of the upper end of the piece [rad].
          real(dp), intent(in) :: xi
          real(dp) :: below
 
@@ -81,6 +88,7 @@ contains
 
       !> Integrals of sin/sqrt(1 + slope^2 sin^2), and of sin, with the sign of cos.
       pure function rise(xi)
+         !> Phase of the end of a zone, or minus that phase, which gives the same [rad].
          real(dp), intent(in) :: xi
          real(dp) :: rise(2)
 
@@ -89,6 +97,7 @@ contains
 
       !> Integrals of both shear stresses over the slope.
       pure function integrate_piece(from, to) result(integral)
+         !> Phases of the ends of the piece [rad].
          real(dp), intent(in) :: from, to
          real(dp) :: integral(2)
          real(dp) :: xi, displacement, pressure

@@ -32,10 +32,11 @@ contains
 
    !> A foundation from its relaxation phase and its ratio of times.
    elemental subroutine new_foundation(self, u, beta)
+      !> The foundation at the sliding velocity of `u`; of an elastic one `u` is set to 1.
       type(foundation_t), intent(out) :: self
-      !> k V Ts [-], >= 0.
+      !> Relaxation phase k V Ts [-], >= 0.
       real(dp), intent(in) :: u
-      !> Te/Ts [-], >= 1.
+      !> Ratio of retardation to relaxation time Te/Ts [-], >= 1.
       real(dp), intent(in) :: beta
       real(dp) :: s
 

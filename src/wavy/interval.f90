@@ -52,7 +52,9 @@ contains
 
    !> A whole panel, without any strips yet.
    pure type(interval_t) function new_interval(panel, place) result(interval)
+      !> The panel that the interval covers; its ends are in [0, pi].
       type(panel_t), intent(in) :: panel
+      !> Number under which the strips are remembered, from 1.
       integer, intent(in) :: place
 
       interval%panel = panel
@@ -69,13 +71,16 @@ contains
 
    !> Raise an interval to the next rule.
    pure subroutine raise_interval(surface, penetration, needs_slope, interval, states)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> [h]
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
       !> Is the change of the load with the penetration asked for?
       logical, intent(in) :: needs_slope
+      !> The interval: its level rises by one, and sums and errors become those of the next rule.
       type(interval_t), intent(inout) :: interval
-      !> Strips at the nodes of the finest rule. In: of another surface, beyond the rule that was reached; they save time.
+      !> States at the nodes of the finest rule. In: those beyond the rule that was reached are of another surface; they save time.
+      !> Out: those of the next rule are of this surface.
       type(steady_state_t), intent(inout) :: states(-n_half:n_half)
       type(steady_state_t) :: near
       integer :: stride, lowest, j
@@ -98,15 +103,19 @@ contains
 
    !> Solve the strip at a node of the finest rule, and add it to all rules that know it.
    pure subroutine add_node(surface, penetration, needs_slope, interval, j, near, state)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> Is the change of the load with the penetration asked for?
       logical, intent(in) :: needs_slope
+      !> The interval; the sums of all rules that know the node take in the strip.
       type(interval_t), intent(inout) :: interval
-      !> From the midpoint.
+      !> Number of the node, counted from the midpoint, of either sign.
       integer, intent(in) :: j
-      !> A strip nearby.
+      !> State of a strip nearby, the guess where `state` is not in the regime of the panel.
       type(steady_state_t), intent(in) :: near
-      !> In: the same strip of another surface. Out: this one.
+      !> In: the state at this node on another surface, as a guess. Out: the state on this surface.
       type(steady_state_t), intent(inout) :: state
       type(totals_t) :: node
       type(strip_t) :: strip
@@ -143,6 +152,7 @@ contains
    !> to the panel's ends the strips change steeply: `gain` and `depth` are such that one estimate in a hundred is too
    !> small (`bench/error_estimates`).
    pure subroutine estimate_error(interval)
+      !> The interval, at the second rule or higher; its error and blur are set.
       type(interval_t), intent(inout) :: interval
       real(dp) :: last(2)
 
@@ -157,6 +167,7 @@ contains
 
    !> By how much load and friction differ.
    pure function change(one, two)
+      !> Two sums of the same unit.
       type(totals_t), intent(in) :: one, two
       real(dp) :: change(2)
 
@@ -165,8 +176,9 @@ contains
 
    !> Is there a higher rule, and do they converge fast?
    pure logical function can_be_raised(interval, scales)
+      !> The interval, at the second rule or higher.
       type(interval_t), intent(in) :: interval
-      !> Sizes of load and friction.
+      !> Sizes of load and friction that errors are relative to.
       real(dp), intent(in) :: scales(2)
 
       associate (sums => interval%sums, level => interval%level)
@@ -177,9 +189,11 @@ contains
 
    !> Halve an interval; both halves begin anew, and are remembered apart from the whole, which comes first next time.
    pure subroutine split_interval(interval, other, last_place)
+      !> In: the whole interval. Out: one half of it; of a mirrored one the part about the line.
       type(interval_t), intent(inout) :: interval
+      !> The other half; of a mirrored one the part beyond.
       type(interval_t), intent(out) :: other
-      !> The last number under which strips are remembered.
+      !> The last number under which strips are remembered; it rises by two.
       integer, intent(inout) :: last_place
       type(interval_t) :: whole
       real(dp) :: inner

@@ -26,7 +26,7 @@ module adfric_wavy_period_bounds
 
    !> A period that was marched in a search.
    type, extends(period_t) :: probe_t
-      !> By how much it is longer (direction 1) or shorter (-1) than it should be.
+      !> By how much the period is longer (direction 1) or shorter (-1) than 2 pi [rad].
       real(dp) :: excess = 0
    end type probe_t
 
@@ -41,18 +41,19 @@ contains
 
    !> Does a period close between two?
    pure subroutine judge_between(strip, direction, near, far, is_far_open, verdict, centre)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
-      !> The period where the search stands; its excess is positive, and it is closed.
+      !> The period where the search stands: it is closed, and its excess is positive.
       type(probe_t), intent(in) :: near
-      !> One further on.
+      !> A period that starts further on in the direction of the search.
       type(probe_t), intent(in) :: far
       !> Is the excess of `far` positive?
       logical, intent(in) :: is_far_open
       !> One of `between_...`.
       integer, intent(out) :: verdict
-      !> Where to look next if it is unknown, as a share of the way.
+      !> Where to look next if the verdict is unknown, as a share of the way from `near` to `far`.
       real(dp), intent(out) :: centre
       real(dp) :: most, fewest, width, rise, from_near, from_far
 
@@ -92,10 +93,13 @@ contains
 
    !> Bounds of the multiplier of all periods that start between two.
    pure subroutine bound_multiplier(strip, late, early, fewest, most)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The period that starts later (at a smaller phase), and the one that starts earlier.
       type(probe_t), intent(in) :: late, early
+      !> Lower bound of the multiplier.
       real(dp), intent(out) :: fewest
+      !> Upper bound of the multiplier.
       real(dp), intent(out) :: most
       real(dp) :: low, high, round_off, base, lift, jump
 
@@ -116,8 +120,11 @@ contains
    !> Least and greatest drive where adhesion is lost. One that is not lost has passed the end of the interval where it
    !> can be; one that never took hold, the beginning.
    pure subroutine bound_release(strip, late, early, low, high)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> The period that starts later (at a smaller phase), and the one that starts earlier.
       type(probe_t), intent(in) :: late, early
+      !> Least and greatest drive where adhesion is lost [c].
       real(dp), intent(out) :: low, high
       real(dp) :: first(2), last(2)
 
@@ -132,11 +139,13 @@ contains
    !> Least and greatest drive between two phases that are less than half a period apart, or on both sides of its only
    !> extremum between them, from its values and slopes there.
    pure subroutine bound_drive(strip, at_low, slope_at_low, at_high, slope_at_high, low, high)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> At the smaller phase.
+      !> Drive [c] and its slope [c/rad] at the smaller phase.
       real(dp), intent(in) :: at_low, slope_at_low
-      !> At the larger phase.
+      !> Drive [c] and its slope [c/rad] at the larger phase.
       real(dp), intent(in) :: at_high, slope_at_high
+      !> Least and greatest drive between the phases [c].
       real(dp), intent(out) :: low, high
 
       low = min(at_low, at_high)
@@ -148,8 +157,12 @@ contains
    !> How much more the displacement of a free column is, brought back to the phase xi, if it comes into the range of adhesion
    !> at xi + d and not at xi.
    pure real(dp) function rise_of_displacement(strip, xi, d) result(rise)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      real(dp), intent(in) :: xi, d
+      !> Phase to which both displacements are brought [rad].
+      real(dp), intent(in) :: xi
+      !> Distance of the other phase from xi, of either sign [rad].
+      real(dp), intent(in) :: d
 
       rise = -2*sin(xi + d/2)*sin(d/2)*exp(-d/strip%foundation%v) &
          & - (profile(strip, xi) + strip%range)*decay(d/strip%foundation%v)

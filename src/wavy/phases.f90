@@ -12,8 +12,13 @@ contains
    !> Phase left from xi to the next end of the interval where the drive is above a bound, or below it;
    !> a whole period if it always is, negative if it never is.
    pure real(dp) function phases_left(strip, xi, bound, below, is_outside) result(left)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      real(dp), intent(in) :: xi, bound
+      !> Phase where the way begins [rad]; it falls along the way.
+      real(dp), intent(in) :: xi
+      !> Bound of the drive [c].
+      real(dp), intent(in) :: bound
+      !> Is the interval where the drive is below the bound? Else it is where the drive is above.
       logical, intent(in) :: below
       !> Is xi known to be outside the interval? Then the whole of it lies ahead, even if round-off says that it has
       !> only just been left.
@@ -36,8 +41,11 @@ contains
 
    !> Half the length of the interval where the drive is above a bound, or below it.
    pure real(dp) function half_interval(strip, bound, below) result(half)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Bound of the drive [c].
       real(dp), intent(in) :: bound
+      !> Is the interval where the drive is below the bound? Else it is where the drive is above.
       logical, intent(in) :: below
       real(dp) :: ratio
 
@@ -48,8 +56,12 @@ contains
 
    !> Phase passed at xi since the drive came above a bound; a whole period if it always is, 0 if it never is.
    pure real(dp) function phases_since(strip, xi, bound) result(since)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      real(dp), intent(in) :: xi, bound
+      !> Phase where the way ends [rad].
+      real(dp), intent(in) :: xi
+      !> Bound of the drive [c].
+      real(dp), intent(in) :: bound
       real(dp) :: ratio
 
       associate (v => strip%foundation%v)

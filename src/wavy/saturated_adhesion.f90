@@ -33,6 +33,7 @@ contains
 
    !> Level |G| at and above which the contact is saturated (GM 18).
    elemental real(dp) function saturation_level(foundation)
+      !> The foundation at its sliding velocity.
       type(foundation_t), intent(in) :: foundation
 
       saturation_level = hypot(foundation%storage, foundation%loss)
@@ -40,8 +41,9 @@ contains
 
    !> Shift of the contact zone towards the leading side [rad], in [0, pi).
    elemental real(dp) function shift_of_half_width(foundation, half_width) result(shift)
+      !> The foundation at its sliding velocity.
       type(foundation_t), intent(in) :: foundation
-      !> In (0, pi).
+      !> Half width of the contact [rad], in (0, pi).
       real(dp), intent(in) :: half_width
       real(dp) :: coth_u, coth_v, excess
 
@@ -55,11 +57,15 @@ contains
 
    !> Depth \( \kappa + 1 \) of a half width, to full relative precision, and its derivative.
    elemental subroutine depth_of_half_width(foundation, half_width, depth, slope, shift_slope)
+      !> The foundation at its sliding velocity.
       type(foundation_t), intent(in) :: foundation
-      !> In (0, pi).
+      !> Half width of the contact [rad], in (0, pi).
       real(dp), intent(in) :: half_width
-      real(dp), intent(out) :: depth, slope
-      !> Derivative of the shift.
+      !> Depth \( \kappa + 1 \) [c], in (0, |G| + 1).
+      real(dp), intent(out) :: depth
+      !> Derivative of the depth with respect to the half width [c/rad].
+      real(dp), intent(out) :: slope
+      !> Derivative of the shift with respect to the half width [-].
       real(dp), intent(out), optional :: shift_slope
       real(dp) :: coth_u, coth_v, excess_u, excess_v, s, c, n, d, h, versine, h_less_d
       real(dp) :: n_slope, d_slope, h_slope, storage_coth
@@ -89,12 +95,15 @@ contains
 
    !> Half width of the contact at a depth.
    pure subroutine half_width_of_depth(foundation, depth, start, half_width, is_converged)
+      !> The foundation at its sliding velocity.
       type(foundation_t), intent(in) :: foundation
-      !> Depth \( \kappa + 1 \), in (0, |G| + 1).
+      !> Depth \( \kappa + 1 \) [c], in (0, |G| + 1).
       real(dp), intent(in) :: depth
-      !> A neighbour's half width, or 0.
+      !> Half width of a neighbouring strip, as a guess, or 0 [rad].
       real(dp), intent(in) :: start
+      !> Half width of the contact [rad].
       real(dp), intent(out) :: half_width
+      !> Was the half width found?
       logical, intent(out) :: is_converged
       type(depth_equation_t) :: equation
 
@@ -109,9 +118,13 @@ contains
 
    !> The square root of the depth: proportional to the half width at touch, so Newton's method is at home.
    pure subroutine evaluate(self, x, value, slope)
+      !> The foundation, and the root of the depth that is sought.
       class(depth_equation_t), intent(in) :: self
+      !> Half width of the contact [rad].
       real(dp), intent(in) :: x
+      !> Square root of the depth, less the one that is sought.
       real(dp), intent(out) :: value
+      !> Derivative of the value with respect to the half width.
       real(dp), intent(out) :: slope
       real(dp) :: depth
 

@@ -65,11 +65,13 @@ contains
 
    !> Reduce a strip.
    elemental subroutine new_strip(self, foundation, amplitude, penetration, stress, range, edge)
+      !> The strip in units of its amplitude.
       type(strip_t), intent(out) :: self
+      !> The foundation at its sliding velocity; the strip keeps a copy.
       type(foundation_t), intent(in) :: foundation
       !> Half the peak-to-valley height of the strip [h], > 0.
       real(dp), intent(in) :: amplitude
-      !> Penetration of its crest D_y [h].
+      !> Penetration D_y of the crest of the strip [h].
       real(dp), intent(in) :: penetration
       !> Adhesion stress p0 [h/K], >= 0.
       real(dp), intent(in) :: stress
@@ -91,7 +93,9 @@ contains
 
    !> Level F of the profile [c], to full precision near the crest.
    elemental real(dp) function profile(self, xi)
+      !> The strip, of which the penetration of the crest is read.
       type(strip_t), intent(in) :: self
+      !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
 
       profile = self%crest - 2*sin(xi/2)**2
@@ -99,7 +103,9 @@ contains
 
    !> The profile above a foundation that adhesion has lifted, F + stress [c].
    elemental real(dp) function lifted_profile(self, xi)
+      !> The strip, of which the depth is read.
       type(strip_t), intent(in) :: self
+      !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
 
       lifted_profile = self%depth - 2*sin(xi/2)**2
@@ -108,7 +114,9 @@ contains
    !> What drives the open and the closed zones, \( F + \pi - v F' = m + \pi + \cos\xi + v \sin\xi \):
    !> contact can end only where it is negative and begin only where it is positive.
    elemental real(dp) function drive(self, xi)
+      !> The strip, of which the level and the foundation are read.
       type(strip_t), intent(in) :: self
+      !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
 
       drive = self%level + cos(xi) + self%foundation%v*sin(xi)
@@ -116,9 +124,13 @@ contains
 
    !> The drive and its derivative.
    pure subroutine get_drive(self, xi, value, slope)
+      !> The strip, of which the level and the foundation are read.
       type(strip_t), intent(in) :: self
+      !> Phase [rad]; the crest is at 0.
       real(dp), intent(in) :: xi
+      !> The drive at the phase [c].
       real(dp), intent(out) :: value
+      !> Derivative of the drive with respect to the phase [c/rad].
       real(dp), intent(out) :: slope
       real(dp) :: c, s
 
@@ -130,6 +142,7 @@ contains
 
    !> What the drive is known to: in slow sliding zones end where it passes their bound, to round-off.
    pure real(dp) function drive_round_off(strip)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
 
       drive_round_off = 16*epsilon(1.0_dp)*(1 + abs(strip%level) + strip%stress + strip%range + strip%foundation%v)

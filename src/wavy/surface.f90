@@ -75,6 +75,7 @@ contains
 
    !> Are two surfaces the same, but for round-off of their units?
    elemental logical function is_same_surface(one, two)
+      !> Two surfaces in reduced units; their tolerances are not compared.
       type(surface_t), intent(in) :: one, two
 
       is_same_surface = (one%is_3d .eqv. two%is_3d) .and. one%edge == two%edge .and. one%branch == two%branch &
@@ -85,6 +86,7 @@ contains
 
    !> Are two surfaces the same to the last bit, and are to be solved to the same tolerance?
    elemental logical function is_identical_surface(one, two)
+      !> Two surfaces in reduced units; their tolerances are compared, too.
       type(surface_t), intent(in) :: one, two
 
       is_identical_surface = is_same_surface(one, two) .and. .not. ( &
@@ -95,6 +97,7 @@ contains
 
    !> Are two numbers the same but for round-off of their units?
    elemental logical function is_same(one, two)
+      !> Two numbers of the same unit.
       real(dp), intent(in) :: one, two
 
       is_same = abs(one - two) <= 4*epsilon(one)*max(abs(one), abs(two))
@@ -102,6 +105,7 @@ contains
 
    !> Share of the height at a crosswise phase.
    elemental real(dp) function share_at(theta)
+      !> Crosswise phase k y [rad], 0 on the crest line and pi in the valley.
       real(dp), intent(in) :: theta
 
       share_at = cos(theta/2)**2
@@ -109,6 +113,7 @@ contains
 
    !> Crosswise phase at which the height has a share.
    elemental real(dp) function phase_of_share(share)
+      !> Share Y of the height, in [0, 1].
       real(dp), intent(in) :: share
 
       phase_of_share = 2*acos(sqrt(share))
@@ -116,11 +121,13 @@ contains
 
    !> The strip with the share Y of the height, at a penetration of the surface.
    elemental subroutine new_surface_strip(surface, penetration, share, strip)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> [h]
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Y in (0, 1].
+      !> Share Y of the height, in (0, 1].
       real(dp), intent(in) :: share
+      !> The strip in its own reduced units, in which half its height is 1.
       type(strip_t), intent(out) :: strip
 
       call new_strip(strip, surface%foundation, share/2, penetration - (1 - share), &
@@ -129,13 +136,17 @@ contains
 
    !> Add a strip of a width to the totals.
    pure subroutine add_strip(surface, strip, state, share, width, totals)
+      !> The surface in reduced units; its steepness tells which friction is summed.
       type(surface_t), intent(in) :: surface
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state of the strip; one that is not converged adds no forces.
       type(steady_state_t), intent(in) :: state
-      !> Y of the strip.
+      !> Share Y of the height of the strip, in (0, 1].
       real(dp), intent(in) :: share
-      !> Part of the period in y that it stands for.
+      !> Part of the period in y that the strip stands for [-].
       real(dp), intent(in) :: width
+      !> Sums over strips; this strip is added.
       type(totals_t), intent(inout) :: totals
       type(balance_t) :: balance
       real(dp) :: first, second, friction, small_slope
@@ -169,6 +180,7 @@ contains
 
    !> Do load and energy balance at all? Where the sliding is so fast that round-off has moved the edges, they do not.
    elemental logical function is_balanced(balance)
+      !> Forces, losses and mismatches of one strip, in its own units.
       type(balance_t), intent(in) :: balance
       real(dp) :: losses
 
@@ -180,8 +192,11 @@ contains
 
    !> Add one sum to another, with a weight.
    pure subroutine add_totals(totals, part, weight)
+      !> The sums that are added to.
       type(totals_t), intent(inout) :: totals
+      !> The sums that are added.
       type(totals_t), intent(in) :: part
+      !> Factor of the forces and areas of `part`, not of its counts [-]; 1 if absent.
       real(dp), intent(in), optional :: weight
       real(dp) :: w
 
@@ -207,6 +222,7 @@ contains
 
    !> Note one more regime across the surface.
    pure subroutine add_regime(totals, regime)
+      !> Sums whose `structure` and `is_attached` take in the regime.
       type(totals_t), intent(inout) :: totals
       !> One of `regime_...`.
       integer, intent(in) :: regime
@@ -219,9 +235,13 @@ contains
 
    !> Add the change of a strip's load with the penetration, and its bound.
    pure subroutine add_load_slope(strip, state, width, totals)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Steady state of the strip.
       type(steady_state_t), intent(in) :: state
+      !> Part of the period in y that the strip stands for [-].
       real(dp), intent(in) :: width
+      !> Sums over strips; slope and bound of this strip are added.
       type(totals_t), intent(inout) :: totals
 
       real(dp) :: slope, bound
@@ -237,10 +257,11 @@ contains
 
    !> The larger of the relative errors of load and friction, 1 at most.
    pure real(dp) function get_relative_error(totals, error, excess) result(relative)
+      !> Sums over all strips, with their sizes and mismatches.
       type(totals_t), intent(in) :: totals
-      !> Errors of load and friction beside round-off and what the balances leave over.
+      !> Errors of load and friction beside round-off and what the balances leave over, in the units of `totals`.
       real(dp), intent(in) :: error(2)
-      !> By how much the load may differ from one that is given.
+      !> By how much the load may differ from one that is given [h/K].
       real(dp), intent(in) :: excess
       real(dp) :: errors(2), sizes(2), scales(2), shares(2)
 

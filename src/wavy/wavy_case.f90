@@ -33,8 +33,9 @@ contains
 
    !> The point that the values describe; they have been checked.
    pure subroutine resolve_case(values, self)
-      !> In the order of `adfric_wavy_variables`.
+      !> Values of all variables in SI units, in the order of `adfric_wavy_variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> The point in reduced units, and what these units are in SI units.
       type(wavy_case_t), intent(out) :: self
       real(dp) :: stiffness, range
 

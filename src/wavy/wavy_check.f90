@@ -18,9 +18,13 @@ contains
 
    !> Add to `problems` what is wrong with the values together.
    subroutine check_wavy_values(variables, values, is_swept, problems)
+      !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in) :: variables(:)
+      !> Values in the order of `variables`, `unset` where none is given; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
@@ -45,7 +49,9 @@ contains
    contains
 
       subroutine add(v, text)
+         !> Place of the variable in the table, one of `v_...`.
          integer, intent(in) :: v
+         !> What is wrong with the variable; its name is put before this.
          character(*), intent(in) :: text
 
          call problems%add(variables(v)%group, variables(v)%name, text)

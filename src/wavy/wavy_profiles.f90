@@ -19,8 +19,9 @@ contains
 
    !> Profiles at a penetration, in SI units.
    pure subroutine get_profiles(point, penetration, x, y, profiles)
+      !> The point in reduced units, and what these units are in SI units.
       type(wavy_case_t), intent(in) :: point
-      !> [m]
+      !> Penetration of the crests into the undisturbed surface [m].
       real(dp), intent(in) :: penetration
       !> Coordinates along and across the sliding direction, 0 at the crest [m].
       real(dp), intent(in) :: x(:), y(:)
@@ -44,15 +45,17 @@ contains
 
    !> Profiles along one strip.
    pure subroutine get_strip_profiles(point, penetration, x, share, state, profiles)
+      !> The point in reduced units, and what these units are in SI units.
       type(wavy_case_t), intent(in) :: point
-      !> [h]
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> Coordinates along the sliding direction, 0 at the crest [m].
       real(dp), intent(in) :: x(:)
-      !> Of the height, see `share_at`.
+      !> Share Y of the height of the strip, in (0, 1].
       real(dp), intent(in) :: share
-      !> State of a strip nearby; out: of this one.
+      !> In: the state of a strip nearby, as a guess. Out: the state of this strip.
       type(steady_state_t), intent(inout) :: state
-      !> Shape `(size(x), 4)`.
+      !> Pressure and shear stress [Pa], displacement and gap [m]; shape `(size(x), 4)`.
       real(dp), intent(out) :: profiles(:, :)
       type(strip_t) :: strip
       type(steady_state_t) :: guess

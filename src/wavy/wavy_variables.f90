@@ -81,6 +81,7 @@ contains
 
    !> The table of results.
    function get_wavy_results(is_3d) result(r)
+      !> Is the surface a 3-D wave? Then forces are in N and areas in m^2, else in N/m and m.
       logical, intent(in) :: is_3d
       type(result_t), allocatable :: r(:)
       character(:), allocatable :: force, area
