@@ -56,11 +56,12 @@ contains
 
    !> Solve a point of given penetration.
    pure subroutine solve_penetration(surface, penetration, memory, equilibrium)
+      !> The surface in reduced units, and the penetration of its crests [h].
       type(surface_t), intent(in) :: surface
-      !> [h]
       real(dp), intent(in) :: penetration
-      !> Strips of a neighbour; they save time and change nothing.
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
+      !> The point, with the status `status_solved` or `status_not_converged`.
       type(equilibrium_t), intent(out) :: equilibrium
       type(trial_t) :: trial
 
@@ -70,13 +71,14 @@ contains
 
    !> Solve a point of given load.
    pure subroutine solve_load(surface, load, neighbour, memory, equilibrium)
+      !> The surface in reduced units, and the load per period in x (and y) [h/K].
       type(surface_t), intent(in) :: surface
-      !> Per period in x (and y) [h/K].
       real(dp), intent(in) :: load
       !> In: points that lead to this one, or none; they save time and change nothing. Out: this one is the last.
       type(neighbour_t), intent(inout) :: neighbour
-      !> Strips of a neighbour; they save time and change nothing.
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
+      !> The point, of which only the status is set if it was not found.
       type(equilibrium_t), intent(out) :: equilibrium
       type(trial_t) :: state
       real(dp) :: excess
@@ -108,6 +110,7 @@ contains
    !> carries more, so what carries less lies below it; on the approach branch it is the other way round, for loads that press:
    !> a surface that is drawn in passes tensions twice, and one tension may be met before another, smaller or larger, is reached.
    pure logical function leads_to(from, from_load, to, to_load)
+      !> The surface of the load that is known, that of the other load, and both loads [h/K].
       type(surface_t), intent(in) :: from, to
       real(dp), intent(in) :: from_load, to_load
 
@@ -122,11 +125,13 @@ contains
 
    !> Newton's method from a neighbour's state, and the proof that nothing is passed on the way.
    pure subroutine follow_neighbour(surface, load, neighbour, memory, state, is_found)
+      !> The surface in reduced units, and the load that is sought [h/K].
       type(surface_t), intent(in) :: surface
-      !> [h/K]
       real(dp), intent(in) :: load
+      !> Points that lead to this one, and strips found before, as first guesses.
       type(neighbour_t), intent(in) :: neighbour
       type(memory_t), intent(inout) :: memory
+      !> The state of the load, and whether it was found.
       type(trial_t), intent(out) :: state
       logical, intent(out) :: is_found
       type(trial_t) :: last
@@ -161,8 +166,8 @@ contains
 
    !> Is a state that carries the load the first one on the way from a neighbour?
    pure logical function is_next(surface, last, state)
+      !> The surface in reduced units, the state of the neighbour, and the one that was found.
       type(surface_t), intent(in) :: surface
-      !> The neighbour's state, and the one found.
       type(trial_t), intent(in) :: last, state
 
       if (surface%stress <= 0) then
@@ -178,13 +183,14 @@ contains
 
    !> The state of a load, from a neighbour or from nothing.
    pure subroutine search(surface, load, neighbour, memory, state, outcome)
+      !> The surface in reduced units, and the load that is sought [h/K].
       type(surface_t), intent(in) :: surface
-      !> [h/K]
       real(dp), intent(in) :: load
+      !> Points that lead to this one, or none, and strips found before, as first guesses.
       type(neighbour_t), intent(in) :: neighbour
       type(memory_t), intent(inout) :: memory
+      !> The state of the load if the outcome, one of `search_...`, is `search_found`.
       type(trial_t), intent(out) :: state
-      !> One of `search_...`.
       integer, intent(out) :: outcome
       type(trial_t) :: low, high
       real(dp) :: start
@@ -226,8 +232,8 @@ contains
 
    !> The penetration of endless contact, which carries a load or more on every branch [h].
    pure real(dp) function highest(surface, load)
+      !> The surface in reduced units, and the load [h/K].
       type(surface_t), intent(in) :: surface
-      !> [h/K]
       real(dp), intent(in) :: load
 
       highest = load + merge(mean_depth_3d, mean_depth_2d, surface%is_3d)
@@ -235,12 +241,12 @@ contains
 
    !> Without adhesion the load is a convex function of the penetration: Newton's method from above passes nothing.
    pure subroutine search_without_adhesion(surface, load, memory, state, outcome)
+      !> The surface in reduced units, the load that is sought [h/K], and strips found before, as first guesses.
       type(surface_t), intent(in) :: surface
-      !> [h/K]
       real(dp), intent(in) :: load
       type(memory_t), intent(inout) :: memory
+      !> The state of the load if the outcome, one of `search_...`, is `search_found`.
       type(trial_t), intent(out) :: state
-      !> One of `search_...`.
       integer, intent(out) :: outcome
       real(dp) :: penetration, next
       integer :: k
@@ -260,12 +266,12 @@ contains
 
    !> A penetration above which every state carries more than a load: with adhesion in the whole gap it carries as much.
    pure subroutine start_above(surface, load, high, outcome)
+      !> The surface in reduced units, and the load [h/K].
       type(surface_t), intent(in) :: surface
-      !> [h/K]
       real(dp), intent(in) :: load
-      !> Out: its penetration; the rest is that of the other surface.
+      !> Out: the penetration; the rest is that of the surface with adhesion in the whole gap.
       type(trial_t), intent(out) :: high
-      !> Empty if every penetration carries more.
+      !> `search_empty` if every penetration carries more.
       integer, intent(out) :: outcome
       type(surface_t) :: attached
 
@@ -278,12 +284,12 @@ contains
 
    !> A penetration below which every state carries less than a load, and which carries less itself.
    pure subroutine start_below(surface, load, memory, low, outcome)
+      !> The surface in reduced units, the load [h/K], and strips found before, as first guesses.
       type(surface_t), intent(in) :: surface
-      !> [h/K]
       real(dp), intent(in) :: load
       type(memory_t), intent(inout) :: memory
+      !> What that penetration carries, if the outcome, one of `search_...`, is `search_found`.
       type(trial_t), intent(out) :: low
-      !> One of `search_...`.
       integer, intent(out) :: outcome
       type(surface_t) :: bare
       type(trial_t) :: high
@@ -308,11 +314,12 @@ contains
    !> Newton's method from above on a surface whose load is a convex function of the penetration, to where it carries no more
    !> than `enough`, or is near a load.
    pure subroutine descend_convex(surface, load, enough, state, outcome)
+      !> The surface in reduced units, the load [h/K], and one not below it, where the way may end [h/K].
       type(surface_t), intent(in) :: surface
-      !> The load, and one not below it [h/K].
       real(dp), intent(in) :: load, enough
+      !> The last penetration, and what it carries.
       type(trial_t), intent(out) :: state
-      !> Empty if every penetration carries more.
+      !> `search_empty` if every penetration carries more.
       integer, intent(out) :: outcome
       type(surface_t) :: rough
       type(memory_t) :: memory
@@ -338,12 +345,12 @@ contains
 
    !> Close a bracket: Newton's method from its better end, with bisection wherever that gains too little.
    pure subroutine close_bracket(surface, load, memory, low, high)
+      !> The surface in reduced units, the load that is sought [h/K], and strips found before, as first guesses.
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
       type(memory_t), intent(inout) :: memory
-      type(trial_t), intent(inout) :: low
-      !> Out: the penetration that carries the load.
-      type(trial_t), intent(inout) :: high
+      !> The ends of the bracket, which carry less than the load and no less. Out: `high` carries the load.
+      type(trial_t), intent(inout) :: low, high
       type(trial_t) :: middle
       real(dp) :: width, penetration
       integer :: k
@@ -377,8 +384,8 @@ contains
 
    !> What is known of the point, and how well.
    pure subroutine finish(trial, excess, equilibrium)
+      !> The trial of a point, by how much its load may differ from one that is given [h/K], and what follows for the point.
       type(trial_t), intent(in) :: trial
-      !> By how much the load may differ from one that is given.
       real(dp), intent(in) :: excess
       type(equilibrium_t), intent(out) :: equilibrium
 

@@ -32,13 +32,15 @@ contains
 
    !> The largest penetration that carries a load, below one above which all carry more.
    pure subroutine search_down(surface, load, is_turn, lowest, memory, low, high, outcome)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> [h/K]
+      !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
       !> Is `high` where the load has just turned, from falling on the way down to rising?
       logical, intent(in) :: is_turn
       !> Below this penetration nothing is sought [h].
       real(dp), intent(in) :: lowest
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       !> Out: if a state is found, a penetration that carries less; the state is the only one between the two.
       type(trial_t), intent(out) :: low
@@ -85,14 +87,16 @@ contains
 
    !> The smallest penetration that carries a load, above one that carries less.
    pure subroutine search_up(surface, load, is_drawn_in, highest, memory, low, high, outcome)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> [h/K]
+      !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
       !> Has the surface just been drawn in? Then `low` may carry the load to within its tolerance, and is not the state that is
       !> sought: the load falls there.
       logical, intent(in) :: is_drawn_in
       !> Above this penetration nothing is sought [h].
       real(dp), intent(in) :: highest
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       !> In: a penetration that carries less. Out: the last such penetration.
       type(trial_t), intent(inout) :: low
@@ -141,11 +145,13 @@ contains
    !> The smallest penetration that carries less than a load, for a surface that adhesion draws in. What carries more is
    !> certain downwards from each trial.
    pure subroutine find_entry(surface, load, highest, memory, low, outcome)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> [h/K]
+      !> Load that the penetration sought does not reach, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
       !> Above this penetration all carry more [h].
       real(dp), intent(in) :: highest
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
       !> In: a penetration below which none carries less. Out: the first that does.
       type(trial_t), intent(inout) :: low
@@ -182,14 +188,17 @@ contains
 
    !> Solve one more penetration, and put it aside.
    pure subroutine add_trial(surface, penetration, from, load, memory, aside, outcome)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> The penetration and where it is reached from [h].
+      !> The penetration, and the one from which it is reached [h].
       real(dp), intent(in) :: penetration, from
-      !> [h/K]
+      !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
+      !> Trials put aside; the new one comes last.
       type(aside_t), intent(inout) :: aside
-      !> `search_failed` if it has no state, or if there is no room; else as it was.
+      !> `search_failed` if the penetration has no state; else as it was.
       integer, intent(inout) :: outcome
 
       if (aside%n < max_aside) aside%n = aside%n + 1
@@ -210,7 +219,7 @@ contains
 
    !> Are two penetrations as good as one?
    pure logical function is_one(low, high)
-      !> [h]
+      !> The smaller and the larger penetration [h].
       real(dp), intent(in) :: low, high
 
       is_one = high - low <= indistinct*max(abs(high), 1.0_dp)
@@ -218,8 +227,9 @@ contains
 
    !> How long the next step is [h]: along the tangent, and not too long.
    pure real(dp) function get_step(surface, trial, last) result(step)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> Where the step begins, and the one before it.
+      !> The trial where the step begins, and the one before it.
       type(trial_t), intent(in) :: trial, last
       real(dp) :: slope, change
 
@@ -235,6 +245,7 @@ contains
 
    !> Length of a step where nothing tells how far the load is [h].
    pure real(dp) function get_longest_step(surface) result(step)
+      !> The surface in reduced units; its stress and range lengthen the step.
       type(surface_t), intent(in) :: surface
 
       step = longest_step*max(1.0_dp, surface%stress + surface%range)

@@ -41,12 +41,15 @@ contains
 
    !> Load at a penetration.
    pure subroutine try_penetration(surface, penetration, load, memory, trial)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> [h]
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Load that is sought [h/K].
+      !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
+      !> The penetration and what it carries.
       type(trial_t), intent(out) :: trial
 
       trial%penetration = penetration
@@ -57,14 +60,17 @@ contains
 
    !> Load at a penetration, or next to it towards `from` where a strip happens to be at the very end of its branch.
    pure subroutine try_near(surface, penetration, from, load, memory, trial)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> [h]
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Another penetration [h].
+      !> The penetration towards which it may move, by 3/128 of the way at most [h].
       real(dp), intent(in) :: from
-      !> Load that is sought [h/K].
+      !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
+      !> The penetration that was reached, and what it carries.
       type(trial_t), intent(out) :: trial
       integer :: k
 
@@ -76,7 +82,9 @@ contains
 
    !> Does a trial carry the load, to a tenth of the tolerance (in 2-D to round-off)?
    pure logical function carries_load(surface, trial)
+      !> The surface in reduced units, with the tolerance of its load.
       type(surface_t), intent(in) :: surface
+      !> The trial that is judged.
       type(trial_t), intent(in) :: trial
       real(dp) :: tolerance
 
@@ -89,6 +97,7 @@ contains
    !> Is the surface integrated across, with panels of one regime whose edges move with the penetration? Then the slope of the
    !> load is that of its strips and what the edges add, which is not known.
    pure logical function has_moving_edges(surface)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
 
       has_moving_edges = surface%is_3d .and. surface%n_strips == 0
@@ -97,8 +106,9 @@ contains
    !> How far from a trial the sign of its excess holds for certain [h]: downwards if it carries too much, upwards if it carries
    !> too little (`get_fall` knows more downwards).
    pure real(dp) function get_reach(trial, slope_bound) result(reach)
+      !> The trial, whose excess is left when the sign may change.
       type(trial_t), intent(in) :: trial
-      !> That of the trial downwards, upwards that of the furthest penetration in question [1/K].
+      !> Bound of the slope: downwards that of the trial, upwards that of the furthest penetration in question [1/K].
       real(dp), intent(in) :: slope_bound
 
       reach = huge(reach)
@@ -107,7 +117,9 @@ contains
 
    !> How far below a trial that carries too much nothing can carry too little [h].
    pure real(dp) function get_fall(surface, trial) result(fall)
+      !> The surface in reduced units; adhesion pulls with its stress at most.
       type(surface_t), intent(in) :: surface
+      !> A trial that carries too much.
       type(trial_t), intent(in) :: trial
 
       fall = get_reach(trial, trial%totals%slope_bound)
@@ -122,10 +134,11 @@ contains
    !> it is smooth, and turns at most twice: it rises with the penetration in one stretch between two where it falls
    !> (docs/wavy.md). So where it rises at the end that is further on the way it has passed no more than its largest value.
    pure logical function is_plain(surface, low, high, far)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> The smaller and the larger penetration.
+      !> The trials at the smaller and the larger penetration.
       type(trial_t), intent(in) :: low, high
-      !> That of the two which is further on the way.
+      !> The one of the two that is further on the way.
       type(trial_t), intent(in) :: far
       real(dp) :: width, reach
 
@@ -147,6 +160,7 @@ contains
    !> Where the slope is known, a load that falls with the penetration after it has risen, seen from above, has passed the
    !> least of its stretch (see `is_plain`). On surfaces that are integrated across, the parabola through three trials tells.
    pure logical function is_past_least(surface, has_risen, below, low, high)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Does the load rise with the penetration somewhere above `high`, between the same regimes?
       logical, intent(in) :: has_risen

@@ -67,9 +67,13 @@ contains
 
    !> Value and slope of a zone curve.
    pure subroutine evaluate(self, x, value, slope)
+      !> The curve, by its coefficients.
       class(zone_curve_t), intent(in) :: self
+      !> Phase d passed since the zone began [rad], >= 0.
       real(dp), intent(in) :: x
+      !> Value of the curve.
       real(dp), intent(out) :: value
+      !> Derivative of the curve with respect to the phase.
       real(dp), intent(out) :: slope
       real(dp) :: lost
 
@@ -80,7 +84,9 @@ contains
 
    !> Pressure above -stress in contact.
    pure type(zone_curve_t) function contact_curve(strip, column) result(curve)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> A column in contact.
       type(column_t), intent(in) :: column
       real(dp) :: along
 
@@ -96,8 +102,11 @@ contains
 
    !> Gap above a bound in an open zone.
    pure type(zone_curve_t) function gap_curve(strip, column, bound) result(curve)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> A column in an open zone, in adhesion or free.
       type(column_t), intent(in) :: column
+      !> Gap that is subtracted, 0 or the range [c].
       real(dp), intent(in) :: bound
 
       curve%start = column%gap - bound
@@ -109,17 +118,21 @@ contains
 
    !> Follow a curve up to the end of the interval of the drive in which it may cross zero, and find where it did.
    pure subroutine follow(strip, curve, span, bound, below, rises, crosses, passed)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> What ends the zone where it crosses zero.
       type(zone_curve_t), intent(in) :: curve
-      !> Phase to the end of the interval; negative if there is none.
+      !> Phase to the end of the interval [rad]; negative if there is none.
       real(dp), intent(in) :: span
-      !> The interval is where the drive is above the bound, or below it.
+      !> Bound of the drive at which the interval begins and ends [c].
       real(dp), intent(in) :: bound
+      !> Is the interval where the drive is below the bound? Else it is where the drive is above.
       logical, intent(in) :: below
       !> Is the crossing upwards?
       logical, intent(in) :: rises
+      !> Does the curve cross zero before the interval ends?
       logical, intent(out) :: crosses
-      !> In: a guess, or 0. Out: the phase passed up to the crossing, if there is one.
+      !> In: a guess, or 0. Out: the phase passed up to the crossing, if there is one [rad].
       real(dp), intent(inout) :: passed
       real(dp), parameter :: looks(3) = [0.0_dp, 0.2_dp, 1.0_dp]
       real(dp) :: value, slope, limit
@@ -142,10 +155,13 @@ contains
 
    !> Move a column to its next event. `has_event` is false if the zone lasts for more than a period.
    pure subroutine advance(strip, column, passed, has_event)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> In: a column in its zone. Out: the column where the next zone begins; as it was if the zone does not end.
       type(column_t), intent(inout) :: column
-      !> In: a guess of the phase passed, or 0. Out: the phase passed.
+      !> In: a guess of the phase passed, or 0. Out: the phase passed [rad].
       real(dp), intent(inout) :: passed
+      !> Does the zone end within a period?
       logical, intent(out) :: has_event
       type(zone_curve_t) :: curve
       real(dp) :: bound
@@ -184,13 +200,17 @@ contains
 
    !> Adhesion ends in contact or in freedom, whichever comes first.
    pure subroutine end_adhesion(strip, column, curve, bound, has_event, passed)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> A column in adhesion.
       type(column_t), intent(in) :: column
+      !> Gap less the gap at which the zone ends, as a function of the phase passed.
       type(zone_curve_t), intent(out) :: curve
-      !> Gap at which the zone ends: 0 or the range.
+      !> Gap at which the zone ends: 0 or the range [c].
       real(dp), intent(out) :: bound
+      !> Does the zone end within a period?
       logical, intent(out) :: has_event
-      !> See `advance`.
+      !> In: a guess of the phase passed, or 0. Out: the phase passed [rad].
       real(dp), intent(inout) :: passed
       real(dp) :: to_closure, to_release
       integer :: try
@@ -213,7 +233,9 @@ contains
    !> A free column reaches the range of adhesion: the displacement may jump, and the surface may snap
    !> straight into contact.
    pure subroutine attach(strip, column)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> In: a free column at the range. Out: the column in adhesion, or in contact.
       type(column_t), intent(inout) :: column
       real(dp) :: gap
 
@@ -227,8 +249,9 @@ contains
 
    !> March from one passage of the leading edge of adhesion to the next.
    pure subroutine march_period(strip, xi_start, period)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> Phase of the leading edge, where a free column comes into the range of adhesion.
+      !> Phase of the leading edge, where a free column comes into the range of adhesion [rad].
       real(dp), intent(in) :: xi_start
       !> In: a period like it, if there is one; its lengths are first guesses. Out: the period.
       type(period_t), intent(inout) :: period
@@ -296,7 +319,9 @@ contains
    !> Derivative of the end of a period with respect to its start: the product over its zones, in which the rates where
    !> contact begins and ends cancel.
    pure real(dp) function get_slope(strip, period) result(slope)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> A closed period, with its lengths and drives.
       type(period_t), intent(in) :: period
       real(dp) :: length, least, freed, attach
 
@@ -313,6 +338,7 @@ contains
    !> By how much the rate of the gap (times v) rises where adhesion takes hold; from the free zone straight into contact
    !> where the displacement jumps by the range or more.
    pure real(dp) function attach_lift(strip) result(lift)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
 
       if (strip%jump < strip%range) then
@@ -324,7 +350,9 @@ contains
 
    !> March a column to the first leading edge of adhesion that it passes.
    pure subroutine march_to_leading_edge(strip, column, outcome)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> In: a column in any zone. Out: the column at the leading edge, if it passes one.
       type(column_t), intent(inout) :: column
       !> One of `period_...`.
       integer, intent(out) :: outcome

@@ -56,9 +56,15 @@ contains
 
    !> Look at one strip.
    pure type(probe_t) function probe(surface, penetration, theta, guess, is_regime_known)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: penetration, theta
+      !> Penetration of the crests into the undisturbed surface [h].
+      real(dp), intent(in) :: penetration
+      !> Crosswise phase k y [rad], 0 on the crest line and pi in the valley.
+      real(dp), intent(in) :: theta
+      !> State of a strip nearby; it may save time.
       type(steady_state_t), intent(in), optional :: guess
+      !> Is this strip known to be in the regime of the guess, if it is stable there? Then nothing else is tried.
       logical, intent(in), optional :: is_regime_known
       type(strip_t) :: strip
 
@@ -69,11 +75,17 @@ contains
 
    !> Where the regime of a strip ends, on the way to another phase where it has ended.
    pure subroutine locate_edge(surface, penetration, inside, outside, edge, n_strips)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> A strip in the regime that ends.
       type(probe_t), intent(in) :: inside
+      !> Crosswise phase where that regime has ended [rad].
       real(dp), intent(in) :: outside
+      !> Where and how the regime ends.
       type(edge_t), intent(out) :: edge
+      !> Number of strips solved so far; those solved here are added.
       integer, intent(inout) :: n_strips
       type(probe_t) :: last
       real(dp) :: limit
@@ -97,12 +109,19 @@ contains
 
    !> Does a branch that Newton's method lost go on? `last` is where it was met again, `limit` where it has ended.
    pure subroutine look_for_more(surface, penetration, edge, last, limit, n_strips, is_found)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> Where Newton's method lost the branch.
       type(edge_t), intent(in) :: edge
+      !> In: any strip on the branch. Out: the last strip where the branch was met again, if it was.
       type(probe_t), intent(inout) :: last
+      !> Crosswise phase where the branch has ended [rad]. Out: the same, or one nearer to the edge.
       real(dp), intent(inout) :: limit
+      !> Number of strips solved so far; those solved here are added.
       integer, intent(inout) :: n_strips
+      !> Was the branch met again beyond the edge?
       logical, intent(out) :: is_found
       type(probe_t) :: next
       real(dp) :: share, way
@@ -126,11 +145,17 @@ contains
    !> Where adhesion begins to be lost: the margin of the range is positive at `inside`, negative at `outside`.
    !> Regula falsi with the Illinois rule.
    pure subroutine locate_release(surface, penetration, inside, outside, edge, is_found, n_strips)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: penetration, inside, outside
+      !> Penetration of the crests into the undisturbed surface [h].
+      real(dp), intent(in) :: penetration
+      !> Crosswise phases where the margin is positive and where it is negative [rad].
+      real(dp), intent(in) :: inside, outside
+      !> Receives the phase, how the regime ends, and how well the phase is known.
       type(edge_t), intent(inout) :: edge
-      !> Does it end between the two?
+      !> Does the regime end between the two phases?
       logical, intent(out) :: is_found
+      !> Number of strips solved so far; those solved here are added.
       integer, intent(inout) :: n_strips
       real(dp) :: low, high, at_low, at_high, value, theta
       integer :: trial, side
@@ -166,8 +191,12 @@ contains
 
    !> Margin of the range in the state with adhesion in the whole gap.
    pure real(dp) function margin_at(surface, penetration, theta) result(margin)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: penetration, theta
+      !> Penetration of the crests into the undisturbed surface [h].
+      real(dp), intent(in) :: penetration
+      !> Crosswise phase k y [rad], 0 on the crest line and pi in the valley.
+      real(dp), intent(in) :: theta
       type(strip_t) :: strip
       type(steady_state_t) :: state
 
@@ -178,11 +207,17 @@ contains
 
    !> Where the branch of `inside` ends: Newton's method on its end as soon as that is near enough, bisection until then.
    pure subroutine locate_end(surface, penetration, inside, outside, edge, n_strips)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> A strip on the branch that ends.
       type(probe_t), intent(in) :: inside
+      !> Crosswise phase where that branch has ended [rad].
       real(dp), intent(in) :: outside
+      !> Receives where and how the branch ends.
       type(edge_t), intent(inout) :: edge
+      !> Number of strips solved so far; those solved here are added.
       integer, intent(inout) :: n_strips
       type(probe_t) :: near, next
       type(strip_t) :: strip
@@ -219,11 +254,17 @@ contains
 
    !> Solve for the end of a branch from a strip on it, and see that it is that branch's, before `limit`.
    pure subroutine jump_to_end(surface, penetration, near, limit, edge, is_found)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> A strip on the branch that ends.
       type(probe_t), intent(in) :: near
+      !> Crosswise phase where that branch has ended [rad].
       real(dp), intent(in) :: limit
+      !> Receives where and how the branch ends, if that is found.
       type(edge_t), intent(inout) :: edge
+      !> Was the end of this branch found?
       logical, intent(out) :: is_found
       type(edge_t) :: ends(2)
       type(steady_state_t) :: last
@@ -254,9 +295,13 @@ contains
 
    !> Move an end to where it is now, from where it is on a neighbouring surface.
    pure subroutine solve_end(surface, penetration, edge, is_found)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> In: the edge on a neighbouring surface. Out: the edge on this surface.
       type(edge_t), intent(inout) :: edge
+      !> Was the end found? If not, the state of the edge is of no use.
       logical, intent(out) :: is_found
 
       select case (edge%ending)
@@ -272,6 +317,7 @@ contains
 
    !> Half width and centre of contact and adhesion zones together, and half width of the contact.
    pure function extents(state)
+      !> A state with adhesion zones, with contact or without.
       type(steady_state_t), intent(in) :: state
       real(dp) :: extents(3)
 
@@ -282,10 +328,13 @@ contains
 
    !> The first strip beyond the end of a branch.
    pure type(probe_t) function look_beyond(surface, penetration, edge, other) result(beyond)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> Where and how the branch ends.
       type(edge_t), intent(in) :: edge
-      !> A phase where it has ended.
+      !> Crosswise phase where the branch has ended [rad].
       real(dp), intent(in) :: other
       type(strip_t) :: strip
       real(dp) :: share

@@ -55,11 +55,13 @@ contains
 
    !> Divide half a period into panels.
    pure subroutine divide_surface(surface, penetration, fineness, division)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> How many times more strips are looked at than usual.
+      !> How many times more strips than usual are looked at.
       integer, intent(in) :: fineness
-      !> In: the division of a neighbouring surface, or none; it saves time. Out: this one's.
+      !> In: the division of a neighbouring surface, or none; it saves time. Out: the division of this surface.
       type(division_t), intent(inout) :: division
       real(dp) :: edges(n_known + 2)
       integer :: kinds(n_known + 2), n_edges, k
@@ -89,11 +91,15 @@ contains
 
    !> Crosswise phases where the regime changes in closed form, with both ends, in increasing order.
    pure subroutine get_known_edges(surface, penetration, edges, kinds, n_edges)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> The phases, 0 first and pi last [rad].
       real(dp), intent(out) :: edges(n_known + 2)
-      !> Which of the closed forms, 1 to `n_known`.
+      !> Which of the closed forms each phase is known by, 1 to `n_known`; 0 at both ends.
       integer, intent(out) :: kinds(n_known + 2)
+      !> Number of phases, with both ends.
       integer, intent(out) :: n_edges
       real(dp) :: shares(n_known), lift, excess, theta
       integer :: k, j
@@ -129,8 +135,11 @@ contains
    !> May edges be followed to a penetration? Only where their branch leads: unloading on the adhered branch, loading on
    !> the other. The other way, strips join the branch wherever they like.
    pure logical function may_track(surface, penetration, division)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> Division of a neighbouring surface, or none.
       type(division_t), intent(in) :: division
 
       may_track = division%n_panels > 0
@@ -147,10 +156,17 @@ contains
    !> Follow the edges of a neighbouring surface to where they are now. It fails where an edge is not found nearby;
    !> an edge that is born elsewhere shows when strips of the wrong regime are met.
    pure subroutine track_edges(surface, penetration, edges, kinds, division, is_tracked)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: penetration, edges(:)
+      !> Penetration of the crests into the undisturbed surface [h].
+      real(dp), intent(in) :: penetration
+      !> Crosswise phases of the edges known in closed form now, with both ends [rad].
+      real(dp), intent(in) :: edges(:)
+      !> Which of the closed forms each of them is known by; 0 at both ends.
       integer, intent(in) :: kinds(:)
+      !> In: the division of a neighbouring surface. Out: the same panels, with their edges on this surface.
       type(division_t), intent(inout) :: division
+      !> Were all edges found nearby, in the same order?
       logical, intent(out) :: is_tracked
       real(dp) :: reach
       integer :: k, n_searched
@@ -179,9 +195,13 @@ contains
 
    !> Are panels that will not be looked into, because they are free or saturated, still in their regime?
    pure subroutine check_panels(surface, penetration, division, is_right)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> The panels; the strips solved here are added to their number.
       type(division_t), intent(inout) :: division
+      !> Are all these panels still in their regime?
       logical, intent(out) :: is_right
       type(probe_t) :: found
       real(dp), parameter :: looks(2) = [0.1_dp, 0.9_dp]
@@ -203,14 +223,19 @@ contains
 
    !> Follow the edge between two panels.
    pure subroutine track_edge(surface, penetration, reach, before, this, n_strips, is_tracked)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> How far it may have moved.
+      !> How far the edge may have moved [rad].
       real(dp), intent(in) :: reach
+      !> The panel on the crest side of the edge.
       type(panel_t), intent(in) :: before
-      !> Out: its edge has moved.
+      !> The panel that the edge begins. Out: its edge has moved, but not its start.
       type(panel_t), intent(inout) :: this
+      !> Number of strips solved so far; those solved here are added.
       integer, intent(inout) :: n_strips
+      !> Was the edge found nearby, between the same regimes?
       logical, intent(out) :: is_tracked
       type(probe_t) :: beyond
       real(dp) :: theta, side
@@ -241,13 +266,17 @@ contains
 
    !> Divide a stretch without known edges.
    pure subroutine divide_stretch(surface, penetration, n_looks, start, finish, kind, division)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
-      !> Strips to look at.
+      !> Number of strips to look at where there is adhesion.
       integer, intent(in) :: n_looks
+      !> Crosswise phases of the ends of the stretch [rad].
       real(dp), intent(in) :: start, finish
-      !> Which closed form the stretch begins with.
+      !> Closed form that the start of the stretch is known by, 1 to `n_known`; 0 at the crest line.
       integer, intent(in) :: kind
+      !> The panels so far; those of the stretch are added.
       type(division_t), intent(inout) :: division
       type(probe_t) :: last, next
       integer :: k, count
@@ -268,7 +297,10 @@ contains
 
    !> Where to look on a stretch: close to its ends, where regimes are born, and evenly between.
    pure real(dp) function place(k, count)
-      integer, intent(in) :: k, count
+      !> Number of the strip on the stretch, from 1.
+      integer, intent(in) :: k
+      !> Number of strips on the stretch.
+      integer, intent(in) :: count
 
       if (count == 1) then
          place = 0.5_dp
@@ -279,9 +311,13 @@ contains
 
    !> Find the edges between two strips: one edge of a regime at an end, then what lies beyond it.
    pure recursive subroutine divide_between(surface, penetration, one, two, division)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp), intent(in) :: penetration
+      !> Two strips, the first at the smaller crosswise phase.
       type(probe_t), intent(in) :: one, two
+      !> The panels up to the first strip; those up to the second one are added.
       type(division_t), intent(inout) :: division
       type(probe_t) :: beyond
       type(edge_t) :: edge
@@ -309,7 +345,9 @@ contains
 
    !> Of two regimes, is it the first whose end can be found more easily?
    pure logical function ends_first(surface, one, two)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> The two regimes, each one of `regime_...`.
       integer, intent(in) :: one, two
       integer :: order(0:5)
 
@@ -321,9 +359,15 @@ contains
 
    !> Begin a panel; when there are too many the last one goes on.
    pure subroutine add_panel(division, start, regime, kind, edge)
+      !> The panels so far; the new one is the last.
       type(division_t), intent(inout) :: division
+      !> Crosswise phase where the panel begins [rad].
       real(dp), intent(in) :: start
-      integer, intent(in) :: regime, kind
+      !> One of `regime_...`.
+      integer, intent(in) :: regime
+      !> Closed form that the start is known by, 1 to `n_known`; 0 at the crest line, or if it was searched for.
+      integer, intent(in) :: kind
+      !> The edge at the start, if it was located.
       type(edge_t), intent(in), optional :: edge
 
       if (division%n_panels < max_panels) division%n_panels = division%n_panels + 1

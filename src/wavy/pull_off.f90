@@ -55,8 +55,9 @@ contains
 
    !> Find the pull-off load of a surface with adhesion.
    pure subroutine find_pull_off(surface, self)
+      !> The surface in reduced units; its branch does not matter.
       type(surface_t), intent(in) :: surface
-      !> In: that of a surface, or of none. Out: of this one; found again only if it is another.
+      !> In: the pull-off load of a surface, or of none. Out: that of this surface; it is sought only if the surface is another.
       type(pull_off_t), intent(inout) :: self
       type(surface_t) :: adhered
       type(memory_t) :: memory
@@ -90,9 +91,11 @@ contains
 
    !> Is a load so small that no state carries it, on any branch?
    pure logical function is_below_pull_off(self, surface, load)
+      !> The pull-off load that is known, or none.
       type(pull_off_t), intent(in) :: self
+      !> The surface that is to carry the load.
       type(surface_t), intent(in) :: surface
-      !> [h/K]
+      !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
 
       is_below_pull_off = self%is_known .and. self%is_converged
@@ -103,10 +106,13 @@ contains
 
    !> The least of all turns; only those that may be the least are looked at closely.
    pure subroutine compare_turns(surface, memory, turns, self)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> From above; nothing below the last one carries less than it does.
+      !> The turns, with falling penetration; nothing below the last one carries less than it does. Out: some are narrowed.
       type(turn_t), intent(inout) :: turns(:)
+      !> Receives the least load and its penetration.
       type(pull_off_t), intent(inout) :: self
       integer :: k
 
@@ -126,12 +132,15 @@ contains
 
    !> From a state go down to where the load is no longer smaller.
    pure subroutine follow_to_turn(surface, memory, start, turn, beyond)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
+      !> The state from which the way leads down.
       type(trial_t), intent(in) :: start
-      !> Its trial is not converged if there is none.
+      !> The turn; its trial is not converged if there is none.
       type(turn_t), intent(out) :: turn
-      !> The first trial below it.
+      !> The first trial below the turn.
       type(trial_t), intent(out) :: beyond
       type(trial_t) :: here, above
       real(dp) :: step, short, longest
@@ -167,7 +176,9 @@ contains
 
    !> Does the load fall from one penetration to a smaller one without turning on the way?
    pure logical function is_smooth(surface, low, high)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> The trials at the smaller and the larger penetration.
       type(trial_t), intent(in) :: low, high
       type(trial_t) :: one, two
 
@@ -183,8 +194,11 @@ contains
 
    !> Where the slope of the load is known its zero is the place of a smooth turn: secants from next to it.
    pure subroutine polish(surface, memory, turn)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
+      !> In: the least trial near the turn. Out: one that carries no more and is nearer to the turn, if there is one.
       type(trial_t), intent(inout) :: turn
       type(trial_t) :: last, next
       real(dp) :: penetration, change
@@ -209,11 +223,13 @@ contains
    !> The least load between two penetrations, one of which is known to carry less: by parabolas, and golden sections where
    !> these gain too little (Brent's method).
    pure subroutine narrow(surface, memory, lowest, highest, least)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> [h]
+      !> The two penetrations [h].
       real(dp), intent(in) :: lowest, highest
-      !> In: a penetration between them that carries less than both. Out: that which carries least.
+      !> In: a penetration between them that carries less than both. Out: the penetration that carries least.
       type(trial_t), intent(inout) :: least
       type(trial_t) :: second, third, next
       real(dp) :: low, high, ends(2), enough, middle, margin, step, before, last, p, q, r

@@ -22,15 +22,17 @@ contains
    !> Move the leading edge of adhesion until the period closes: Newton's method on the return map, one-sided. What lies
    !> between two steps is known from bounds, or is looked into, so that no steady state is passed.
    pure subroutine close_period(strip, direction, first_step, xi, period, is_converged)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> Least step where there is nothing to find.
       real(dp), intent(in) :: first_step
-      !> Phase of the leading edge.
+      !> In: phase of the leading edge where the search starts [rad]. Out: that of the period.
       real(dp), intent(inout) :: xi
       !> The closed period, or one that shows that none closes (see its outcome).
       type(period_t), intent(out) :: period
+      !> Was a closed period found?
       logical, intent(out) :: is_converged
       type(probe_t) :: near, far
       real(dp) :: step, last
@@ -62,8 +64,11 @@ contains
 
    !> The last phase in a direction where a column may come into the range of adhesion.
    pure real(dp) function last_edge(strip, direction, xi) result(last)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
+      !> Phase of a leading edge from which the way leads on [rad].
       real(dp), intent(in) :: xi
 
       associate (bound => strip%stress - strip%range)
@@ -77,9 +82,11 @@ contains
 
    !> March a period.
    pure subroutine march_excess(strip, direction, xi, probe)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
-      !> Phase of the leading edge.
+      !> Phase of the leading edge where the period starts [rad].
       real(dp), intent(in) :: xi
       !> In: a period like it, if there is one. Out: the period.
       type(probe_t), intent(inout) :: probe
@@ -97,6 +104,7 @@ contains
 
    !> Is a period closed, but for an excess of either sign that is nothing?
    pure logical function is_closed(probe)
+      !> A period that was marched.
       type(probe_t), intent(in) :: probe
 
       is_closed = probe%outcome == period_closed .and. abs(probe%excess) <= tolerance_of(probe)
@@ -105,6 +113,7 @@ contains
    !> Excess that is nothing. In fast sliding a period takes next to nothing of a disturbance away, and must close the
    !> better, as far as round-off allows.
    pure real(dp) function tolerance_of(probe) result(tolerance)
+      !> A period that was marched; its slope tells what is left of a disturbance.
       type(probe_t), intent(in) :: probe
 
       tolerance = closed*min(max(1 - probe%slope, 1.0e-6_dp), 1.0_dp)
@@ -113,13 +122,16 @@ contains
    !> The first period that closes between two, if there is one. What cannot be judged is halved, and its first half
    !> judged first.
    pure subroutine look_between(strip, direction, near, far, is_found)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
-      !> In: where the search stands; the excess is positive. Out: a later one, too.
+      !> In: the period where the search stands; its excess is positive. Out: that period, or one further on of the same kind.
       type(probe_t), intent(inout) :: near
-      !> In: one further on. Out: the one that closes, if there is one; or, if there is none, this one as it was; or one with
-      !> a negative excess, if neither could be made out.
+      !> In: a period further on. Out: the period that closes, if there is one; if there is none, the same as before; or one whose
+      !> excess is not positive, if neither could be made out.
       type(probe_t), intent(inout) :: far
+      !> Was a period that closes found?
       logical, intent(out) :: is_found
       real(dp) :: centre
       integer :: verdict
@@ -136,13 +148,17 @@ contains
       end select
    end subroutine look_between
 
-   !> The same, where the first judgement did not tell.
+   !> The first period that closes between two, where the first judgement did not tell.
    pure subroutine search_between(strip, direction, near, far, first_centre, is_found)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
+      !> The period where the search stands, and one further on; see `look_between`.
       type(probe_t), intent(inout) :: near, far
-      !> Where to look first, as a share of the way.
+      !> Where to look first, as a share of the way from `near` to `far`.
       real(dp), intent(in) :: first_centre
+      !> Was a period that closes found?
       logical, intent(out) :: is_found
       type(probe_t) :: ahead(max_bisections), middle
       real(dp) :: centre
@@ -188,12 +204,15 @@ contains
 
    !> The one period that closes between `near` (excess positive) and `far` (negative).
    pure subroutine polish_period(strip, direction, near, far, is_found)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
-      !> Phase of the leading edge.
+      !> Phase of the leading edge where the near period starts [rad].
       real(dp), intent(in) :: near
-      !> In: the far period. Out: the one that closes.
+      !> In: the far period. Out: the period that closes.
       type(probe_t), intent(inout) :: far
+      !> Was a period that closes found?
       logical, intent(out) :: is_found
       real(dp) :: low, high, xi, newton
       integer :: k

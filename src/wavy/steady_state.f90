@@ -36,11 +36,13 @@ contains
 
    !> Find the steady state of a strip.
    pure subroutine find_steady_state(strip, branch, state, guess, is_regime_known)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> One of `branch_...`.
       integer, intent(in) :: branch
+      !> The steady state; `is_converged` tells whether it was found.
       type(steady_state_t), intent(out) :: state
-      !> A neighbour's state; it may save time. Where several states are stable, the one that continues it is taken.
+      !> State of a neighbouring strip; it may save time. Where several states are stable, the one that continues it is taken.
       type(steady_state_t), intent(in), optional :: guess
       !> Is this strip known to be in the regime of the guess, if it is stable there? Then nothing else is tried.
       logical, intent(in), optional :: is_regime_known
@@ -73,10 +75,13 @@ contains
    !> Find the steady state of a strip just beyond the fold of a branch. What is left of the branch would slow down the
    !> search from the bound, so it starts on the far side of it.
    pure subroutine find_beyond_fold(strip, branch, fold, state)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> One of `branch_...`.
       integer, intent(in) :: branch
-      !> State at the fold.
+      !> State of the neighbouring strip at the fold.
       type(steady_state_t), intent(in) :: fold
+      !> The steady state; `is_converged` tells whether it was found.
       type(steady_state_t), intent(out) :: state
       logical :: is_found
 
@@ -89,11 +94,15 @@ contains
    !> The state that bounds a branch, if it is a steady state: the free surface undisturbed, or adhesion everywhere in the
    !> gap.
    pure subroutine try_bound(strip, branch, state, is_found, guess)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> One of `branch_...`.
       integer, intent(in) :: branch
+      !> The state that bounds the branch.
       type(steady_state_t), intent(out) :: state
-      !> Is there nothing to search for? So it is, too, where `state` did not converge.
+      !> Is there nothing to search for? That is so, too, where `state` did not converge.
       logical, intent(out) :: is_found
+      !> State of a neighbouring strip; it may save time.
       type(steady_state_t), intent(in), optional :: guess
 
       if (branch == branch_approach) then
@@ -109,9 +118,13 @@ contains
 
    !> The state of this strip that continues a neighbour's in the same regime, if there is a stable one.
    pure subroutine continue_state(strip, guess, state, is_found)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> State of the neighbouring strip.
       type(steady_state_t), intent(in) :: guess
+      !> State of this strip in the same regime, of use only if `is_found`.
       type(steady_state_t), intent(out) :: state
+      !> Is there a stable state that continues the guess?
       logical, intent(out) :: is_found
 
       state = guess
@@ -134,8 +147,11 @@ contains
 
    !> The state with adhesion everywhere in the gap, whatever its range: there is exactly one.
    pure subroutine find_without_release(strip, state, guess)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> The state; its range of adhesion is as large as the gap.
       type(steady_state_t), intent(out) :: state
+      !> State of a neighbouring strip; it may save time.
       type(steady_state_t), intent(in), optional :: guess
       real(dp) :: start
 
@@ -158,7 +174,9 @@ contains
    !> By how much the range of adhesion exceeds the gap of a state found without release, where it matters:
    !> adhesion is lost somewhere if and only if this is negative.
    pure real(dp) function get_range_margin(strip, state) result(margin)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> A state found without release.
       type(steady_state_t), intent(in) :: state
       real(dp) :: opening, span
 
@@ -180,10 +198,13 @@ contains
 
    !> Search the states in which adhesion is lost somewhere, from the bound of the branch.
    pure subroutine search_with_release(strip, branch, state, fold)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> One of `branch_...`.
       integer, intent(in) :: branch
+      !> The steady state; `is_converged` tells whether it was found.
       type(steady_state_t), intent(out) :: state
-      !> Where the leading edge of adhesion is in a fold that has just been passed.
+      !> Phase of the leading edge of adhesion in a fold that has just been passed [rad].
       real(dp), intent(in), optional :: fold
       type(period_t) :: period
       integer :: outcome, direction
@@ -216,10 +237,13 @@ contains
 
    !> The leading edge of adhesion that a column from the bound of a branch comes to first.
    pure subroutine find_first_edge(strip, branch, xi, outcome)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> One of `branch_...`.
       integer, intent(in) :: branch
+      !> Phase of that edge [rad].
       real(dp), intent(out) :: xi
-      !> One of `period_...`.
+      !> `period_closed` if the column comes to such an edge; else another of `period_...`.
       integer, intent(out) :: outcome
       type(column_t) :: column
       integer :: k
@@ -244,8 +268,11 @@ contains
    !> A column below all steady states, on the orbit with adhesion everywhere in the gap. `outcome` is not closed if
    !> there is nothing to march.
    pure subroutine get_lowest_column(strip, column, outcome)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> The column, in adhesion or free.
       type(column_t), intent(out) :: column
+      !> `period_closed` if there is a column to march; else another of `period_...`.
       integer, intent(out) :: outcome
       type(steady_state_t) :: state
       real(dp) :: xi, crossing
@@ -269,8 +296,11 @@ contains
 
    !> A column above all steady states: free in the valley, with the largest displacement that any state can have.
    pure subroutine get_highest_column(strip, column, outcome)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> The column, free in the valley.
       type(column_t), intent(out) :: column
+      !> `period_closed` if there is a column to march; else another of `period_...`.
       integer, intent(out) :: outcome
       real(dp) :: w, periods
 
@@ -290,9 +320,13 @@ contains
    !> Edges of the zones of a closed period, made exact. Where contact is about to be lost the march cannot tell
    !> contact from none, so both are tried.
    pure subroutine read_edges(strip, xi, period, state)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
+      !> Phase of the leading edge of adhesion [rad].
       real(dp), intent(in) :: xi
+      !> The closed period, which gives the guesses.
       type(period_t), intent(in) :: period
+      !> Receives the edges; `is_converged` tells whether they are those of an admissible state.
       type(steady_state_t), intent(inout) :: state
       real(dp) :: length
       integer :: try
@@ -322,6 +356,7 @@ contains
 
    !> A phase brought into (-pi, pi].
    pure real(dp) function centred(xi)
+      !> Any phase [rad].
       real(dp), intent(in) :: xi
 
       centred = xi - two_pi*anint(xi/two_pi)

@@ -46,6 +46,7 @@ contains
 
    !> The model with its tables.
    subroutine new_wavy_model(self)
+      !> Receives its name and the tables of variables, results and profiles.
       type(wavy_model_t), intent(out) :: self
 
       self%name = 'wavy_sliding'
@@ -59,9 +60,13 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
+      !> The model, whose table of variables is read.
       class(wavy_model_t), intent(in) :: self
+      !> Values in the order of `self%variables`, of a swept variable one of its values; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call check_wavy_values(self%variables, values, is_swept, problems)
@@ -69,7 +74,9 @@ contains
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
+      !> The model, whose table of results serves a 2-D wave.
       class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(result_t), allocatable :: results(:)
 
@@ -79,8 +86,11 @@ contains
 
    !> See `model_t`: the load of a 2-D wave is one per width.
    function unit_of(self, values, place) result(unit)
+      !> The model, whose table of variables is read.
       class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Place of the variable, one of `v_...`.
       integer, intent(in) :: place
       character(:), allocatable :: unit
 
@@ -91,7 +101,9 @@ contains
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
+      !> The model; one without tables has no profiles.
       class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       wants_profiles = size(self%profiles) > 0 .and. values(v_profiles) > 0
@@ -99,8 +111,11 @@ contains
 
    !> See `model_t`: one period about the crest.
    function get_profile_axis(self, values, axis) result(coordinate)
+      !> The model; one without tables has no profiles.
       class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Place in `profile_axes`: 1 is y, 2 is x.
       integer, intent(in) :: axis
       real(dp), allocatable :: coordinate(:)
       integer :: n, k
@@ -115,8 +130,11 @@ contains
 
    !> See `model_t`: the pull-off load, where all points are of one surface.
    subroutine prepare(self, values, is_swept)
+      !> The model; it keeps the pull-off load that all points have in common.
       class(wavy_model_t), intent(inout) :: self
+      !> Values in the order of `self%variables`, of a swept variable one of its values; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
       type(wavy_case_t) :: point
       logical :: makes_surface(size(is_swept))
@@ -130,11 +148,17 @@ contains
    !> See `model_t`. Loads, and penetrations in 3-D and on the approach branch, are solved in the order in which each leads to
    !> the next on its branch.
    subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      !> The model, whose pull-off load is used where it is that of a point's surface.
       class(wavy_model_t), intent(in) :: self
+      !> Values of neighbouring points; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
+      !> Results in SI units, NaN where there is no value; shape `(n_results, n_points)`.
       real(dp), intent(out) :: results(:, :)
+      !> Relative error of load and friction [-], NaN where the point is not solved; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
+      !> One of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
+      !> Strips solved for all points of the block, and those of them in closed form.
       type(attribute_t), allocatable, intent(out) :: attributes(:)
       type(wavy_case_t) :: point, last, hopeless
       type(equilibrium_t) :: equilibrium
@@ -186,8 +210,9 @@ contains
    !> Is a load without equilibrium for sure, because a larger one had none on the same surface? The load rises with the
    !> penetration without jumps, so where one load has no state all penetrations carry more.
    pure logical function is_hopeless(known, point)
-      !> A point without equilibrium, or a new one.
+      !> A point without equilibrium, or a default one before there is any.
       type(wavy_case_t), intent(in) :: known
+      !> The point that is judged.
       type(wavy_case_t), intent(in) :: point
 
       is_hopeless = known%is_load_given .and. point%load <= known%load
@@ -196,6 +221,7 @@ contains
 
    !> Does a point lead to the one before it, and not the other way round?
    pure logical function leads_backwards(first, second)
+      !> Values of two points, one after the other in the block; shape `(n_variables)`.
       real(dp), intent(in) :: first(:), second(:)
       type(wavy_case_t) :: one, two
 
@@ -216,10 +242,13 @@ contains
 
    !> Results of a point in SI units.
    pure subroutine store(point, equilibrium, pull_off, results)
+      !> The point in reduced units, and what these units are in SI units.
       type(wavy_case_t), intent(in) :: point
+      !> What was found at the point, in reduced units.
       type(equilibrium_t), intent(in) :: equilibrium
-      !> That of the point's surface, if it is asked for.
+      !> Pull-off load of the surface of the point, if it is asked for.
       type(pull_off_t), intent(in) :: pull_off
+      !> Results in SI units, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(out) :: results(:)
       real(dp) :: width, losses
 
@@ -256,9 +285,13 @@ contains
 
    !> See `model_t`.
    subroutine solve_profiles(self, values, results, profiles)
+      !> The model, which knows the profile axes.
       class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Results of the point, of which the penetration is read; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
+      !> Pressure and shear stress [Pa], displacement and gap [m]; shape `(n_x, n_y, 4)`.
       real(dp), intent(out) :: profiles(:, :, :)
       type(wavy_case_t) :: point
 
@@ -269,7 +302,9 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
+      !> The model; one without tables derives nothing.
       class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
       character(*), parameter :: of_stiffness = 'stiffness young_modulus poisson_ratio thickness'
