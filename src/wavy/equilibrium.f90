@@ -31,9 +31,9 @@ module adfric_wavy_equilibrium
 
    !> A point: its penetration, what it carries, and how well that is known.
    type :: equilibrium_t
-      !> One of `status_...`.
+      !> How the point was solved, one of `status_...`.
       integer :: status = status_solved
-      !> [h]
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp) :: penetration = 0
       type(totals_t) :: totals
       !> The strip of the crest line.
@@ -46,7 +46,7 @@ module adfric_wavy_equilibrium
    type :: neighbour_t
       !> Number of points that are known, 2 at most.
       integer :: n = 0
-      !> The last point. Its excess is that over its own load.
+      !> The last point, with its excess over its own load.
       type(trial_t) :: last
       !> Penetration of the point before it [h].
       real(dp) :: before = 0
@@ -269,7 +269,7 @@ contains
       !> The surface in reduced units, and the load [h/K].
       type(surface_t), intent(in) :: surface
       real(dp), intent(in) :: load
-      !> Out: the penetration; the rest is that of the surface with adhesion in the whole gap.
+      !> Receives the penetration; the rest is that of the surface with adhesion in the whole gap.
       type(trial_t), intent(out) :: high
       !> `search_empty` if every penetration carries more.
       integer, intent(out) :: outcome

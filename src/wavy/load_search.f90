@@ -42,11 +42,11 @@ contains
       real(dp), intent(in) :: lowest
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> Out: if a state is found, a penetration that carries less; the state is the only one between the two.
+      !> If a state is found, a penetration that carries less; the state is the only one between the two.
       type(trial_t), intent(out) :: low
       !> In: a penetration above which all carry more, and which carries no less. Out: the last such penetration.
       type(trial_t), intent(inout) :: high
-      !> One of `search_...`.
+      !> How the search ends, one of `search_...`.
       integer, intent(out) :: outcome
       type(aside_t) :: aside
       type(trial_t) :: last
@@ -100,9 +100,9 @@ contains
       type(memory_t), intent(inout) :: memory
       !> In: a penetration that carries less. Out: the last such penetration.
       type(trial_t), intent(inout) :: low
-      !> Out: if a state is found, a penetration that carries no less; the state is the only one between the two.
+      !> If a state is found, a penetration that carries no less; the state is the only one between the two.
       type(trial_t), intent(out) :: high
-      !> One of `search_...`.
+      !> How the search ends, one of `search_...`.
       integer, intent(out) :: outcome
       type(aside_t) :: aside
       type(trial_t) :: last
@@ -155,7 +155,7 @@ contains
       type(memory_t), intent(inout) :: memory
       !> In: a penetration below which none carries less. Out: the first that does.
       type(trial_t), intent(inout) :: low
-      !> One of `search_...`.
+      !> How the search ends, one of `search_...`.
       integer, intent(out) :: outcome
       type(aside_t) :: aside
       type(trial_t) :: high

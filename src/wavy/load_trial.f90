@@ -26,7 +26,7 @@ module adfric_wavy_load_trial
 
    !> A penetration, and what it carries.
    type :: trial_t
-      !> [h]
+      !> Penetration of the crests into the undisturbed surface [h].
       real(dp) :: penetration = 0
       !> The load less the one that is sought [h/K].
       real(dp) :: excess = 0

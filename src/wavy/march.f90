@@ -23,7 +23,7 @@ module adfric_wavy_march
 
    !> A column of the foundation.
    type :: column_t
-      !> One of `in_...`.
+      !> Zone that the column is in, one of `in_...`.
       integer :: zone = in_free
       !> Phase; falls as the surface moves on.
       real(dp) :: xi = 0
@@ -37,7 +37,7 @@ module adfric_wavy_march
 
    !> What happened between two passages of the leading edge of adhesion.
    type :: period_t
-      !> One of `period_...`.
+      !> How the period ends, one of `period_...`.
       integer :: outcome = period_closed
       !> Phase where it starts.
       real(dp) :: start = 0
@@ -354,7 +354,7 @@ contains
       type(strip_t), intent(in) :: strip
       !> In: a column in any zone. Out: the column at the leading edge, if it passes one.
       type(column_t), intent(inout) :: column
-      !> One of `period_...`.
+      !> `period_closed` if the column passes such an edge; else another of `period_...`.
       integer, intent(out) :: outcome
       real(dp) :: passed
       integer :: event

@@ -36,11 +36,11 @@ module adfric_wavy_panel_edges
    !> An edge between two regimes across the surface.
    type :: edge_t
       real(dp) :: theta = 0
-      !> One of `ends_...`.
+      !> How the regime ends, one of `ends_...`.
       integer :: ending = ends_in_closed_form
       !> The regime that ends there.
       integer :: regime = 0
-      !> The state at its end.
+      !> The state where that regime ends.
       type(steady_state_t) :: state
       !> How well `theta` is known.
       real(dp) :: uncertainty = 0

@@ -28,7 +28,7 @@ module adfric_wavy_panels
    type :: panel_t
       !> Crosswise phase of its ends.
       real(dp) :: start = 0, finish = 0
-      !> One of `regime_...`.
+      !> Regime of the strips, one of `regime_...`.
       integer :: regime = 0
       !> Which closed form its start is known by; 0 if it was searched for.
       integer :: kind = 0
@@ -363,7 +363,7 @@ contains
       type(division_t), intent(inout) :: division
       !> Crosswise phase where the panel begins [rad].
       real(dp), intent(in) :: start
-      !> One of `regime_...`.
+      !> Regime of the strips of the panel, one of `regime_...`.
       integer, intent(in) :: regime
       !> Closed form that the start is known by, 1 to `n_known`; 0 at the crest line, or if it was searched for.
       integer, intent(in) :: kind

@@ -51,7 +51,7 @@ contains
       type(probe_t), intent(in) :: far
       !> Is the excess of `far` positive?
       logical, intent(in) :: is_far_open
-      !> One of `between_...`.
+      !> What is known of the periods between the two, one of `between_...`.
       integer, intent(out) :: verdict
       !> Where to look next if the verdict is unknown, as a share of the way from `near` to `far`.
       real(dp), intent(out) :: centre

@@ -27,7 +27,7 @@ module adfric_wavy_pull_off
    real(dp), parameter :: nearby = 1.0e-6_dp
    !> A load that is smaller than another one by this share of the stress is so for certain.
    real(dp), parameter :: distinct = 1.0e-9_dp
-   !> Golden section.
+   !> Share of the golden section.
    real(dp), parameter :: golden = 0.3819660112501051_dp
 
    !> The pull-off load of a surface.
@@ -37,13 +37,13 @@ module adfric_wavy_pull_off
       logical :: is_known = .false.
       !> False if it was not found.
       logical :: is_converged = .false.
-      !> [h/K] and [h]
+      !> The load [h/K] and its penetration [h].
       real(dp) :: load = 0, penetration = 0
    end type pull_off_t
 
    !> Where the load turns: two penetrations that carry more than one between them.
    type :: turn_t
-      !> [h]
+      !> The two penetrations [h].
       real(dp) :: low = 0, high = 0
       !> Bound of the slope between them [1/K].
       real(dp) :: slope_bound = 1

@@ -80,7 +80,7 @@ contains
       end associate
    end function last_edge
 
-   !> March a period.
+   !> March a period, and tell its excess.
    pure subroutine march_excess(strip, direction, xi, probe)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip

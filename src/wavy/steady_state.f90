@@ -38,7 +38,7 @@ contains
    pure subroutine find_steady_state(strip, branch, state, guess, is_regime_known)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> One of `branch_...`.
+      !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
       !> The steady state; `is_converged` tells whether it was found.
       type(steady_state_t), intent(out) :: state
@@ -77,7 +77,7 @@ contains
    pure subroutine find_beyond_fold(strip, branch, fold, state)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> One of `branch_...`.
+      !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
       !> State of the neighbouring strip at the fold.
       type(steady_state_t), intent(in) :: fold
@@ -96,7 +96,7 @@ contains
    pure subroutine try_bound(strip, branch, state, is_found, guess)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> One of `branch_...`.
+      !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
       !> The state that bounds the branch.
       type(steady_state_t), intent(out) :: state
@@ -200,7 +200,7 @@ contains
    pure subroutine search_with_release(strip, branch, state, fold)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> One of `branch_...`.
+      !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
       !> The steady state; `is_converged` tells whether it was found.
       type(steady_state_t), intent(out) :: state
@@ -239,7 +239,7 @@ contains
    pure subroutine find_first_edge(strip, branch, xi, outcome)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> One of `branch_...`.
+      !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
       !> Phase of that edge [rad].
       real(dp), intent(out) :: xi

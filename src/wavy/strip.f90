@@ -16,7 +16,7 @@ module adfric_wavy_strip
    !> Regimes of one strip (GM section 4), as they stand in the results file.
    integer, parameter :: regime_free = 0, regime_adhesion_only = 1, regime_discrete = 2
    integer, parameter :: regime_saturated_adhesion = 3, regime_adhesion_zones = 4, regime_saturated = 5
-   !> Their names, from 0.
+   !> Names of the regimes, in the order of their numbers from 0.
    character(*), parameter :: regime_meanings = 'free adhesion_without_contact discrete_contact &
       &discrete_contact_saturated_adhesion discrete_contact_adhesion_zones saturated_contact'
 
@@ -42,7 +42,7 @@ module adfric_wavy_strip
    !> A steady state: contact (shift - half_width, shift + half_width), adhesion on `trailing` behind
    !> it and on `leading` before it, free elsewhere. Phases in radians.
    type :: steady_state_t
-      !> One of `regime_...`.
+      !> Regime of the strip, one of `regime_...`.
       integer :: regime = regime_free
       !> Half width and centre of the contact zone; without contact, those of the adhesion zone.
       real(dp) :: half_width = 0, shift = 0
@@ -63,7 +63,7 @@ module adfric_wavy_strip
 
 contains
 
-   !> Reduce a strip.
+   !> Bring a strip into reduced form.
    elemental subroutine new_strip(self, foundation, amplitude, penetration, stress, range, edge)
       !> The strip in units of its amplitude.
       type(strip_t), intent(out) :: self
@@ -77,7 +77,7 @@ contains
       real(dp), intent(in) :: stress
       !> Range of adhesion [h].
       real(dp), intent(in) :: range
-      !> One of `edge_...`.
+      !> What the displacement does at the edges of adhesion, one of `edge_...`.
       integer, intent(in) :: edge
 
       self%foundation = foundation

@@ -37,7 +37,7 @@ module adfric_wavy_surface
       real(dp) :: stress = 0
       !> Range of adhesion [h].
       real(dp) :: range = 0
-      !> One of `edge_...` and of `branch_...`.
+      !> What the displacement does at the edges of adhesion, one of `edge_...`, and the branch, one of `branch_...`.
       integer :: edge = edge_continuous, branch = branch_adhered
       !> k h of tau = p sin(arctan f'), or 0 for tau = p f'.
       real(dp) :: steepness = 0
@@ -224,7 +224,7 @@ contains
    pure subroutine add_regime(totals, regime)
       !> Sums whose `structure` and `is_attached` take in the regime.
       type(totals_t), intent(inout) :: totals
-      !> One of `regime_...`.
+      !> Regime of the next strip or panel from the crest line, one of `regime_...`.
       integer, intent(in) :: regime
       !> A prime below 2**60/8: the sum does not overflow, and two structures hardly ever have one number.
       integer(i8), parameter :: modulus = 144115188075855859_i8

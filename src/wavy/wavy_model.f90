@@ -58,7 +58,7 @@ contains
       self%profile_axes = 'y x'
    end subroutine new_wavy_model
 
-   !> See `model_t`.
+   !> Add to `problems` what is contradictory or impossible in the values together.
    subroutine check_values(self, values, is_swept, problems)
       !> The model, whose table of variables is read.
       class(wavy_model_t), intent(in) :: self
@@ -72,7 +72,7 @@ contains
       call check_wavy_values(self%variables, values, is_swept, problems)
    end subroutine check_values
 
-   !> See `model_t`.
+   !> The table of results, whose units are those of a 2-D or of a 3-D wave.
    function describe_results(self, values) result(results)
       !> The model, whose table of results serves a 2-D wave.
       class(wavy_model_t), intent(in) :: self
@@ -84,7 +84,7 @@ contains
       if (nint(values(v_kind)) == kind_3d) results = get_wavy_results(.true.)
    end function describe_results
 
-   !> See `model_t`: the load of a 2-D wave is one per width.
+   !> SI unit of a variable: the load of a 2-D wave is one per width.
    function unit_of(self, values, place) result(unit)
       !> The model, whose table of variables is read.
       class(wavy_model_t), intent(in) :: self
@@ -99,7 +99,7 @@ contains
       if (place == v_load .and. nint(values(v_kind)) /= kind_3d) unit = 'N/m'
    end function unit_of
 
-   !> See `model_t`.
+   !> Does the user ask for profiles?
    pure logical function wants_profiles(self, values)
       !> The model; one without tables has no profiles.
       class(wavy_model_t), intent(in) :: self
@@ -109,7 +109,7 @@ contains
       wants_profiles = size(self%profiles) > 0 .and. values(v_profiles) > 0
    end function wants_profiles
 
-   !> See `model_t`: one period about the crest.
+   !> Coordinates along a profile axis [m]: one period about the crest.
    function get_profile_axis(self, values, axis) result(coordinate)
       !> The model; one without tables has no profiles.
       class(wavy_model_t), intent(in) :: self
@@ -128,7 +128,7 @@ contains
       coordinate = [(values(v_period)*(real(2*k - (n - 1), dp)/(2*(n - 1))), k=0, n - 1)]
    end function get_profile_axis
 
-   !> See `model_t`: the pull-off load, where all points are of one surface.
+   !> Find the pull-off load once for all points, where they are of one surface.
    subroutine prepare(self, values, is_swept)
       !> The model; it keeps the pull-off load that all points have in common.
       class(wavy_model_t), intent(inout) :: self
@@ -145,8 +145,8 @@ contains
       if (point%wants_pull_off .and. .not. any(makes_surface)) call find_pull_off(point%surface, self%pull_off)
    end subroutine prepare
 
-   !> See `model_t`. Loads, and penetrations in 3-D and on the approach branch, are solved in the order in which each leads to
-   !> the next on its branch.
+   !> Solve neighbouring points. Loads, and penetrations in 3-D and on the approach branch, are solved in the order in which each
+   !> leads to the next on its branch.
    subroutine solve_block(self, values, results, error_estimate, status, attributes)
       !> The model, whose pull-off load is used where it is that of a point's surface.
       class(wavy_model_t), intent(in) :: self
@@ -156,7 +156,7 @@ contains
       real(dp), intent(out) :: results(:, :)
       !> Relative error of load and friction [-], NaN where the point is not solved; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
-      !> One of `status_...`; shape `(n_points)`.
+      !> How each point was solved, one of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
       !> Strips solved for all points of the block, and those of them in closed form.
       type(attribute_t), allocatable, intent(out) :: attributes(:)
@@ -283,7 +283,7 @@ contains
       results(r_pull_off_penetration) = pull_off%penetration*point%height
    end subroutine store
 
-   !> See `model_t`.
+   !> Profiles of one solved point.
    subroutine solve_profiles(self, values, results, profiles)
       !> The model, which knows the profile axes.
       class(wavy_model_t), intent(in) :: self
@@ -300,7 +300,7 @@ contains
          & self%get_profile_axis(values, 1), profiles)
    end subroutine solve_profiles
 
-   !> See `model_t`.
+   !> Quantities that follow from the values of a point, for `adfric check` and the results file.
    function derive_quantities(self, values) result(derived)
       !> The model; one without tables derives nothing.
       class(wavy_model_t), intent(in) :: self
