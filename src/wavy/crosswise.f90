@@ -121,7 +121,7 @@ contains
       type(steady_state_t), intent(in) :: crest
       !> Sums over strips; all of these are added.
       type(totals_t), intent(inout) :: totals
-      !> Half of what load and friction change by from strip to strip where the regime changes: the edge is in between.
+      !> Half the changes of load and friction from strip to strip where the regime changes: the edge lies in between.
       real(dp), intent(out) :: jumps(2)
       type(strip_t) :: strip
       type(steady_state_t) :: last, state
@@ -206,7 +206,7 @@ contains
       type(memory_t), intent(inout) :: memory
       !> Sums over the strips in closed form.
       type(totals_t), intent(in) :: base
-      !> Go on where a strip of another regime is met?
+      !> Is the refinement to go on where a strip of another regime is met?
       logical, intent(in) :: is_last
       !> The intervals, `n` of them in use; the array grows where it is full.
       type(interval_t), allocatable, intent(inout) :: intervals(:)

@@ -167,7 +167,7 @@ contains
       type(strip_t), intent(in) :: strip
       !> Edges of contact where the condition is evaluated [rad].
       type(steady_state_t), intent(in) :: state
-      !> Sine and cosine of half width and shift.
+      !> Sines and cosines of half width and shift.
       real(dp), intent(in) :: sin_w, cos_w, sin_s, cos_s
       !> Value of the condition; 0 where the edges fulfil it.
       real(dp), intent(out) :: value
@@ -211,7 +211,7 @@ contains
       type(steady_state_t), intent(in) :: state
       !> Values of the conditions at the trailing and at the leading end [c]; 0 where the edges fulfil them.
       real(dp), intent(out) :: value(2)
-      !> Derivatives of both by the edges a and b, and by the depth of the strip.
+      !> Derivatives of both conditions by the edges a and b, and by the depth of the strip.
       real(dp), intent(out) :: jacobian(2, 2), by_depth(2)
       real(dp) :: a, b, lost, w, change
 

@@ -44,7 +44,7 @@ contains
       type(memory_t), intent(inout) :: memory
       !> If a state is found, a penetration that carries less; the state is the only one between the two.
       type(trial_t), intent(out) :: low
-      !> In: a penetration above which all carry more, and which carries no less. Out: the last such penetration.
+      !> In: a penetration above which all carry more than the load, and which carries no less. Out: the last such penetration.
       type(trial_t), intent(inout) :: high
       !> How the search ends, one of `search_...`.
       integer, intent(out) :: outcome
@@ -98,7 +98,7 @@ contains
       real(dp), intent(in) :: highest
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> In: a penetration that carries less. Out: the last such penetration.
+      !> In: a penetration that carries less than the load. Out: the last such penetration.
       type(trial_t), intent(inout) :: low
       !> If a state is found, a penetration that carries no less; the state is the only one between the two.
       type(trial_t), intent(out) :: high
@@ -153,7 +153,7 @@ contains
       real(dp), intent(in) :: highest
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> In: a penetration below which none carries less. Out: the first that does.
+      !> In: a penetration below which none carries less than the load. Out: the first that carries less.
       type(trial_t), intent(inout) :: low
       !> How the search ends, one of `search_...`.
       integer, intent(out) :: outcome

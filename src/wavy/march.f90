@@ -253,7 +253,7 @@ contains
       type(strip_t), intent(in) :: strip
       !> Phase of the leading edge, where a free column comes into the range of adhesion [rad].
       real(dp), intent(in) :: xi_start
-      !> In: a period like it, if there is one; its lengths are first guesses. Out: the period.
+      !> In: a similar period, whose lengths are first guesses, or none. Out: this period.
       type(period_t), intent(inout) :: period
       type(period_t) :: guess
       type(column_t) :: column

@@ -43,7 +43,7 @@ contains
    pure subroutine judge_between(strip, direction, near, far, is_far_open, verdict, centre)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
+      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> The period where the search stands: it is closed, and its excess is positive.
       type(probe_t), intent(in) :: near

@@ -20,8 +20,8 @@ contains
       real(dp), intent(in) :: bound
       !> Is the interval where the drive is below the bound? Else it is where the drive is above.
       logical, intent(in) :: below
-      !> Is xi known to be outside the interval? Then the whole of it lies ahead, even if round-off says that it has
-      !> only just been left.
+      !> Is xi known to be outside the interval? Then the whole interval lies ahead, even if round-off says that xi has
+      !> only just left it.
       logical, intent(in), optional :: is_outside
       real(dp) :: ratio, crossing
 

@@ -24,9 +24,9 @@ contains
    pure subroutine close_period(strip, direction, first_step, xi, period, is_converged)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
+      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
-      !> Least step where there is nothing to find.
+      !> Least first step of the phase where there is nothing to find [rad].
       real(dp), intent(in) :: first_step
       !> In: phase of the leading edge where the search starts [rad]. Out: that of the period.
       real(dp), intent(inout) :: xi
@@ -66,7 +66,7 @@ contains
    pure real(dp) function last_edge(strip, direction, xi) result(last)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
+      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> Phase of a leading edge from which the way leads on [rad].
       real(dp), intent(in) :: xi
@@ -84,11 +84,11 @@ contains
    pure subroutine march_excess(strip, direction, xi, probe)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
+      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> Phase of the leading edge where the period starts [rad].
       real(dp), intent(in) :: xi
-      !> In: a period like it, if there is one. Out: the period.
+      !> In: a similar period, whose lengths are first guesses, or none. Out: this period.
       type(probe_t), intent(inout) :: probe
 
       call march_period(strip, xi, probe%period_t)
@@ -124,7 +124,7 @@ contains
    pure subroutine look_between(strip, direction, near, far, is_found)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
+      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> In: the period where the search stands; its excess is positive. Out: that period, or one further on of the same kind.
       type(probe_t), intent(inout) :: near
@@ -152,7 +152,7 @@ contains
    pure subroutine search_between(strip, direction, near, far, first_centre, is_found)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
+      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> The period where the search stands, and one further on; see `look_between`.
       type(probe_t), intent(inout) :: near, far
@@ -206,7 +206,7 @@ contains
    pure subroutine polish_period(strip, direction, near, far, is_found)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> 1 towards larger gaps (later leading edges), -1 towards smaller ones.
+      !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> Phase of the leading edge where the near period starts [rad].
       real(dp), intent(in) :: near
