@@ -26,7 +26,7 @@ contains
       type(strip_t), intent(in) :: strip
       !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
-      !> Least first step of the phase where there is nothing to find [rad].
+      !> Least length of the first step where there is nothing to find [rad].
       real(dp), intent(in) :: first_step
       !> In: phase of the leading edge where the search starts [rad]. Out: that of the period.
       real(dp), intent(inout) :: xi
