@@ -9,10 +9,14 @@ contains
 
    !> Largest violation at places with a pressure and a gap, 0 if there is none [-].
    pure real(dp) function largest_violation(pressure, gap, pressure_unit, gap_unit) result(violation)
-      !> Shape `(n_places)`.
-      real(dp), intent(in) :: pressure(:), gap(:)
-      !> What violations are measured in, > 0.
-      real(dp), intent(in) :: pressure_unit, gap_unit
+      !> Pressure at each place, in any unit; shape `(n_places)`.
+      real(dp), intent(in) :: pressure(:)
+      !> Gap at each place, in any unit; shape `(n_places)`.
+      real(dp), intent(in) :: gap(:)
+      !> Unit of pressure in which violations are measured, > 0.
+      real(dp), intent(in) :: pressure_unit
+      !> Unit of gap in which violations are measured, > 0.
+      real(dp), intent(in) :: gap_unit
       real(dp) :: p, g
       integer :: i
 

@@ -61,10 +61,16 @@ contains
    !>
    !> A <= 0 means that there is no single ellipse of contact.
    pure subroutine find_curvatures(first, second, angle, a, b, direction)
-      real(dp), intent(in) :: first(2), second(2)
-      !> [rad].
+      !> Principal curvatures of the first body [1/m], convex positive.
+      real(dp), intent(in) :: first(2)
+      !> Principal curvatures of the second body [1/m], convex positive.
+      real(dp), intent(in) :: second(2)
+      !> Angle from the first principal direction of the first body to that of the second [rad].
       real(dp), intent(in) :: angle
-      real(dp), intent(out) :: a, b
+      !> Smaller curvature A of the gap [1/m]; 0 or less where there is no single ellipse of contact.
+      real(dp), intent(out) :: a
+      !> Larger curvature B of the gap [1/m].
+      real(dp), intent(out) :: b
       !> Angle from the first principal direction of the first body to the major axis [rad], in (-pi/2, pi/2]; 0 for a circle.
       real(dp), intent(out) :: direction
       real(dp) :: d1, d2, along, across, determinant
@@ -88,7 +94,9 @@ contains
 
    !> The shape of a ratio A/B of curvatures in (0, 1].
    pure subroutine find_shape(ratio, self)
+      !> Ratio A/B of the curvatures [-], in (0, 1].
       real(dp), intent(in) :: ratio
+      !> Shape of the ellipse; `is_converged` tells whether it was found.
       type(ellipse_shape_t), intent(out) :: self
 
       associate (k => self%axis_ratio)
@@ -102,13 +110,15 @@ contains
 
    !> Contact under a load P >= 0.
    pure subroutine ellipse_of_load(a, b, modulus, load, shape, self)
-      !> Curvatures A <= B [1/m].
+      !> Curvatures A <= B of the gap [1/m].
       real(dp), intent(in) :: a, b
-      !> E* [Pa].
+      !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
+      !> Load P [N], >= 0.
       real(dp), intent(in) :: load
-      !> That of A/B.
+      !> Shape of the ellipse that belongs to A/B.
       type(ellipse_shape_t), intent(in) :: shape
+      !> The contact; its half-axes are 0 if the shape is not converged.
       type(ellipse_t), intent(out) :: self
 
       self%shape = shape
@@ -126,10 +136,15 @@ contains
    !>
    !>     3 R_F(0, 1, k^2) (A + B) a^2 = (R_D(0, k^2, 1) + R_D(0, 1, k^2)) delta
    pure subroutine ellipse_of_approach(a, b, modulus, approach, shape, self)
-      real(dp), intent(in) :: a, b, modulus
+      !> Curvatures A <= B of the gap [1/m].
+      real(dp), intent(in) :: a, b
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Approach delta of distant points [m], >= 0.
       real(dp), intent(in) :: approach
-      !> That of A/B.
+      !> Shape of the ellipse that belongs to A/B.
       type(ellipse_shape_t), intent(in) :: shape
+      !> The contact; its half-axes are 0 if the shape is not converged.
       type(ellipse_t), intent(out) :: self
 
       self%shape = shape
@@ -145,8 +160,11 @@ contains
 
    !> The ratio k = b/a in (0, 1] of a ratio A/B of curvatures.
    pure subroutine find_axis_ratio(ratio, k, is_converged)
+      !> Ratio A/B of the curvatures [-], > 0; 1 and more is that of a circle.
       real(dp), intent(in) :: ratio
+      !> Ratio b/a of the half-axes [-], in (0, 1].
       real(dp), intent(out) :: k
+      !> Was the ratio of the half-axes found?
       logical, intent(out) :: is_converged
       type(axis_ratio_equation_t) :: equation
       real(dp) :: x
@@ -164,9 +182,13 @@ contains
    !> See `equation_t`. With D1 = R_D(0, k^2, 1), D2 = R_D(0, 1, k^2), J = (D2 - D1)/(1 - k^2) the slope is
    !> 3 - k^2 J/D1 - J/D2, where J = 3/4 D1 for a circle.
    pure subroutine evaluate(self, x, value, slope)
+      !> Equation with its ln(A/B).
       class(axis_ratio_equation_t), intent(in) :: self
+      !> ln(b/a), < 0.
       real(dp), intent(in) :: x
+      !> Value of the equation, 0 at its root.
       real(dp), intent(out) :: value
+      !> Derivative of the value with respect to x.
       real(dp), intent(out) :: slope
       real(dp) :: k, d1, d2, j
 
@@ -181,7 +203,9 @@ contains
 
    !> Pressure at a place along the axes; 0 outside.
    elemental real(dp) function ellipse_pressure(self, x, y)
+      !> Contact whose half-axes and largest pressure are read.
       type(ellipse_t), intent(in) :: self
+      !> Coordinates along the major and the minor axis, from the middle [m].
       real(dp), intent(in) :: x, y
       real(dp) :: r
 
@@ -195,8 +219,11 @@ contains
    !>
    !>     g = (p0 a b/2E*) int_0^t (x^2/(a^2 + w) + y^2/(b^2 + w) - 1) dw/sqrt((a^2 + w)(b^2 + w) w),  w = b^2 sinh^2 s
    elemental real(dp) function ellipse_gap(self, modulus, x, y) result(gap)
+      !> Contact whose half-axes and largest pressure are read.
       type(ellipse_t), intent(in) :: self
+      !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
+      !> Coordinates along the major and the minor axis, from the middle [m].
       real(dp), intent(in) :: x, y
       real(dp) :: u, v, k, t, end, s(size(gauss_nodes)), w(size(gauss_nodes)), width
       integer :: i, n
@@ -223,7 +250,10 @@ contains
 
    !> t >= 0 with u^2/(1 + t) + v^2/(k^2 + t) = 1; 0 inside the ellipse.
    elemental real(dp) function outer_root(u, v, k) result(t)
-      real(dp), intent(in) :: u, v, k
+      !> Coordinates of the place along the major and the minor axis, in major half-axes [-].
+      real(dp), intent(in) :: u, v
+      !> Ratio b/a of the half-axes [-], in (0, 1].
+      real(dp), intent(in) :: k
       real(dp) :: h, c, r
 
       t = 0
@@ -245,8 +275,11 @@ contains
    !>
    !>     s_xx = (p0 a b/2) [-2 nu z Dz + z Dx - (1 - 2 nu)(Ix - z Dx)],  z (Dx + Dy + Dz) = 2/(ra rb),  s_zz = -p0 a b/(ra rb)
    pure function ellipse_axial_stress(self, poisson_ratio, z) result(stress)
+      !> Contact whose half-axes and largest pressure are read.
       type(ellipse_t), intent(in) :: self
+      !> Poisson's ratio nu [-].
       real(dp), intent(in) :: poisson_ratio
+      !> Depth on the axis [m], >= 0.
       real(dp), intent(in) :: z
       real(dp) :: stress(3)
       real(dp) :: k, d, ra, rb, zx, zy, zz
@@ -266,7 +299,9 @@ contains
    !> Shear stress at the ends of the major axis, where the surface is pulled along it and pressed as much across it (Johnson 4.28):
    !> (1 - 2 nu) p0 (k/e^2)(artanh(e)/e - 1), e^2 = 1 - k^2, without the difference. For a circle (1 - 2 nu) p0/3.
    pure real(dp) function ellipse_edge_shear(self, poisson_ratio) result(shear)
+      !> Contact whose half-axes and largest pressure are read.
       type(ellipse_t), intent(in) :: self
+      !> Poisson's ratio nu [-].
       real(dp), intent(in) :: poisson_ratio
       real(dp) :: k
 
@@ -276,8 +311,12 @@ contains
 
    !> Largest gap or overlap that the pressure leaves within the ellipse, over the approach; 0 but for round-off.
    pure real(dp) function ellipse_misfit(self, a, b, modulus) result(misfit)
+      !> Contact whose load, approach, half-axes and shape are compared with each other.
       type(ellipse_t), intent(in) :: self
-      real(dp), intent(in) :: a, b, modulus
+      !> Curvatures A <= B of the gap [1/m].
+      real(dp), intent(in) :: a, b
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
       real(dp) :: unit, rise(2)
 
       misfit = 0

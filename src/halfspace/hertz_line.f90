@@ -20,10 +20,11 @@ contains
 
    !> Contact under a load P >= 0 [N/m].
    pure type(line_contact_t) function line_of_load(radius, modulus, load) result(self)
-      !> R [m], 1/R = 1/R1 + 1/R2.
+      !> Radius R [m], 1/R = 1/R1 + 1/R2.
       real(dp), intent(in) :: radius
-      !> E* [Pa].
+      !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
+      !> Load P per length [N/m], >= 0.
       real(dp), intent(in) :: load
 
       self%radius = radius
@@ -33,8 +34,9 @@ contains
 
    !> Share of the load by which half-width and pressure miss it; 0 but for round-off. The pressure is the one that closes the gap.
    pure real(dp) function line_misfit(self, load) result(misfit)
+      !> Contact whose half-width and largest pressure are compared with the load.
       type(line_contact_t), intent(in) :: self
-      !> P [N/m].
+      !> Load P per length [N/m], >= 0.
       real(dp), intent(in) :: load
 
       misfit = 0
@@ -43,7 +45,9 @@ contains
 
    !> Pressure at x; 0 outside.
    elemental real(dp) function line_pressure(self, x)
+      !> Contact whose half-width and largest pressure are read.
       type(line_contact_t), intent(in) :: self
+      !> Coordinate across the contact, from its middle [m].
       real(dp), intent(in) :: x
 
       line_pressure = 0
@@ -53,7 +57,9 @@ contains
 
    !> Gap at x; 0 in contact: (a^2/4R)(sinh 2v - 2v) with |x| = a cosh v.
    elemental real(dp) function line_gap(self, x)
+      !> Contact whose half-width and radius are read.
       type(line_contact_t), intent(in) :: self
+      !> Coordinate across the contact, from its middle [m].
       real(dp), intent(in) :: x
       real(dp) :: e
 

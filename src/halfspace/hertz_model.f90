@@ -40,6 +40,7 @@ contains
 
    !> The model with its tables.
    subroutine new_hertz_model(self)
+      !> The new model; receives its tables.
       type(hertz_model_t), intent(out) :: self
       type(variable_t) :: v(n_variables)
 
@@ -63,6 +64,7 @@ contains
 
    !> The table of results.
    function get_results(is_line) result(r)
+      !> Is the contact one along a line, so that load and area are per length?
       logical, intent(in) :: is_line
       type(result_t) :: r(n_results)
 
@@ -83,7 +85,9 @@ contains
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
+      !> The model with its table of results.
       class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(result_t), allocatable :: results(:)
 
@@ -93,8 +97,11 @@ contains
 
    !> See `model_t`: the load of a line is one per length.
    function unit_of(self, values, place) result(unit)
+      !> The model with its table of variables.
       class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
       integer, intent(in) :: place
       character(:), allocatable :: unit
 
@@ -104,8 +111,11 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
+      !> The model; its tables give the variables their names.
       class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp) :: a, b, direction
       integer :: i
@@ -141,6 +151,7 @@ contains
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
@@ -148,8 +159,14 @@ contains
 
    !> Curvatures A <= B of the gap A x^2 + B y^2; A <= 0 where there is no ellipse of contact.
    pure subroutine get_curvatures(values, a, b, direction)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      real(dp), intent(out) :: a, b, direction
+      !> Smaller curvature A of the gap [1/m]; 0 or less where there is no single ellipse of contact.
+      real(dp), intent(out) :: a
+      !> Larger curvature B of the gap [1/m].
+      real(dp), intent(out) :: b
+      !> Angle from the first principal direction of the first body to the major axis [rad]; 0 for a circle.
+      real(dp), intent(out) :: direction
       real(dp) :: curvatures(4)
       integer :: i
 
@@ -172,11 +189,17 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine solve_point(self, values, memory, results, error_estimate, status)
+      !> The model; nothing is read from it here.
       class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> What the points before it in the block have found; this point keeps its own there.
       type(point_memory_t), intent(inout) :: memory
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
 
       if (nint(values(v_kind)) == kind_line) then
@@ -191,9 +214,13 @@ contains
 
    !> The contact along a line.
    subroutine solve_line(values, memory, results, error_estimate)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> What the points before it in the block have found; this point keeps its own there.
       type(point_memory_t), intent(inout) :: memory
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
       type(unit_contact_t) :: unit_contact
       type(line_contact_t) :: line
@@ -211,10 +238,15 @@ contains
 
    !> The contact on an ellipse or a circle.
    subroutine solve_ellipse(values, memory, results, error_estimate, status)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> What the points before it in the block have found; this point keeps its own there.
       type(point_memory_t), intent(inout) :: memory
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       type(unit_contact_t) :: unit_contact
       type(ellipse_t) :: s
@@ -241,10 +273,13 @@ contains
 
    !> Ellipse of a case under its load or approach.
    pure subroutine get_ellipse(values, a, b, shape, s)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Curvatures of the gap.
+      !> Curvatures A <= B of the gap [1/m].
       real(dp), intent(in) :: a, b
+      !> Shape of the ellipse that belongs to A/B.
       type(ellipse_shape_t), intent(in) :: shape
+      !> The contact; its half-axes are 0 if the shape is not converged.
       type(ellipse_t), intent(out) :: s
 
       if (is_set(values(v_load))) then
@@ -256,9 +291,15 @@ contains
 
    !> See `halfspace_model_t`. x and y are the axes of the ellipse; a line contact extends along y.
    subroutine get_profiles(self, values, results, slow, fast, profiles)
+      !> The model; nothing is read from it here.
       class(hertz_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:), results(:)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point, not used here.
+      real(dp), intent(in) :: results(:)
+      !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
       real(dp), intent(in) :: slow(:), fast(:)
+      !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
       type(line_contact_t) :: line
       type(ellipse_shape_t) :: shape

@@ -52,9 +52,11 @@ contains
 
    !> That of a line: the same as for the last point, if this is one of a line of the same nu.
    subroutine find_unit_line(poisson_ratio, memory, self)
-      !> nu; not set: the largest shear is that in the plane.
+      !> Poisson's ratio nu [-]; not set: the largest shear stress is that in the plane.
       real(dp), intent(in) :: poisson_ratio
+      !> What the points before it in the block have found; this point keeps its own there.
       type(point_memory_t), intent(inout) :: memory
+      !> The unit contact; `shape` has no meaning for a line.
       type(unit_contact_t), intent(out) :: self
       logical :: is_known
 
@@ -66,11 +68,13 @@ contains
 
    !> That of an ellipse: the same as for the last point, if this has the same shape and nu.
    subroutine find_unit_ellipse(ratio, poisson_ratio, memory, self)
-      !> A/B in (0, 1].
+      !> Ratio A/B of the curvatures [-], in (0, 1].
       real(dp), intent(in) :: ratio
-      !> nu; not set: no largest shear is looked for.
+      !> Poisson's ratio nu [-]; not set: no largest shear stress is looked for.
       real(dp), intent(in) :: poisson_ratio
+      !> What the points before it in the block have found; this point keeps its own there.
       type(point_memory_t), intent(inout) :: memory
+      !> The unit contact; `shape%is_converged` tells whether it was found.
       type(unit_contact_t), intent(out) :: self
       logical :: is_known
 
@@ -82,9 +86,13 @@ contains
 
    !> What was kept for a key.
    pure subroutine recall_unit_contact(key, memory, self, is_known)
+      !> All numbers that the contact depends on.
       real(dp), intent(in) :: key(:)
+      !> Memory that is looked into.
       type(point_memory_t), intent(in) :: memory
+      !> The unit contact as it was kept; without meaning if the key is not known.
       type(unit_contact_t), intent(out) :: self
+      !> Does the memory have this key?
       logical, intent(out) :: is_known
       real(dp) :: found(n_kept)
 
@@ -95,8 +103,11 @@ contains
 
    !> Keep it for a key.
    pure subroutine keep_unit_contact(key, self, memory)
+      !> All numbers that the contact depends on.
       real(dp), intent(in) :: key(:)
+      !> The unit contact that is kept.
       type(unit_contact_t), intent(in) :: self
+      !> Memory, which receives the contact in place of what it held.
       type(point_memory_t), intent(inout) :: memory
       real(dp) :: found(n_kept)
 
@@ -109,7 +120,9 @@ contains
 
    !> Along a line, R = 1 m.
    subroutine solve_unit_line(poisson_ratio, self)
+      !> Poisson's ratio nu [-]; not set: the largest shear stress is that in the plane.
       real(dp), intent(in) :: poisson_ratio
+      !> The unit contact; `shape` has no meaning for a line.
       type(unit_contact_t), intent(out) :: self
       type(line_contact_t) :: line
 
@@ -120,8 +133,11 @@ contains
 
    !> On an ellipse, E* = 1 Pa.
    subroutine solve_unit_ellipse(ratio, poisson_ratio, self)
+      !> Ratio A/B of the curvatures [-], in (0, 1].
       real(dp), intent(in) :: ratio
+      !> Poisson's ratio nu [-]; not set: no largest shear stress is looked for.
       real(dp), intent(in) :: poisson_ratio
+      !> The unit contact; `shape%is_converged` tells whether it was found.
       type(unit_contact_t), intent(out) :: self
       type(ellipse_t) :: s
       real(dp) :: x(2*n_places), y(2*n_places)
@@ -140,9 +156,14 @@ contains
 
    !> The largest shear stress: on the axis, or for negative nu at the edge of the surface.
    pure subroutine solve_shear(s, poisson_ratio, shear, depth)
+      !> Ellipse with the major half-axis 1 m and the largest pressure 1 Pa.
       type(ellipse_t), intent(in) :: s
+      !> Poisson's ratio nu [-].
       real(dp), intent(in) :: poisson_ratio
-      real(dp), intent(inout) :: shear, depth
+      !> Receives the largest shear stress [Pa].
+      real(dp), intent(inout) :: shear
+      !> Receives the depth of the largest shear stress [m].
+      real(dp), intent(inout) :: depth
       real(dp) :: edge
 
       call find_largest_shear(ellipse_stress_t(s, poisson_ratio), s%minor, depth, shear)
@@ -162,7 +183,9 @@ contains
 
    !> See `axial_stress_t`.
    pure function ellipse_stress_at(self, depth) result(stress)
+      !> Field with its ellipse and Poisson's ratio.
       class(ellipse_stress_t), intent(in) :: self
+      !> Depth on the axis [m], >= 0.
       real(dp), intent(in) :: depth
       real(dp) :: stress(3)
 
@@ -171,7 +194,9 @@ contains
 
    !> See `axial_stress_t`.
    pure function line_stress_at(self, depth) result(stress)
+      !> Field with its Poisson's ratio.
       class(line_stress_t), intent(in) :: self
+      !> Depth on the axis, in half-widths [-], >= 0.
       real(dp), intent(in) :: depth
       real(dp) :: stress(3)
 

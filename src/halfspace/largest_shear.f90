@@ -16,7 +16,9 @@ module adfric_halfspace_largest_shear
       pure function stress_at_i(self, depth) result(stress)
          import :: axial_stress_t, dp
          implicit none (type, external)
+         !> Field whose stresses are evaluated.
          class(axial_stress_t), intent(in) :: self
+         !> Depth on the axis, >= 0, in the unit of length of the field.
          real(dp), intent(in) :: depth
          real(dp) :: stress(3)
       end function stress_at_i
@@ -27,10 +29,13 @@ contains
    !> By samples, whose steps grow with the depth as what there is to see does, and then by the golden section; a place is known to
    !> the root of round-off only, for there the stress is level.
    pure subroutine find_largest_shear(field, unit, depth, shear)
+      !> Field whose principal stresses on the axis are compared.
       class(axial_stress_t), intent(in) :: field
-      !> Smallest length of the contact; the largest shear is above 20 times it.
+      !> Smallest length of the contact, > 0; the largest shear stress is sought from the surface to 20 times this depth.
       real(dp), intent(in) :: unit
+      !> Depth of the largest shear stress, in the unit of length of the field.
       real(dp), intent(out) :: depth
+      !> Largest shear stress, in the unit of stress of the field.
       real(dp), intent(out) :: shear
       real(dp), parameter :: golden = 0.61803398874989484820_dp, step = 0.05_dp
       !> 20 even steps, and 62 that grow: 1.05^62 > 20.
@@ -76,7 +81,9 @@ contains
 
    !> Half the difference of the largest and the least principal stress.
    pure real(dp) function shear_at(field, depth)
+      !> Field whose stresses are evaluated.
       class(axial_stress_t), intent(in) :: field
+      !> Depth on the axis, >= 0, in the unit of length of the field.
       real(dp), intent(in) :: depth
       real(dp) :: stress(3)
 

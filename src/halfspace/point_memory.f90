@@ -21,11 +21,13 @@ contains
 
    !> Give back what was found for a key.
    pure subroutine recall(self, key, found, is_known)
+      !> Memory that is looked into.
       class(point_memory_t), intent(in) :: self
-      !> All that `found` depends on.
+      !> All numbers that `found` depends on.
       real(dp), intent(in) :: key(:)
-      !> As it was kept; left as it is where the key is not known.
+      !> What was kept for the key; left as it is where the key is not known.
       real(dp), intent(inout) :: found(:)
+      !> Is the key that of the memory, to the last bit?
       logical, intent(out) :: is_known
 
       is_known = .false.
@@ -37,8 +39,12 @@ contains
 
    !> Keep what was found for a key, in place of what was kept before.
    pure subroutine keep(self, key, found)
+      !> Memory, which receives key and numbers.
       class(point_memory_t), intent(inout) :: self
-      real(dp), intent(in) :: key(:), found(:)
+      !> All numbers that `found` depends on.
+      real(dp), intent(in) :: key(:)
+      !> Numbers that are kept.
+      real(dp), intent(in) :: found(:)
 
       self%key = key
       self%found = found
