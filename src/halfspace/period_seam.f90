@@ -27,9 +27,9 @@ contains
 
    !> Measure the steps along a direction.
    pure type(seam_t) function seam_of(heights, direction) result(seam)
-      !> Shape `(nx, ny)`.
+      !> Heights of the surface, in any unit; shape `(nx, ny)`.
       real(dp), intent(in) :: heights(:, :)
-      !> 1: along x, 2: along y. There is no step where only one row is.
+      !> Direction of the steps, 1: along x, 2: along y. Where there is only one row, there is no step.
       integer, intent(in) :: direction
       integer :: i, n
 
@@ -42,9 +42,11 @@ contains
 
    !> Root mean square of the differences between two rows.
    pure real(dp) function step_between(heights, direction, i, j)
+      !> Heights of the surface, in any unit; shape `(nx, ny)`.
       real(dp), intent(in) :: heights(:, :)
+      !> Direction of the step, 1: along x, 2: along y.
       integer, intent(in) :: direction
-      !> Their numbers.
+      !> Numbers of the two rows along the direction, from 1.
       integer, intent(in) :: i, j
 
       if (direction == 1) then
@@ -56,6 +58,7 @@ contains
 
    !> Do the opposite edges not meet?
    pure logical function is_open(self)
+      !> Steps that are compared.
       class(seam_t), intent(in) :: self
 
       is_open = self%step > suspicious*self%largest

@@ -31,7 +31,7 @@ contains
 
    !> Count cells and sides.
    pure type(area_t) function area_of_cells(is_contact, is_quarter) result(area)
-      !> Shape `(nx, ny)`.
+      !> Is the cell in contact? Shape `(nx, ny)`.
       logical, intent(in) :: is_contact(:, :)
       !> Is the map a quarter between planes of symmetry (else it goes on periodically)?
       logical, intent(in) :: is_quarter
@@ -52,9 +52,13 @@ contains
    !> Estimate the error from the areas on grids of half and a quarter of the cells in each direction: the larger of the last
    !> change and half the one before, the scatter, and a cell. In one dimension each end of a contact is uncertain by a cell.
    pure subroutine refine_area(area, coarse, coarsest, is_line)
+      !> Areas on the finest grid; the error is set.
       type(area_t), intent(inout) :: area
-      type(area_t), intent(in) :: coarse, coarsest
-      !> Is the map one of a line?
+      !> Areas on the grid of half the cells in each direction.
+      type(area_t), intent(in) :: coarse
+      !> Areas on the grid of a quarter of the cells in each direction.
+      type(area_t), intent(in) :: coarsest
+      !> Does the surface not vary along y?
       logical, intent(in) :: is_line
 
       area%error = max(abs(area%corrected - coarse%corrected), abs(coarse%corrected - coarsest%corrected)/2) + &

@@ -56,7 +56,9 @@ contains
 
    !> Begin from the geometry alone: where the full contact would pull, or where the undeformed surfaces do not overlap.
    subroutine start_contact(state, operator)
+      !> In: the shape and what is given. Out: gap and open region to begin from, too.
       type(contact_state_t), intent(inout) :: state
+      !> Stiffness and compliance on this grid; it counts how often they are applied.
       type(periodic_operator_t), intent(inout) :: operator
       real(dp) :: depth
 
@@ -73,7 +75,9 @@ contains
 
    !> What depends on the shape alone.
    subroutine prepare(state, operator)
+      !> In: the shape and what is given. Out: rest pressure, scales, and room for the pressure, too.
       type(contact_state_t), intent(inout) :: state
+      !> Stiffness and compliance on this grid; it counts how often they are applied.
       type(periodic_operator_t), intent(inout) :: operator
 
       if (allocated(state%rest_pressure)) return
@@ -87,10 +91,13 @@ contains
 
    !> Solve from the gap and the open region in `state`.
    subroutine solve_contact(state, operator, face, tolerance)
+      !> In: gap and open region to begin from. Out: the solution; `is_converged` tells whether it was found.
       type(contact_state_t), intent(inout) :: state
+      !> Stiffness and compliance on this grid; it counts how often they are applied.
       type(periodic_operator_t), intent(inout) :: operator
+      !> Workspace for the cells of this grid.
       type(face_t), intent(inout) :: face
-      !> Largest residual, see `residual_of`.
+      !> Largest residual that is allowed [-], see `residual_of`.
       real(dp), intent(in) :: tolerance
       logical, allocatable :: is_wrong(:, :)
       integer :: round, n_wrong, n_wrong_before, fewest, patience, n
@@ -133,6 +140,7 @@ contains
 
    !> Gap zero in contact, some contact, and under a given mean gap some of it open and its mean as given.
    pure subroutine keep_region_sound(state)
+      !> Contact whose open region and gap are mended.
       type(contact_state_t), intent(inout) :: state
       integer :: cell(2)
       real(dp) :: total
@@ -157,7 +165,9 @@ contains
 
    !> Pressure of the present gap.
    subroutine update_pressure(state, operator)
+      !> Contact whose pressure is set from its gap.
       type(contact_state_t), intent(inout) :: state
+      !> Stiffness and compliance on this grid; it counts how often they are applied.
       type(periodic_operator_t), intent(inout) :: operator
 
       call operator%apply_stiffness(state%gap, state%pressure)
@@ -166,8 +176,11 @@ contains
 
    !> Open cells that overlap and closed cells that pull, by more than the tolerance.
    pure subroutine find_wrong_cells(state, tolerance, is_wrong)
+      !> Contact whose gap and pressure are judged.
       type(contact_state_t), intent(in) :: state
+      !> Violation that is allowed, in the contact's scales of gap and pressure [-].
       real(dp), intent(in) :: tolerance
+      !> Is the cell wrong? Shape of the cells.
       logical, intent(out) :: is_wrong(:, :)
 
       is_wrong = merge(state%gap < -tolerance*state%gap_scale, state%pressure < -tolerance*state%pressure_scale, state%is_open)
@@ -175,6 +188,7 @@ contains
 
    !> Only the last of the cells.
    pure subroutine keep_last(is_wrong)
+      !> In: the wrong cells. Out: the last of them alone; none if there is none.
       logical, intent(inout) :: is_wrong(:, :)
       integer :: cell(2)
 
@@ -187,6 +201,7 @@ contains
    !> Largest violation of p >= 0, g >= 0, p g = 0 in any cell, |min(p, g)|, with p in units of the largest pressure and g in
    !> units of the range of the undeformed gap.
    pure real(dp) function residual_of(state) result(residual)
+      !> Contact whose gap and pressure are judged.
       type(contact_state_t), intent(in) :: state
 
       residual = maxval(abs(min(state%pressure/state%pressure_scale, state%gap/state%gap_scale)))

@@ -34,7 +34,9 @@ contains
 
    !> Make the workspace for a number of cells.
    pure subroutine new_face(self, n_cells)
+      !> Workspace, allocated for these cells.
       type(face_t), intent(out) :: self
+      !> Number of cells in each direction.
       integer, intent(in) :: n_cells(2)
 
       allocate (self%open(n_cells(1), n_cells(2)), source=0.0_dp)
@@ -43,18 +45,23 @@ contains
 
    !> Improve the gap in the open region until the pressure there is small.
    subroutine solve(self, operator, is_open, has_fixed_mean, tolerance, pressure, gap, mean_pressure, n_iterations)
+      !> Workspace for the cells of the operator.
       class(face_t), intent(inout) :: self
+      !> Stiffness and compliance on the same cells; it counts how often they are applied.
       type(periodic_operator_t), intent(inout) :: operator
+      !> Is the cell in the open region? Shape of the cells, as that of `pressure` and `gap`.
       logical, intent(in) :: is_open(:, :)
       !> Is the mean gap given, and the mean pressure not?
       logical, intent(in) :: has_fixed_mean
-      !> Largest pressure left in the open region.
+      !> Largest pressure that may be left in the open region [E*].
       real(dp), intent(in) :: tolerance
-      !> Pressure of `gap` and `mean_pressure` as given.
+      !> Pressure that belongs to `gap` and `mean_pressure` on entry [E*].
       real(dp), intent(in) :: pressure(:, :)
-      !> Zero outside the open region.
+      !> Gap, which is improved in the open region; zero outside.
       real(dp), intent(inout) :: gap(:, :)
+      !> Mean pressure q [E*]; it changes under a given mean gap only.
       real(dp), intent(inout) :: mean_pressure
+      !> Number of iterations that were done.
       integer, intent(out) :: n_iterations
       real(dp) :: rz, rz_before, curvature, shift
 
@@ -84,10 +91,13 @@ contains
 
    !> Apply the preconditioner; under a fixed mean gap find the mean pressure that leaves it.
    subroutine precondition(self, operator, has_fixed_mean, shift)
+      !> Workspace with the residual; receives the preconditioned residual.
       class(face_t), intent(inout) :: self
+      !> Stiffness and compliance on the same cells; it counts how often they are applied.
       type(periodic_operator_t), intent(inout) :: operator
+      !> Is the mean gap given, and the mean pressure not?
       logical, intent(in) :: has_fixed_mean
-      !> Change of the mean pressure.
+      !> Change of the mean pressure [E*]; 0 if the mean pressure is given.
       real(dp), intent(out) :: shift
 
       call operator%apply_compliance(self%r, self%z)

@@ -12,6 +12,7 @@ contains
 
    !> How many times, and once more, the cells can be halved in all directions that vary.
    pure integer function n_grids_of(n_cells) result(n_grids)
+      !> Number of cells in each direction.
       integer, intent(in) :: n_cells(2)
       integer :: n(2)
 
@@ -25,6 +26,7 @@ contains
 
    !> Means over pairs of cells, in every direction that varies.
    pure function coarsen(fine) result(coarse)
+      !> Field on the finer grid: even numbers of cells, or one cell in the second direction.
       real(dp), intent(in) :: fine(:, :)
       real(dp), allocatable :: coarse(:, :)
 
@@ -34,6 +36,7 @@ contains
 
    !> Linear interpolation to cells of half the size, in every direction that varies.
    pure function refine(coarse, like, is_quarter) result(fine)
+      !> Field on the coarser grid.
       real(dp), intent(in) :: coarse(:, :)
       !> A field of the finer grid, for its shape.
       real(dp), intent(in) :: like(:, :)
@@ -59,8 +62,11 @@ contains
 
    !> The same along one line.
    pure subroutine refine_line(coarse, is_quarter, fine)
+      !> Values along a line of the coarser grid.
       real(dp), intent(in) :: coarse(:)
+      !> Does the field go on by reflection (else periodically)?
       logical, intent(in) :: is_quarter
+      !> Values along the same line in cells of half the size.
       real(dp), intent(out) :: fine(:)
       integer :: i, n
 
@@ -73,7 +79,13 @@ contains
 
    !> The cell beside a cell, by reflection or periodically at the ends.
    pure integer function neighbour(i, step, n, is_quarter)
-      integer, intent(in) :: i, step, n
+      !> Number of the cell on its line, from 1.
+      integer, intent(in) :: i
+      !> On which side the neighbour lies: -1 before the cell, 1 after it.
+      integer, intent(in) :: step
+      !> Number of cells on the line.
+      integer, intent(in) :: n
+      !> Does the field go on by reflection (else periodically)?
       logical, intent(in) :: is_quarter
 
       neighbour = i + step

@@ -46,9 +46,13 @@ module adfric_halfspace_periodic_model
       subroutine check_surface_i(self, values, is_swept, problems)
          import :: periodic_model_t, dp, problems_t
          implicit none (type, external)
+         !> The model; its tables give the variables their names.
          class(periodic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
+         !> Is the variable swept? Shape `(n_variables)`.
          logical, intent(in) :: is_swept(:)
+         !> Receives what is wrong with the input; nothing is removed.
          type(problems_t), intent(inout) :: problems
       end subroutine check_surface_i
 
@@ -56,8 +60,11 @@ module adfric_halfspace_periodic_model
       subroutine get_surface_i(self, values, surface)
          import :: periodic_model_t, dp, periodic_surface_t
          implicit none (type, external)
+         !> The model whose surface is wanted.
          class(periodic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
+         !> Periods and undeformed gap of the point.
          type(periodic_surface_t), intent(out) :: surface
       end subroutine get_surface_i
 
@@ -65,9 +72,11 @@ module adfric_halfspace_periodic_model
       pure real(dp) function get_full_pressure_i(self, values, on_cells)
          import :: periodic_model_t, dp
          implicit none (type, external)
+         !> The model whose pressure of full contact is wanted.
          class(periodic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> That of the surface as its cells have it [E*].
+         !> Pressure of full contact of the surface as its cells have it [E*].
          real(dp), intent(in) :: on_cells
       end function get_full_pressure_i
 
@@ -75,9 +84,11 @@ module adfric_halfspace_periodic_model
       real(dp) function get_peak_pressure_i(self, values, pressure)
          import :: periodic_model_t, dp
          implicit none (type, external)
+         !> The model whose largest pressure is wanted.
          class(periodic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> In the middles of the cells.
+         !> Pressure in the middles of the cells [E*]; shape `(nx, ny)`.
          real(dp), intent(in) :: pressure(:, :)
       end function get_peak_pressure_i
 
@@ -90,9 +101,13 @@ contains
 
    !> The tables.
    subroutine set_tables(self, name, summary, variables)
+      !> The model, which receives the tables.
       class(periodic_model_t), intent(inout) :: self
-      character(*), intent(in) :: name, summary
-      !> Those of the surface.
+      !> Name of the model in `&job model = ...`.
+      character(*), intent(in) :: name
+      !> What the model is, in one line for `adfric help`.
+      character(*), intent(in) :: summary
+      !> Variables of the surface; those that all these models share follow them in the table.
       type(variable_t), intent(in) :: variables(:)
 
       self%name = name
@@ -110,9 +125,13 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
+      !> The model; its tables give the variables their names.
       class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call self%check_surface(values, is_swept, problems)
@@ -124,7 +143,9 @@ contains
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
+      !> The model, for the place of its switch of the profiles.
       class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       wants_profiles = values(self%n_own + v_profiles) > 0
@@ -132,8 +153,11 @@ contains
 
    !> See `model_t`: the middles of the cells.
    function get_profile_axis(self, values, axis) result(coordinate)
+      !> The model, for its surface.
       class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Place of the axis in `profile_axes`, from 1.
       integer, intent(in) :: axis
       real(dp), allocatable :: coordinate(:)
       type(periodic_surface_t) :: surface
@@ -148,7 +172,9 @@ contains
 
    !> What is held at a point.
    type(periodic_goal_t) function get_goal(self, values) result(goal)
+      !> The model, for the places of the shared variables.
       class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       associate (v => values(self%n_own + 1:))
@@ -161,11 +187,17 @@ contains
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      !> The model that solves each point; it is not changed.
       class(periodic_model_t), intent(in) :: self
+      !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
+      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
       real(dp), intent(out) :: results(:, :)
+      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
+      !> Status of each point, one of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
+      !> One number: the iterations on the finest grid, summed over the points.
       type(attribute_t), allocatable, intent(out) :: attributes(:)
 
       call solve_points(self, values, results, error_estimate, status, attributes)
@@ -173,13 +205,21 @@ contains
 
    !> See `model_t`: the maps are those of the solutions that the results are taken from.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, attributes, profiles, receiver)
+      !> The model that solves each point; it is not changed.
       class(periodic_model_t), intent(in) :: self
+      !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
+      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
       real(dp), intent(out) :: results(:, :)
+      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
+      !> Status of each point, one of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
+      !> One number: the iterations on the finest grid, summed over the points.
       type(attribute_t), allocatable, intent(out) :: attributes(:)
+      !> Room for the maps of one point, of the shape that they have; left undefined.
       real(dp), intent(inout) :: profiles(:, :, :)
+      !> Takes the maps of each solved point, and says whether more of the block is wanted.
       class(profile_receiver_t), intent(inout) :: receiver
 
       call solve_points(self, values, results, error_estimate, status, attributes, profiles, receiver)
@@ -187,14 +227,21 @@ contains
 
    !> Solve the points of a block, with their maps or without.
    subroutine solve_points(self, values, results, error_estimate, status, attributes, profiles, receiver)
+      !> The model that solves each point; it is not changed.
       class(periodic_model_t), intent(in) :: self
+      !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
+      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
       real(dp), intent(out) :: results(:, :)
+      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
+      !> Status of each point, one of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
+      !> One number: the iterations on the finest grid, summed over the points.
       type(attribute_t), allocatable, intent(out) :: attributes(:)
-      !> Room for the maps of a point, and who takes them; both or none.
+      !> Room for the maps of one point, of the shape that they have; present if `receiver` is.
       real(dp), intent(inout), optional :: profiles(:, :, :)
+      !> Takes the maps of each solved point, and says whether more is wanted; not present: no maps are made.
       class(profile_receiver_t), intent(inout), optional :: receiver
       type(periodic_memory_t) :: memory
       type(periodic_surface_t) :: surface
@@ -228,9 +275,11 @@ contains
 
    !> Maps of pressure and gap.
    pure subroutine set_maps(solution, modulus, profiles)
+      !> Solution whose pressure and gap are taken.
       type(periodic_solution_t), intent(in) :: solution
-      !> E* [Pa].
+      !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
+      !> Receives the maps of pressure [Pa] and gap [m]; shape `(nx, ny, 2)`.
       real(dp), intent(inout) :: profiles(:, :, :)
 
       profiles(:, :, 1) = solution%pressure*modulus
@@ -239,9 +288,13 @@ contains
 
    !> Results of a point.
    subroutine store(self, values, solution, results)
+      !> The model, which finds peak pressure and pressure of full contact.
       class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Solution of the point; lengths in m, pressures in E*.
       type(periodic_solution_t), intent(in) :: solution
+      !> Results of the point; shape `(n_results)`.
       real(dp), intent(out) :: results(:)
 
       associate (s => solution, v => values(self%n_own + 1:))
@@ -261,9 +314,13 @@ contains
 
    !> See `model_t`.
    subroutine solve_profiles(self, values, results, profiles)
+      !> The model that finds the profiles; it is not changed.
       class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
+      !> Profiles of the point, NaN where there is no value; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(out) :: profiles(:, :, :)
       type(periodic_memory_t) :: memory
       type(periodic_surface_t) :: surface
@@ -280,7 +337,9 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
+      !> The model, for its surface and the rows of its contact modulus.
       class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
       type(periodic_surface_t) :: surface
@@ -300,7 +359,9 @@ contains
 
    !> See `model_t`.
    function describe_case(self, values) result(text)
+      !> The model that describes its surface.
       class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
@@ -311,6 +372,7 @@ contains
 
    !> What else there is to say of the surface, a line each: nothing. A model may override it.
    function describe_surface(self) result(text)
+      !> The model; nothing is read from it here.
       class(periodic_model_t), intent(in) :: self
       character(:), allocatable :: text
 

@@ -37,15 +37,17 @@ contains
 
    !> Set up the operator on a grid.
    subroutine new_periodic_operator(self, n_cells, period, is_quarter, is_measured, error)
+      !> The operator; not to be used after an error.
       type(periodic_operator_t), intent(out) :: self
       !> Number of cells in each direction, of the quarter if it is one.
       integer, intent(in) :: n_cells(2)
-      !> Periods in x and y, > 0.
+      !> Periods in x and y, in any unit of length, > 0.
       real(dp), intent(in) :: period(2)
       !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
       logical, intent(in) :: is_quarter
       !> Shall trials tell the fastest transform?
       logical, intent(in) :: is_measured
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       integer :: i, j
       real(dp) :: k
@@ -78,8 +80,9 @@ contains
 
    !> Are the cells longer, or wider, than can be?
    pure logical function is_too_long(n_cells, period)
-      !> In each direction; a line has 1 in one of them.
+      !> Number of cells in each direction; a line has 1 in one of them.
       integer, intent(in) :: n_cells(2)
+      !> Periods in x and y, in any unit of length, > 0.
       real(dp), intent(in) :: period(2)
 
       is_too_long = .false.
@@ -91,7 +94,11 @@ contains
 
    !> Number of waves of a mode along the second direction.
    pure real(dp) function wave_number(mode, n_points, is_quarter) result(number)
-      integer, intent(in) :: mode, n_points
+      !> Number of the mode along the second direction, from 0.
+      integer, intent(in) :: mode
+      !> Number of cells along the second direction.
+      integer, intent(in) :: n_points
+      !> Is the grid a quarter of the period, whose modes are cosines?
       logical, intent(in) :: is_quarter
 
       number = merge(mode, min(mode, n_points - mode), is_quarter)
@@ -99,9 +106,11 @@ contains
 
    !> Pressures that make given displacements, up to their mean.
    subroutine apply_stiffness(self, displacement, pressure)
+      !> The operator, which counts how often it is applied.
       class(periodic_operator_t), intent(inout) :: self
-      !> Shape `n_cells`.
+      !> Displacement of the surface in the middles of the cells; shape `n_cells`.
       real(dp), intent(in) :: displacement(:, :)
+      !> Pressure in the middles of the cells [E*]; shape `n_cells`.
       real(dp), intent(out) :: pressure(:, :)
 
       call self%filter%apply(self%stiffness, displacement, pressure)
@@ -111,8 +120,11 @@ contains
    !> Displacements under given pressures; a positive multiple of the mean pressure in place of their mean, so that
    !> the operator is positive definite.
    subroutine apply_compliance(self, pressure, displacement)
+      !> The operator, which counts how often it is applied.
       class(periodic_operator_t), intent(inout) :: self
+      !> Pressure in the middles of the cells [E*]; shape `n_cells`.
       real(dp), intent(in) :: pressure(:, :)
+      !> Displacement of the surface in the middles of the cells; shape `n_cells`.
       real(dp), intent(out) :: displacement(:, :)
 
       call self%filter%apply(self%compliance, pressure, displacement)

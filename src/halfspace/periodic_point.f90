@@ -41,11 +41,15 @@ contains
 
    !> Solve a point; an error means that there is no memory.
    subroutine solve_periodic(surface, goal, memory, solution, error)
+      !> Periods and undeformed gap of the surface [m].
       type(periodic_surface_t), intent(in) :: surface
+      !> What is held at the point, and the largest residual.
       type(periodic_goal_t), intent(in) :: goal
+      !> Solver of the last point; made anew where cells, ratio of the periods or symmetry are others.
       type(periodic_memory_t), intent(inout) :: memory
-      !> Lengths in m, pressures in E*.
+      !> The solution; lengths in m, pressures in E*.
       type(periodic_solution_t), intent(out) :: solution
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: unit
 
@@ -65,6 +69,7 @@ contains
    !> Mean pressure at which contact becomes full on the cells of the surface: the largest tension under a flat surface, without a
    !> mean, that follows it everywhere. NaN if there is no memory.
    real(dp) function find_full_pressure(surface) result(pressure)
+      !> Periods and undeformed gap of the surface [m].
       type(periodic_surface_t), intent(in) :: surface
       type(periodic_operator_t) :: operator
       type(error_t), allocatable :: error
@@ -81,8 +86,11 @@ contains
 
    !> A solver of the surface's size, where the last point has not left it.
    subroutine prepare(surface, memory, error)
+      !> Periods and undeformed gap of the surface [m].
       type(periodic_surface_t), intent(in) :: surface
+      !> Solver of the last point; made anew where cells, ratio of the periods or symmetry are others.
       type(periodic_memory_t), intent(inout) :: memory
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: period(2)
 

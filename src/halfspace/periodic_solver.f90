@@ -67,13 +67,15 @@ contains
 
    !> Set up grids, plans and workspaces.
    subroutine new_periodic_solver(self, n_cells, period, is_quarter, error, is_measured)
+      !> The solver; not to be used after an error.
       type(periodic_solver_t), intent(out) :: self
       !> Number of cells along x and y, of the quarter if it is one; best with many factors of 2. 1 along y makes a 1-D surface.
       integer, intent(in) :: n_cells(2)
-      !> Periods in x and y, > 0.
+      !> Periods in x and y, in any unit of length, > 0.
       real(dp), intent(in) :: period(2)
       !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
       logical, intent(in) :: is_quarter
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       !> Shall trials tell the fastest transforms? Worth it for hundreds of solutions.
       logical, intent(in), optional :: is_measured
@@ -95,14 +97,17 @@ contains
 
    !> Solve under a mean pressure.
    subroutine solve_load(self, shape, mean_pressure, tolerance, solution, error)
+      !> Solver for surfaces of these cells and periods.
       class(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
-      !> [E*], >= 0.
+      !> Mean pressure [E*]; a negative one is out of range.
       real(dp), intent(in) :: mean_pressure
-      !> Largest residual.
+      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
+      !> The solution; `status` tells how it ended.
       type(periodic_solution_t), intent(out) :: solution
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t) :: goal
 
@@ -120,14 +125,17 @@ contains
 
    !> Solve at a penetration.
    subroutine solve_penetration(self, shape, penetration, tolerance, solution, error)
+      !> Solver for surfaces of these cells and periods.
       class(periodic_solver_t), intent(inout) :: self
-      !> As for `solve_load`.
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
-      !> From first touch, at the mean of the deformed surface.
+      !> Penetration from first touch, at the mean of the deformed surface; in the unit of `shape`.
       real(dp), intent(in) :: penetration
-      !> Largest residual.
+      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
+      !> The solution; `status` tells how it ended.
       type(periodic_solution_t), intent(out) :: solution
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t) :: goal
 
@@ -146,8 +154,11 @@ contains
 
    !> The shape must be one of the finest grid.
    pure subroutine check_shape(self, shape, error)
+      !> Solver whose finest grid says how many cells there must be.
       class(periodic_solver_t), intent(in) :: self
+      !> Gap of the undeformed surfaces, whose number of cells is checked.
       real(dp), intent(in) :: shape(:, :)
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       if (any(ubound(shape) /= self%grids(size(self%grids))%operator%n_cells)) &
@@ -156,9 +167,13 @@ contains
 
    !> No contact.
    subroutine set_touch(self, shape, penetration, solution)
+      !> Solver whose finest operator finds the pressure of full contact.
       class(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
+      !> Penetration from first touch, at most the least value of `shape`.
       real(dp), intent(in) :: penetration
+      !> Receives the state without contact.
       type(periodic_solution_t), intent(inout) :: solution
 
       solution%gap = shape - penetration
@@ -176,11 +191,15 @@ contains
 
    !> From the coarsest grid to the finest.
    subroutine solve(self, shape, goal, tolerance, solution)
+      !> Solver for surfaces of these cells and periods.
       class(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
-      !> What is given.
+      !> What is given: the mean pressure or the mean gap.
       type(contact_state_t), intent(in) :: goal
+      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
+      !> Receives the solution, and how often the finest operator was applied for it.
       type(periodic_solution_t), intent(inout) :: solution
       type(contact_state_t), allocatable :: states(:)
       integer :: k, n, first
@@ -208,6 +227,7 @@ contains
 
    !> Is there contact? Under given penetration a coarse grid may have lost the summits that touch.
    pure logical function touches(state)
+      !> Shape on one grid and what is given.
       type(contact_state_t), intent(in) :: state
 
       touches = .not. state%has_fixed_mean
@@ -216,8 +236,11 @@ contains
 
    !> Gap and open region of the next coarser grid. A function that changes its sign at the edge of the contact tells where it lies.
    subroutine start_from_coarse(state, coarse, operator)
+      !> Contact on the finer grid; receives gap, open region and mean pressure to begin from.
       type(contact_state_t), intent(inout) :: state
+      !> Solved contact on the next coarser grid.
       type(contact_state_t), intent(in) :: coarse
+      !> Operator of the finer grid, for its cells and symmetry.
       type(periodic_operator_t), intent(in) :: operator
       real(dp) :: sign_function(size(coarse%gap, 1), size(coarse%gap, 2))
 
@@ -229,8 +252,11 @@ contains
 
    !> Collect what was found.
    pure subroutine set_solution(states, is_quarter, solution)
+      !> Contacts on the grids that were used, the finest last.
       type(contact_state_t), intent(in) :: states(:)
+      !> Are the maps a quarter between planes of symmetry (else they go on periodically)?
       logical, intent(in) :: is_quarter
+      !> Receives the contact on the finest grid, and the area with its error from coarser ones.
       type(periodic_solution_t), intent(inout) :: solution
       type(area_t) :: areas(size(states))
       integer :: k, n

@@ -22,7 +22,7 @@ contains
 
    !> Rows of the tolerance, the solid, what is held and the maps.
    subroutine set_periodic_variables(v)
-      !> Shape `(n_periodic_variables)`.
+      !> Receives the rows that all models of a periodic surface share; shape `(n_periodic_variables)`.
       type(variable_t), intent(inout) :: v(:)
 
       call set_modulus_rows(positive('solid', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_second_poisson_ratio))
@@ -38,7 +38,7 @@ contains
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
-      !> Of these rows.
+      !> Values of these rows alone; shape `(n_periodic_variables)`.
       real(dp), intent(in) :: values(:)
 
       modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))

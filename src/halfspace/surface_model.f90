@@ -46,6 +46,7 @@ contains
 
    !> The model with its tables.
    subroutine new_surface_model(self)
+      !> The new model; receives its tables.
       type(surface_model_t), intent(out) :: self
       type(variable_t) :: v(n_surface_own)
 
@@ -59,9 +60,13 @@ contains
 
    !> See `model_t`.
    subroutine take_dataset(self, place, values, problems)
+      !> The model, which keeps the depths below the highest summit.
       class(surface_model_t), intent(inout) :: self
+      !> Place of the dataset in `variables`.
       integer, intent(in) :: place
+      !> Heights of the rough body [m]; shape `(nx, ny)`, ny = 1 if they do not vary along y.
       real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (maxval(values) > minval(values)) then
@@ -73,6 +78,7 @@ contains
 
    !> Does the surface not vary along y?
    pure logical function is_line(self)
+      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
 
       is_line = size(self%depths, 2) == 1
@@ -80,9 +86,13 @@ contains
 
    !> See `periodic_model_t`.
    subroutine check_surface(self, values, is_swept, problems)
+      !> The model with its heights; its tables give the variables their names.
       class(surface_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call need(self%variables, values, [v_heights, v_length_x], problems)
@@ -101,8 +111,11 @@ contains
 
    !> See `periodic_model_t`.
    subroutine get_surface(self, values, surface)
+      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Periods and undeformed gap of the point.
       type(periodic_surface_t), intent(out) :: surface
 
       surface%period = values(v_length_x)
@@ -112,8 +125,11 @@ contains
 
    !> See `periodic_model_t`: that of the cells as they are.
    pure real(dp) function get_full_pressure(self, values, on_cells)
+      !> The model, for the places of the shared variables.
       class(surface_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Pressure of full contact of the surface as its cells have it [E*].
       real(dp), intent(in) :: on_cells
 
       get_full_pressure = modulus_of(values(self%n_own + 1:))*on_cells
@@ -121,8 +137,11 @@ contains
 
    !> See `periodic_model_t`: that of a cell.
    real(dp) function get_peak_pressure(self, values, pressure)
+      !> The model, for the places of the shared variables.
       class(surface_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Pressure in the middles of the cells [E*]; shape `(nx, ny)`.
       real(dp), intent(in) :: pressure(:, :)
 
       get_peak_pressure = modulus_of(values(self%n_own + 1:))*maxval(pressure)
@@ -130,6 +149,7 @@ contains
 
    !> See `periodic_model_t`.
    function describe_surface(self) result(text)
+      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       character(:), allocatable :: text
 
@@ -140,7 +160,9 @@ contains
 
    !> See `model_t`: edges that do not meet.
    function describe_doubts(self, values) result(text)
+      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
+      !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
       character(*), parameter :: axes = 'xy'

@@ -35,6 +35,7 @@ contains
 
    !> The model with its tables.
    subroutine new_wave_2d_model(self)
+      !> The new model; receives its tables.
       type(wave_2d_model_t), intent(out) :: self
       type(variable_t) :: v(n_wave_2d_own)
 
@@ -49,9 +50,13 @@ contains
 
    !> See `periodic_model_t`.
    subroutine check_surface(self, values, is_swept, problems)
+      !> The model; its tables give the variables their names.
       class(wave_2d_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call need(self%variables, values, [v_period, v_amplitude], problems)
@@ -62,8 +67,11 @@ contains
 
    !> See `periodic_model_t`.
    subroutine get_surface(self, values, surface)
+      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Periods and undeformed gap of the point.
       type(periodic_surface_t), intent(out) :: surface
       real(dp), allocatable :: trough(:)
       integer :: i, n
@@ -79,8 +87,11 @@ contains
 
    !> See `periodic_model_t`: that of the wave itself.
    pure real(dp) function get_full_pressure(self, values, on_cells)
+      !> The model, for the places of the shared variables.
       class(wave_2d_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Pressure of full contact of the surface as its cells have it [E*], not used here.
       real(dp), intent(in) :: on_cells
 
       get_full_pressure = two_pi*modulus_of(values(self%n_own + 1:))*(values(v_amplitude)/values(v_period))
@@ -90,8 +101,11 @@ contains
 
    !> See `periodic_model_t`: that of the crest, about which pressure is even in both directions.
    real(dp) function get_peak_pressure(self, values, pressure)
+      !> The model, for the places of the shared variables.
       class(wave_2d_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Pressure in the middles of the cells [E*]; shape `(nx, ny)`.
       real(dp), intent(in) :: pressure(:, :)
 
       associate (p => pressure)
