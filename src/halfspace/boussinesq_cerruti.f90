@@ -15,10 +15,13 @@ contains
 
    !> Stresses [s_xx, s_yy, s_zz, s_xy, s_yz, s_xz]; NaN under the force itself.
    pure function point_stress(normal, tangential, poisson_ratio, place) result(stress)
-      !> N and T [N].
-      real(dp), intent(in) :: normal, tangential
+      !> Normal force N [N], along +z.
+      real(dp), intent(in) :: normal
+      !> Tangential force T [N], along +x.
+      real(dp), intent(in) :: tangential
+      !> Poisson's ratio nu [-].
       real(dp), intent(in) :: poisson_ratio
-      !> x, y, z [m], z >= 0.
+      !> Coordinates x, y, z of the place, from the force [m], z >= 0.
       real(dp), intent(in) :: place(3)
       real(dp) :: stress(6)
       real(dp) :: r, l, h, x, y, z, radial
@@ -45,11 +48,15 @@ contains
 
    !> Displacements [u_x, u_y, u_z], 0 far away; NaN under the force itself.
    pure function point_displacement(normal, tangential, shear_modulus, poisson_ratio, place) result(u)
-      !> N and T [N].
-      real(dp), intent(in) :: normal, tangential
-      !> G [Pa] and nu [-].
-      real(dp), intent(in) :: shear_modulus, poisson_ratio
-      !> x, y, z [m], z >= 0.
+      !> Normal force N [N], along +z.
+      real(dp), intent(in) :: normal
+      !> Tangential force T [N], along +x.
+      real(dp), intent(in) :: tangential
+      !> Shear modulus G [Pa].
+      real(dp), intent(in) :: shear_modulus
+      !> Poisson's ratio nu [-].
+      real(dp), intent(in) :: poisson_ratio
+      !> Coordinates x, y, z of the place, from the force [m], z >= 0.
       real(dp), intent(in) :: place(3)
       real(dp) :: u(3)
       real(dp) :: r, l, h, x, y, z

@@ -20,7 +20,9 @@ contains
 
    !> The model of a name; none if it is not one of these.
    subroutine new_halfspace_model(model, name)
+      !> The new model with its tables; not allocated if the name is not one of `halfspace_models`.
       class(model_t), allocatable, intent(out) :: model
+      !> Name of the model, as in `&job model = ...`.
       character(*), intent(in) :: name
       type(hertz_model_t), allocatable :: hertz
       type(punch_model_t), allocatable :: punch

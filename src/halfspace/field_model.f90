@@ -23,11 +23,13 @@ module adfric_halfspace_field_model
       subroutine get_field_i(self, values, place, field)
          import :: field_model_t, dp
          implicit none (type, external)
+         !> The model whose field is evaluated.
          class(field_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> x, y, z [m]; in the plane x, y, 0.
+         !> Coordinates x, y, z of the place [m]; of a half-plane x, y, 0.
          real(dp), intent(in) :: place(3)
-         !> Shape `(n_results)`.
+         !> Results at the place, NaN where there is no value; shape `(n_results)`.
          real(dp), intent(out) :: field(:)
       end subroutine get_field_i
 
@@ -35,8 +37,11 @@ module adfric_halfspace_field_model
       pure function get_place_i(self, values, slow, fast) result(place)
          import :: field_model_t, dp
          implicit none (type, external)
+         !> The model, whose type alone says which axes its maps have.
          class(field_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
+         !> Coordinates on the axes of a map [m]; without them the place is that of the results.
          real(dp), intent(in), optional :: slow, fast
          real(dp) :: place(3)
       end function get_place_i
@@ -47,8 +52,9 @@ contains
 
    !> Rows of stresses.
    subroutine set_stresses(components, r)
-      !> Such as 'xx yy xy'.
+      !> Components separated by a blank, such as 'xx yy xy'.
       character(*), intent(in) :: components
+      !> Table of results; its first rows are set, one for each component.
       type(result_t), intent(inout) :: r(:)
       character(:), allocatable :: name
       integer :: k
@@ -65,7 +71,7 @@ contains
 
    !> Rows of the stresses in the plane: s_xx, s_yy, s_xy and the largest shear.
    subroutine set_plane_stresses(r)
-      !> Its first four.
+      !> Table of results; its first four rows are set.
       type(result_t), intent(inout) :: r(:)
       integer, parameter :: shear = 4
 
@@ -75,8 +81,9 @@ contains
 
    !> Rows of displacements.
    subroutine set_displacements(components, r)
-      !> Such as 'x y'.
+      !> Components separated by a blank, such as 'x y'.
       character(*), intent(in) :: components
+      !> Table of results; its first rows are set, one for each component.
       type(result_t), intent(inout) :: r(:)
       character(:), allocatable :: name
       integer :: k
@@ -92,6 +99,7 @@ contains
 
    !> The profiles: a map of every result.
    function maps_of(results) result(p)
+      !> Table of results, each of which gets a map of its own.
       type(result_t), intent(in) :: results(:)
       type(profile_t), allocatable :: p(:)
       integer :: k
@@ -106,11 +114,17 @@ contains
 
    !> See `halfspace_model_t`. Where the field has no value, under a concentrated load, the results are NaN.
    subroutine solve_point(self, values, memory, results, error_estimate, status)
+      !> The model whose field is evaluated at the place of the results.
       class(field_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Memory of the block, not used here.
       type(point_memory_t), intent(inout) :: memory
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
 
       call self%get_field(values, self%get_place(values), results)
@@ -122,9 +136,15 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine get_profiles(self, values, results, slow, fast, profiles)
+      !> The model whose field is evaluated along both axes.
       class(field_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:), results(:)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point, not used here.
+      real(dp), intent(in) :: results(:)
+      !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
       real(dp), intent(in) :: slow(:), fast(:)
+      !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
       integer :: i, j
 

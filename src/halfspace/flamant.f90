@@ -16,9 +16,11 @@ contains
    !>
    !>     s_r = -(2/pi r)(N cos th + T sin th)
    pure function line_stress(normal, tangential, x, y) result(stress)
-      !> N and T [N/m].
-      real(dp), intent(in) :: normal, tangential
-      !> Place [m], y >= 0.
+      !> Normal load N per length [N/m], along +y.
+      real(dp), intent(in) :: normal
+      !> Tangential load T per length [N/m], along +x.
+      real(dp), intent(in) :: tangential
+      !> Coordinates of the place, from the load [m], y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: stress(3)
       real(dp) :: r, s, c
@@ -40,11 +42,17 @@ contains
    !>
    !> The displacements printed in Y do not satisfy Hooke's law with these stresses.
    pure function line_displacement(normal, tangential, young_modulus, poisson_ratio, datum, x, y) result(u)
-      real(dp), intent(in) :: normal, tangential
-      !> E [Pa] and nu [-].
-      real(dp), intent(in) :: young_modulus, poisson_ratio
-      !> r0 [m]: the half-plane has no place at rest, so this distance fixes the rigid motion.
+      !> Normal load N per length [N/m], along +y.
+      real(dp), intent(in) :: normal
+      !> Tangential load T per length [N/m], along +x.
+      real(dp), intent(in) :: tangential
+      !> Young's modulus E [Pa].
+      real(dp), intent(in) :: young_modulus
+      !> Poisson's ratio nu [-].
+      real(dp), intent(in) :: poisson_ratio
+      !> Distance r0 [m], > 0: the half-plane has no place at rest, so this distance fixes the rigid motion.
       real(dp), intent(in) :: datum
+      !> Coordinates of the place, from the load [m], y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: u(2)
       real(dp) :: r, th, s, c, logarithm, l, u_r, u_th

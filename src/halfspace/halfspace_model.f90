@@ -41,8 +41,11 @@ module adfric_halfspace_halfspace_model
       subroutine check_case_i(self, values, problems)
          import :: halfspace_model_t, dp, problems_t
          implicit none (type, external)
+         !> The model; its tables give the variables their names.
          class(halfspace_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
+         !> Receives what is wrong with the input; nothing is removed.
          type(problems_t), intent(inout) :: problems
       end subroutine check_case_i
 
@@ -50,13 +53,17 @@ module adfric_halfspace_halfspace_model
       subroutine solve_point_i(self, values, memory, results, error_estimate, status)
          import :: halfspace_model_t, point_memory_t, dp
          implicit none (type, external)
+         !> The model that solves the point; it is not changed.
          class(halfspace_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> Of the points before it in the block.
+         !> What the points before it in the block have found; this point keeps its own there.
          type(point_memory_t), intent(inout) :: memory
-         !> All NaN on entry.
+         !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
          real(dp), intent(inout) :: results(:)
+         !> Estimated relative error of the main result [-].
          real(dp), intent(out) :: error_estimate
+         !> Status of the point, one of `status_...`.
          integer, intent(out) :: status
       end subroutine solve_point_i
 
@@ -64,11 +71,15 @@ module adfric_halfspace_halfspace_model
       subroutine get_profiles_i(self, values, results, slow, fast, profiles)
          import :: halfspace_model_t, dp
          implicit none (type, external)
+         !> The model that finds the profiles; it is not changed.
          class(halfspace_model_t), intent(in) :: self
-         real(dp), intent(in) :: values(:), results(:)
-         !> Coordinates along the two axes; `slow` is [0] where there is one.
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> What `solve_block` found for this point; shape `(n_results)`.
+         real(dp), intent(in) :: results(:)
+         !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
          real(dp), intent(in) :: slow(:), fast(:)
-         !> Shape `(n_fast, n_slow, n_profiles)`, all NaN on entry.
+         !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
          real(dp), intent(inout) :: profiles(:, :, :)
       end subroutine get_profiles_i
 
@@ -78,12 +89,19 @@ contains
 
    !> The tables; those of the profiles' axes are added to the variables.
    subroutine set_tables(self, name, summary, variables, results, profiles, axes, is_depth)
+      !> The model, which receives the tables.
       class(halfspace_model_t), intent(inout) :: self
-      character(*), intent(in) :: name, summary
+      !> Name of the model in `&job model = ...`.
+      character(*), intent(in) :: name
+      !> What the model is, in one line for `adfric help`.
+      character(*), intent(in) :: summary
+      !> Variables of the model; those of the profiles' axes follow them in its table.
       type(variable_t), intent(in) :: variables(:)
+      !> Table of the results of a point.
       type(result_t), intent(in) :: results(:)
+      !> Table of the profiles of a point.
       type(profile_t), intent(in) :: profiles(:)
-      !> Names of the axes, the slowest first.
+      !> Names of the profiles' axes, the slowest first, separated by a blank.
       character(*), intent(in) :: axes
       !> Does the first axis point into the solid?
       logical, intent(in) :: is_depth
@@ -116,9 +134,13 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
+      !> The model; its tables give the variables their names.
       class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k, at
 
@@ -139,7 +161,9 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(list)
+      !> The model, for the rows of its contact modulus.
       class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: list(:)
 
@@ -154,7 +178,9 @@ contains
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
+      !> The model, for the place of its switch of the profiles.
       class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       wants_profiles = values(self%output) > 0
@@ -162,8 +188,11 @@ contains
 
    !> See `model_t`.
    function get_profile_axis(self, values, axis) result(coordinate)
+      !> The model, for the places of its axes among the variables.
       class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Place of the axis in `profile_axes`, from 1.
       integer, intent(in) :: axis
       real(dp), allocatable :: coordinate(:)
       integer :: n, k, at
@@ -181,11 +210,17 @@ contains
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      !> The model that solves each point; it is not changed.
       class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables of each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
+      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
       real(dp), intent(out) :: results(:, :)
+      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
+      !> Status of each point, one of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
+      !> Numbers that describe the run; size 0, for these models count nothing.
       type(attribute_t), allocatable, intent(out) :: attributes(:)
       type(point_memory_t) :: memory
       integer :: i
@@ -200,9 +235,13 @@ contains
 
    !> See `model_t`.
    subroutine solve_profiles(self, values, results, profiles)
+      !> The model that finds the profiles; it is not changed.
       class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
+      !> Profiles of the point, NaN where there is no value; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(out) :: profiles(:, :, :)
       integer :: last
 

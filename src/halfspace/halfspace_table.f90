@@ -14,7 +14,14 @@ contains
 
    !> A real variable > 0 without default.
    function positive(group, name, unit, meaning) result(variable)
-      character(*), intent(in) :: group, name, unit, meaning
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> SI unit of the variable, `-` for a pure number.
+      character(*), intent(in) :: unit
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
       type(variable_t) :: variable
 
       variable = variable_t(group, name, kind_real, unit, meaning, '', unset, smallest_unit, largest_unit)
@@ -22,7 +29,15 @@ contains
 
    !> Any real number.
    function number(group, name, unit, meaning, default) result(variable)
-      character(*), intent(in) :: group, name, unit, meaning
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> SI unit of the variable, `-` for a pure number.
+      character(*), intent(in) :: unit
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
+      !> Value where the user gives none; not present: there is no default.
       real(dp), intent(in), optional :: default
       type(variable_t) :: variable
 
@@ -39,7 +54,14 @@ contains
 
    !> A word of a list, without default.
    function choice(group, name, meaning, choices) result(variable)
-      character(*), intent(in) :: group, name, meaning, choices
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
+      !> Allowed words, separated by a blank.
+      character(*), intent(in) :: choices
       type(variable_t) :: variable
 
       variable = variable_t(group, name, kind_choice, '', meaning, choices)
@@ -47,8 +69,18 @@ contains
 
    !> A dataset of a file.
    function dataset(group, name, unit, meaning, largest_rank, least_count) result(variable)
-      character(*), intent(in) :: group, name, unit, meaning
-      integer, intent(in) :: largest_rank, least_count
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> SI unit of the variable, `-` for a pure number.
+      character(*), intent(in) :: unit
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
+      !> Most dimensions that the dataset may have, 1 or 2.
+      integer, intent(in) :: largest_rank
+      !> Fewest values that the dataset needs along each dimension.
+      integer, intent(in) :: least_count
       type(variable_t) :: variable
 
       variable = number(group, name, unit, meaning)
@@ -66,11 +98,13 @@ contains
 
    !> Beginning, end and number of samples along an axis of the profiles.
    subroutine set_output_axis(name, n_default, is_depth, variables)
+      !> Name of the axis, such as 'x'.
       character(*), intent(in) :: name
+      !> Number of samples along the axis where the user gives none.
       integer, intent(in) :: n_default
-      !> Does it point into the solid, so that it has no negative values?
+      !> Does the axis point into the solid, so that it has no negative values?
       logical, intent(in) :: is_depth
-      !> Shape `(3)`.
+      !> Receives the rows of beginning, end and number of samples; shape `(3)`.
       type(variable_t), intent(inout) :: variables(:)
       integer :: k
 

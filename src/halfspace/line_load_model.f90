@@ -54,6 +54,7 @@ contains
 
    !> The model of a line load with its tables.
    subroutine new_line_load_model(self)
+      !> The new model; receives its tables.
       type(line_load_model_t), intent(out) :: self
       type(variable_t) :: v(7)
       type(result_t) :: r(6)
@@ -71,6 +72,7 @@ contains
 
    !> The model of a strip load with its tables.
    subroutine new_strip_load_model(self)
+      !> The new model; receives its tables.
       type(strip_load_model_t), intent(out) :: self
       type(variable_t) :: v(11)
       type(result_t) :: r(6)
@@ -95,6 +97,7 @@ contains
 
    !> Rows that both have.
    subroutine set_common(v)
+      !> Table of variables; its first four rows are set.
       type(variable_t), intent(inout) :: v(:)
 
       v(v_young_modulus) = positive('solid', 'young_modulus', 'Pa', 'Young''s modulus')
@@ -106,8 +109,11 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_line(self, values, problems)
+      !> The model; its tables give the variables their names.
       class(line_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call need(self%variables, values, [v_young_modulus, v_poisson_ratio], problems)
@@ -115,8 +121,11 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_strip(self, values, problems)
+      !> The model; its tables give the variables their names.
       class(strip_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
@@ -139,6 +148,7 @@ contains
    contains
 
       subroutine refuse(k)
+         !> Place in `variables` of a variable that is given but not taken.
          integer, intent(in) :: k
 
          call problems%add(self%variables(k)%group, self%variables(k)%name, 'is given, but the distribution does not take it')
@@ -148,8 +158,11 @@ contains
 
    !> Do the samples belong together? Only those are looked at that are given.
    subroutine check_samples(self, values, problems)
+      !> The model with its samples.
       class(strip_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (.not. is_set(values(v_positions))) return
@@ -165,9 +178,13 @@ contains
 
    !> See `model_t`.
    subroutine take_samples(self, place, values, problems)
+      !> The model, which keeps the samples.
       class(strip_load_model_t), intent(inout) :: self
+      !> Place of the dataset in `variables`.
       integer, intent(in) :: place
+      !> Values of the dataset; shape `(n_samples, 1)`.
       real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       select case (place)
@@ -188,8 +205,11 @@ contains
 
    !> See `field_model_t`.
    pure function get_plane_place(self, values, slow, fast) result(place)
+      !> The model; nothing is read from it here.
       class(plane_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Coordinates on the axes of a map [m]; without them the place is that of the results.
       real(dp), intent(in), optional :: slow, fast
       real(dp) :: place(3)
 
@@ -202,9 +222,13 @@ contains
 
    !> See `field_model_t`.
    subroutine get_line_field(self, values, place, field)
+      !> The model; nothing is read from it here.
       class(line_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Coordinates x, y, z of the place [m]; of a half-plane x, y, 0.
       real(dp), intent(in) :: place(3)
+      !> Results at the place, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(out) :: field(:)
 
       field = not_a_number()
@@ -218,9 +242,13 @@ contains
 
    !> See `field_model_t`.
    subroutine get_strip_field(self, values, place, field)
+      !> The model with its samples.
       class(strip_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Coordinates x, y, z of the place [m]; of a half-plane x, y, 0.
       real(dp), intent(in) :: place(3)
+      !> Results at the place, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(out) :: field(:)
       real(dp) :: x, y, shape, integral, tractions(2), integrals(2)
       logical :: is_uniform
@@ -257,9 +285,13 @@ contains
    !>     du_x/dx = -(1 + nu)(1 - 2 nu)/E p - 2 (1 - nu^2)/(pi E) I[q]
    !>     du_y/dx =  (1 + nu)(1 - 2 nu)/E q - 2 (1 - nu^2)/(pi E) I[p]
    pure subroutine set_slopes(values, tractions, integrals, field)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Of p and q.
-      real(dp), intent(in) :: tractions(2), integrals(2)
+      !> Tractions p and q at the place [Pa].
+      real(dp), intent(in) :: tractions(2)
+      !> Principal values I[p] and I[q] at the place [Pa].
+      real(dp), intent(in) :: integrals(2)
+      !> Results at the place; strain and slope of the surface are set.
       real(dp), intent(inout) :: field(:)
       real(dp) :: near, far
 
@@ -273,11 +305,17 @@ contains
    !> error of the interpolation, where that falls with the distance of the samples or faster. Against the root of the squares of
    !> the stresses; 1 where they are 0 and should perhaps not be.
    subroutine solve_strip_point(self, values, memory, results, error_estimate, status)
+      !> The model with its samples.
       class(strip_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Memory of the block, not used here.
       type(point_memory_t), intent(inout) :: memory
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       type(sampled_traction_t) :: coarse
       real(dp) :: place(3), change
@@ -299,7 +337,9 @@ contains
 
    !> Stresses and their largest shear.
    pure subroutine set_stress(stress, field)
+      !> Stresses s_xx, s_yy, s_xy at the place [Pa].
       real(dp), intent(in) :: stress(3)
+      !> Results at the place; stresses and largest shear stress are set.
       real(dp), intent(inout) :: field(:)
 
       field(r_stress_xx:r_stress_xy) = stress

@@ -26,6 +26,7 @@ contains
 
    !> The model with its tables.
    subroutine new_point_load_model(self)
+      !> The new model; receives its tables.
       type(point_load_model_t), intent(out) :: self
       type(variable_t) :: v(7)
       type(result_t) :: r(9)
@@ -46,8 +47,11 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
+      !> The model; its tables give the variables their names.
       class(point_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call need(self%variables, values, [v_young_modulus, v_poisson_ratio], problems)
@@ -55,8 +59,11 @@ contains
 
    !> See `field_model_t`.
    pure function get_place(self, values, slow, fast) result(place)
+      !> The model; nothing is read from it here.
       class(point_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Coordinates on the axes of a map [m]; without them the place is that of the results.
       real(dp), intent(in), optional :: slow, fast
       real(dp) :: place(3)
 
@@ -69,9 +76,13 @@ contains
 
    !> See `field_model_t`.
    subroutine get_field(self, values, place, field)
+      !> The model; nothing is read from it here.
       class(point_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Coordinates x, y, z of the place [m].
       real(dp), intent(in) :: place(3)
+      !> Results at the place, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(out) :: field(:)
       real(dp) :: shear_modulus
 

@@ -63,6 +63,7 @@ contains
 
    !> The model with its tables.
    subroutine new_punch_model(self)
+      !> The new model; receives its tables.
       type(punch_model_t), intent(out) :: self
       type(variable_t) :: v(v_points)
       character(1) :: degree, power
@@ -120,8 +121,11 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
+      !> The model; its tables give the variables their names.
       class(punch_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call need(self%variables, values, [v_kind], problems)
@@ -153,6 +157,7 @@ contains
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       modulus_of = contact_modulus_of(values(v_contact_modulus:v_poisson_ratio))
@@ -160,8 +165,11 @@ contains
 
    !> Coefficients that are no numbers beside what is given.
    subroutine check_coefficients(self, values, problems)
+      !> The model; its tables give the variables their names.
       class(punch_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: i
 
@@ -173,8 +181,9 @@ contains
 
    !> Is the load of a term c x^2i within the numbers, where the half-width of contact is given?
    pure logical function is_carried(values, i)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the coefficient.
+      !> Place of the coefficient in `variables`.
       integer, intent(in) :: i
 
       is_carried = .true.
@@ -185,6 +194,7 @@ contains
 
    !> Is there such a contact? A sweep may lead to a contact wider than the face, or to a polynomial without terms and end.
    pure logical function is_possible(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       integer :: i
 
@@ -197,7 +207,9 @@ contains
 
    !> Solve for the contact.
    subroutine solve_state(values, state)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> The punch on its contact; `contact%is_converged` tells whether it was found.
       type(state_t), intent(out) :: state
       real(dp) :: load, width, modulus
       integer :: n
@@ -232,8 +244,14 @@ contains
 
    !> A half-width that the contact does not pass: that of the face, or what a single term of the profile would need.
    pure real(dp) function widest(profile, face, modulus, load)
+      !> Polynomial profile of the punch.
       type(polynomial_t), intent(in) :: profile
-      real(dp), intent(in) :: face, modulus, load
+      !> Half-width of the face [m]; enormous without an end.
+      real(dp), intent(in) :: face
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Load P per length [N/m], > 0.
+      real(dp), intent(in) :: load
       real(dp), parameter :: margin = 1.1_dp
       integer :: i
 
@@ -245,11 +263,17 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine solve_point(self, values, memory, results, error_estimate, status)
+      !> The model; nothing is read from it here.
       class(punch_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Memory of the block, not used here.
       type(point_memory_t), intent(inout) :: memory
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       type(state_t) :: state
       real(dp) :: x(n_places), mean
@@ -277,9 +301,15 @@ contains
 
    !> See `halfspace_model_t`. Pressure, gap and displacement are those of the surface, NaN at other depths.
    subroutine get_profiles(self, values, results, slow, fast, profiles)
+      !> The model; nothing is read from it here.
       class(punch_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:), results(:)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point, not used here.
+      real(dp), intent(in) :: results(:)
+      !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
       real(dp), intent(in) :: slow(:), fast(:)
+      !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
       type(state_t) :: state
       real(dp) :: stress(3)
@@ -302,9 +332,11 @@ contains
 
    !> Pressure, gap and displacement along the surface.
    subroutine get_surface(state, x, profiles)
+      !> The punch on its solved contact.
       type(state_t), intent(in) :: state
+      !> Coordinates along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x(:)
-      !> Shape `(n_x, n_profiles)`.
+      !> Profiles along the surface; pressure, gap and displacement are set. Shape `(n_x, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :)
       integer :: i
 
@@ -319,7 +351,9 @@ contains
 
    !> Pressure at x.
    elemental real(dp) function pressure(self, x)
+      !> The punch on its solved contact.
       class(state_t), intent(in) :: self
+      !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
 
       pressure = self%contact%pressure(x)
@@ -329,7 +363,9 @@ contains
 
    !> How far the surface lies above its level under the middle of the punch.
    elemental real(dp) function level(self, x)
+      !> The punch on its solved contact.
       class(state_t), intent(in) :: self
+      !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
 
       if (self%slope > 0) then
@@ -342,7 +378,9 @@ contains
 
    !> Gap at x, where there is a face.
    elemental real(dp) function gap(self, x)
+      !> The punch on its solved contact.
       class(state_t), intent(in) :: self
+      !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
 
       if (abs(x) > self%face) then

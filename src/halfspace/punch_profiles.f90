@@ -21,7 +21,9 @@ contains
 
    !> See `punch_profile_t`.
    elemental real(dp) function height(self, x)
+      !> Polynomial that is evaluated.
       class(polynomial_t), intent(in) :: self
+      !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
 
       associate (c => self%c, y => x*x)
@@ -31,7 +33,9 @@ contains
 
    !> See `punch_profile_t`.
    elemental real(dp) function slope(self, x)
+      !> Polynomial that is evaluated.
       class(polynomial_t), intent(in) :: self
+      !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
 
       associate (c => self%c, y => x*x)
@@ -41,8 +45,13 @@ contains
 
    !> Load of a punch z = c x^(2i) that touches over |x| < a: P = pi i (2i - 1)!!/(2i)!! E* c a^(2i) [N/m].
    pure real(dp) function power_load(modulus, c, i, a)
-      real(dp), intent(in) :: modulus, c
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Coefficient c of x^(2i) [m^(1 - 2i)].
+      real(dp), intent(in) :: c
+      !> Half of the power of x, >= 1.
       integer, intent(in) :: i
+      !> Half-width a of contact [m], > 0.
       real(dp), intent(in) :: a
       integer :: k
 
@@ -51,14 +60,25 @@ contains
 
    !> Load of a wedge of slope m that touches over |x| < a: P = E* m a [N/m].
    elemental real(dp) function wedge_load(modulus, slope, a)
-      real(dp), intent(in) :: modulus, slope, a
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Slope m of the wedge [-], > 0.
+      real(dp), intent(in) :: slope
+      !> Half-width a of contact [m], > 0.
+      real(dp), intent(in) :: a
 
       wedge_load = modulus*slope*a
    end function wedge_load
 
    !> Its pressure (E* m/pi) arccosh(a/|x|); 0 outside, NaN at the tip, where it is infinite.
    elemental real(dp) function wedge_pressure(modulus, slope, a, x)
-      real(dp), intent(in) :: modulus, slope, a
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Slope m of the wedge [-], > 0.
+      real(dp), intent(in) :: slope
+      !> Half-width a of contact [m], > 0.
+      real(dp), intent(in) :: a
+      !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
 
       wedge_pressure = 0
@@ -70,7 +90,11 @@ contains
 
    !> Its gap (2m/pi)(x arccos(a/x) - a arccosh(x/a)); 0 in contact.
    elemental real(dp) function wedge_gap(slope, a, x)
-      real(dp), intent(in) :: slope, a
+      !> Slope m of the wedge [-], > 0.
+      real(dp), intent(in) :: slope
+      !> Half-width a of contact [m], > 0.
+      real(dp), intent(in) :: a
+      !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
       real(dp) :: e
 

@@ -22,10 +22,11 @@ contains
 
    !> Stresses [s_xx, s_yy, s_xy] at a place [Pa]; NaN where the pressure is infinite.
    pure function punch_stress(contact, slope, x, y) result(stress)
+      !> Solved contact; of a wedge its flat part.
       type(punch_contact_t), intent(in) :: contact
-      !> Slope of a wedge, whose pressure adds to that of the contact; 0 without [-].
+      !> Slope of a wedge, whose pressure adds to that of the contact; 0 without a wedge [-].
       real(dp), intent(in) :: slope
-      !> Place [m], y >= 0.
+      !> Coordinates of the place, from the middle of the punch [m], y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: stress(3), depth
       complex(dp) :: t, root, z, w, derivative
@@ -53,10 +54,16 @@ contains
 
    !> W and W' of the sum of b_k sin(k th), cos th = s: W = -sum of b_k z^k, by Horner's rule.
    pure subroutine add_bounded(b, z, root, w, derivative)
-      !> [Pa].
+      !> Coefficients b_k of the bounded pressure [Pa]; shape `(n_terms)`.
       real(dp), intent(in) :: b(:)
-      complex(dp), intent(in) :: z, root
-      complex(dp), intent(out) :: w, derivative
+      !> Place z = t - sqrt(t^2 - 1), |z| <= 1.
+      complex(dp), intent(in) :: z
+      !> sqrt(t^2 - 1) of the place.
+      complex(dp), intent(in) :: root
+      !> Cauchy's integral W of the bounded pressure [Pa].
+      complex(dp), intent(out) :: w
+      !> Derivative W' with respect to t [Pa].
+      complex(dp), intent(out) :: derivative
       integer :: k
 
       w = 0
@@ -71,10 +78,16 @@ contains
 
    !> Those of c/sqrt(1 - s^2): W = -c/sqrt(t^2 - 1).
    pure subroutine add_flat(c, t, root, w, derivative)
-      !> [Pa].
+      !> Coefficient c of the pressure [Pa].
       real(dp), intent(in) :: c
-      complex(dp), intent(in) :: t, root
-      complex(dp), intent(inout) :: w, derivative
+      !> Place t = x + i y, in half-widths.
+      complex(dp), intent(in) :: t
+      !> sqrt(t^2 - 1) of the place.
+      complex(dp), intent(in) :: root
+      !> Cauchy's integral W, to which this part is added [Pa].
+      complex(dp), intent(inout) :: w
+      !> Derivative W' with respect to t, to which this part is added [Pa].
+      complex(dp), intent(inout) :: derivative
 
       w = w - c/root
       derivative = derivative + c*(t/root)/root/root
@@ -83,10 +96,18 @@ contains
    !> Those of (c/pi) arccosh(1/|s|): W = -(c/pi) arcsin(1/t) = -(2c/pi) arctan z = (i c/pi) ln((sqrt(t^2 - 1) + i)/t), the last of
    !> which keeps the digits of t close to the tip.
    pure subroutine add_wedge(c, t, root, z, w, derivative)
-      !> E* times the slope [Pa].
+      !> Coefficient c of the pressure: E* times the slope [Pa].
       real(dp), intent(in) :: c
-      complex(dp), intent(in) :: t, root, z
-      complex(dp), intent(inout) :: w, derivative
+      !> Place t = x + i y, in half-widths.
+      complex(dp), intent(in) :: t
+      !> sqrt(t^2 - 1) of the place.
+      complex(dp), intent(in) :: root
+      !> Place z = t - sqrt(t^2 - 1), |z| <= 1.
+      complex(dp), intent(in) :: z
+      !> Cauchy's integral W, to which this part is added [Pa].
+      complex(dp), intent(inout) :: w
+      !> Derivative W' with respect to t, to which this part is added [Pa].
+      complex(dp), intent(inout) :: derivative
       complex(dp), parameter :: i = (0.0_dp, 1.0_dp)
 
       if (abs(z) < 0.5_dp) then

@@ -30,7 +30,9 @@ module adfric_halfspace_rigid_punch
       elemental real(dp) function evaluate_profile_i(self, x)
          import :: punch_profile_t, dp
          implicit none (type, external)
+         !> Profile that is evaluated.
          class(punch_profile_t), intent(in) :: self
+         !> Coordinate from the middle of the punch [m], >= 0.
          real(dp), intent(in) :: x
       end function evaluate_profile_i
    end interface
@@ -65,15 +67,17 @@ contains
 
    !> Solve for the contact under a load > 0.
    pure subroutine solve_punch(profile, face, modulus, load, n, self)
+      !> Even profile of the punch.
       class(punch_profile_t), intent(in) :: profile
-      !> Half-width w of the face [m].
+      !> Half-width w of the face [m], > 0.
       real(dp), intent(in) :: face
-      !> E* [Pa].
+      !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
-      !> P [N/m].
+      !> Load P per length [N/m], > 0.
       real(dp), intent(in) :: load
-      !> Points of collocation, even.
+      !> Number of points of collocation, even.
       integer, intent(in) :: n
+      !> The contact; `is_converged` tells whether it was found.
       type(punch_contact_t), intent(out) :: self
       type(load_equation_t) :: equation
       real(dp) :: bounded, nodes(n)
@@ -99,13 +103,15 @@ contains
 
    !> The contact of a given half-width, with the load that is bounded at its edges.
    pure subroutine solve_punch_of_width(profile, half_width, modulus, n, self)
+      !> Even profile of the punch.
       class(punch_profile_t), intent(in) :: profile
-      !> a [m].
+      !> Half-width a of contact [m], > 0.
       real(dp), intent(in) :: half_width
-      !> E* [Pa].
+      !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
-      !> Points of collocation, even.
+      !> Number of points of collocation, even.
       integer, intent(in) :: n
+      !> The contact; `is_converged` tells whether it was found.
       type(punch_contact_t), intent(out) :: self
 
       self%half_width = half_width
@@ -116,8 +122,13 @@ contains
 
    !> Load of the bounded solution on |x| < a: P = (E*/2) int x z'(x)/sqrt(a^2 - x^2) dx.
    pure real(dp) function bounded_load(profile, modulus, a, n)
+      !> Even profile of the punch.
       class(punch_profile_t), intent(in) :: profile
-      real(dp), intent(in) :: modulus, a
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Half-width a of contact [m], > 0.
+      real(dp), intent(in) :: a
+      !> Number of nodes, that of the points of collocation.
       integer, intent(in) :: n
 
       bounded_load = load_at(profile, modulus, a, load_nodes(n))
@@ -125,6 +136,7 @@ contains
 
    !> Where the integrand of the load is looked at [a]: x > 0 only, with twice as many points as for the pressure.
    pure function load_nodes(n) result(nodes)
+      !> Number of nodes, that of the points of collocation.
       integer, intent(in) :: n
       real(dp) :: nodes(n)
       integer :: i
@@ -134,8 +146,13 @@ contains
 
    !> The same load with the nodes at hand.
    pure real(dp) function load_at(profile, modulus, a, nodes)
+      !> Even profile of the punch.
       class(punch_profile_t), intent(in) :: profile
-      real(dp), intent(in) :: modulus, a
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Half-width a of contact [m], > 0.
+      real(dp), intent(in) :: a
+      !> Nodes from `load_nodes`, in half-widths [-].
       real(dp), intent(in) :: nodes(:)
 
       load_at = modulus/2*sum(a*nodes*profile%slope(a*nodes))*pi/size(nodes)
@@ -143,9 +160,13 @@ contains
 
    !> See `equation_t`.
    pure subroutine evaluate(self, x, value, slope)
+      !> Equation with its profile, modulus, load and nodes.
       class(load_equation_t), intent(in) :: self
+      !> Half-width of contact [m], > 0.
       real(dp), intent(in) :: x
+      !> Load of the bounded solution less the load that is given [N/m]; 0 at the root.
       real(dp), intent(out) :: value
+      !> Derivative of the value with respect to x [N/m^2].
       real(dp), intent(out) :: slope
       real(dp), parameter :: h = 1.0e-5_dp
 
@@ -160,10 +181,13 @@ contains
    !>
    !> z' is odd: the even b_k and what the middle place adds are 0, and half of the places will do.
    pure subroutine collocate(profile, n, bounded, self)
+      !> Even profile of the punch.
       class(punch_profile_t), intent(in) :: profile
+      !> Number of points of collocation, even.
       integer, intent(in) :: n
-      !> Load of the bounded part.
+      !> Load of the bounded part [N/m].
       real(dp), intent(in) :: bounded
+      !> In: half-width, modulus and load. Out: coefficients, error of the load and `is_converged`, too.
       type(punch_contact_t), intent(inout) :: self
       !> A series ends where its terms are round-off of the largest.
       real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
@@ -192,7 +216,9 @@ contains
 
    !> Pressure at x; 0 outside, NaN at the edge of a face that is in contact all over.
    elemental real(dp) function pressure(self, x)
+      !> Solved contact that is evaluated.
       class(punch_contact_t), intent(in) :: self
+      !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
       real(dp) :: t, root, th
       integer :: k
@@ -215,7 +241,9 @@ contains
    !> How far the surface lies above its level at the edge of contact, x = a, at any x [m]: the integral of
    !> (2/E*) sum b_k times T_(k+1)(t) inside, (t - sqrt(t^2 - 1))^(k+1) outside, and of the flat part.
    elemental real(dp) function rise(self, x)
+      !> Solved contact that is evaluated.
       class(punch_contact_t), intent(in) :: self
+      !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
       real(dp) :: t, v
       integer :: k
@@ -243,7 +271,9 @@ contains
 
    !> (c - 1)/k; 0 for k = 0.
    elemental real(dp) function less_one(c, k)
+      !> The number c of the formula.
       real(dp), intent(in) :: c
+      !> The divisor k of the formula, >= 0.
       integer, intent(in) :: k
 
       less_one = 0

@@ -55,6 +55,7 @@ contains
 
    !> Every second sample, and the last one.
    pure type(sampled_traction_t) function every_second(self) result(coarse)
+      !> Tractions whose samples are taken, at least two.
       class(sampled_traction_t), intent(in) :: self
       integer :: n, n_coarse
 
@@ -71,7 +72,9 @@ contains
 
    !> Is a place on the surface an end of the strip where a traction does not begin from zero?
    pure logical function jumps_at(self, x)
+      !> Tractions whose ends are looked at.
       class(sampled_traction_t), intent(in) :: self
+      !> Coordinate on the surface [m].
       real(dp), intent(in) :: x
       integer :: n
 
@@ -82,7 +85,9 @@ contains
 
    !> p and q at a place on the surface; 0 beside the strip.
    pure function value_at(self, x) result(value)
+      !> Tractions whose samples are interpolated.
       class(sampled_traction_t), intent(in) :: self
+      !> Coordinate on the surface [m].
       real(dp), intent(in) :: x
       real(dp) :: value(2)
       real(dp) :: share
@@ -106,8 +111,9 @@ contains
 
    !> Stresses [s_xx, s_yy, s_xy]; NaN at an end of the strip where a traction jumps.
    pure function stress_at(self, x, y) result(stress)
+      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
-      !> Place [m], y >= 0.
+      !> Coordinates of the place [m], y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: stress(3)
       real(dp) :: part(3)
@@ -128,9 +134,13 @@ contains
 
    !> Add -(pi/2) times the stresses of the piece from sample i to the next.
    pure subroutine add_piece(self, i, x, y, stress)
+      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
+      !> Number of the sample where the piece begins, from 1.
       integer, intent(in) :: i
+      !> Coordinates of the place [m], y >= 0.
       real(dp), intent(in) :: x, y
+      !> Sum of -(pi/2) times the stresses, to which the piece is added [Pa].
       real(dp), intent(inout) :: stress(3)
       real(dp) :: half, middle, distance_squared
 
@@ -148,12 +158,21 @@ contains
 
    !> The same by Gauss's rule.
    pure subroutine add_far(self, i, nodes, weights, middle, half, y, stress)
+      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
+      !> Number of the sample where the piece begins, from 1.
       integer, intent(in) :: i
-      real(dp), intent(in) :: nodes(:), weights(:)
-      !> t in the middle of the piece, and half its length.
-      real(dp), intent(in) :: middle, half
+      !> Nodes of Gauss's rule, on (-1, 1).
+      real(dp), intent(in) :: nodes(:)
+      !> Weights of Gauss's rule, one for each node.
+      real(dp), intent(in) :: weights(:)
+      !> t = s - x in the middle of the piece [m].
+      real(dp), intent(in) :: middle
+      !> Half the length of the piece [m].
+      real(dp), intent(in) :: half
+      !> Depth of the place [m], >= 0.
       real(dp), intent(in) :: y
+      !> Sum of -(pi/2) times the stresses, to which the piece is added [Pa].
       real(dp), intent(inout) :: stress(3)
       real(dp) :: t, p, q, r, c, s, radial
       integer :: k
@@ -174,9 +193,13 @@ contains
 
    !> The same by the closed form.
    pure subroutine add_near(self, i, x, y, stress)
+      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
+      !> Number of the sample where the piece begins, from 1.
       integer, intent(in) :: i
+      !> Coordinates of the place [m], y >= 0.
       real(dp), intent(in) :: x, y
+      !> Sum of -(pi/2) times the stresses, to which the piece is added [Pa].
       real(dp), intent(inout) :: stress(3)
       complex(dp) :: cp, dp_y, cq, dq_y
 
@@ -189,10 +212,16 @@ contains
 
    !> C and y C' of a linear piece. At its ends themselves what is singular is left out: it cancels with the next piece's.
    pure subroutine cauchy(s, f, x, y, c, derivative)
-      !> Ends and values there.
-      real(dp), intent(in) :: s(2), f(2)
+      !> Ends of the piece [m], increasing.
+      real(dp), intent(in) :: s(2)
+      !> Traction at the ends of the piece [Pa].
+      real(dp), intent(in) :: f(2)
+      !> Coordinates of the place [m], y >= 0.
       real(dp), intent(in) :: x, y
-      complex(dp), intent(out) :: c, derivative
+      !> Cauchy's integral C of the piece [Pa].
+      complex(dp), intent(out) :: c
+      !> Depth times derivative, y C', of the piece [Pa].
+      complex(dp), intent(out) :: derivative
       real(dp) :: half, u, v, r(2), slope, angle
       complex(dp) :: logarithm, value
       integer :: near
@@ -222,7 +251,9 @@ contains
 
    !> int p(s)/(x - s) ds and int q(s)/(x - s) ds over the strip, principal values; NaN at an end where a traction jumps.
    pure function integral_at(self, x) result(integral)
+      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
+      !> Coordinate on the surface [m].
       real(dp), intent(in) :: x
       real(dp) :: integral(2)
       real(dp) :: part(2)
@@ -242,9 +273,13 @@ contains
 
    !> Add what the piece from sample i to the next has.
    pure subroutine add_piece_integral(self, i, x, integral)
+      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
+      !> Number of the sample where the piece begins, from 1.
       integer, intent(in) :: i
+      !> Coordinate on the surface [m].
       real(dp), intent(in) :: x
+      !> Sums for p and q, to which the piece is added [Pa].
       real(dp), intent(inout) :: integral(2)
       real(dp) :: half, middle
       complex(dp) :: cp, cq, unused
@@ -264,11 +299,19 @@ contains
 
    !> The same by Gauss's rule.
    pure subroutine add_far_integral(self, i, nodes, weights, middle, half, integral)
+      !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
+      !> Number of the sample where the piece begins, from 1.
       integer, intent(in) :: i
-      real(dp), intent(in) :: nodes(:), weights(:)
-      !> t in the middle of the piece, and half its length.
-      real(dp), intent(in) :: middle, half
+      !> Nodes of Gauss's rule, on (-1, 1).
+      real(dp), intent(in) :: nodes(:)
+      !> Weights of Gauss's rule, one for each node.
+      real(dp), intent(in) :: weights(:)
+      !> t = s - x in the middle of the piece [m].
+      real(dp), intent(in) :: middle
+      !> Half the length of the piece [m].
+      real(dp), intent(in) :: half
+      !> Sums for p and q, to which the piece is added [Pa].
       real(dp), intent(inout) :: integral(2)
       real(dp) :: share
       integer :: k

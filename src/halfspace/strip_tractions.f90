@@ -23,9 +23,11 @@ contains
    !>        s_xy = -(p/pi) sin alpha sin beta
    !>     q: s_xx = -(q/pi)(2 ln(r1/r2) - sin alpha sin beta), s_yy = (q/p) s_xy of p, s_xy = (q/p) s_xx of p
    pure function uniform_strip_stress(p, q, x, y) result(stress)
-      !> Tractions.
-      real(dp), intent(in) :: p, q
-      !> Place, y >= 0.
+      !> Pressure on the strip, along +y.
+      real(dp), intent(in) :: p
+      !> Shear traction on the strip, along +x; in the unit of p.
+      real(dp), intent(in) :: q
+      !> Coordinates of the place, from the middle of the strip, in half-widths, y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: stress(3)
       real(dp) :: r1, r2, alpha, beta, sine, along, across, mixed
@@ -45,7 +47,12 @@ contains
 
    !> ln(r1/r2), with the distances r1 and r2 of the place (x, y) from (-1, 0) and (1, 0).
    pure real(dp) function log_ratio(x, y, r1, r2)
-      real(dp), intent(in) :: x, y, r1, r2
+      !> Coordinates of the place, from the middle of the strip, in half-widths.
+      real(dp), intent(in) :: x, y
+      !> Distance of the place from (-1, 0), > 0.
+      real(dp), intent(in) :: r1
+      !> Distance of the place from (1, 0), > 0.
+      real(dp), intent(in) :: r2
       real(dp) :: w
 
       w = 2*x/(x*x + y*y + 1)
@@ -64,9 +71,11 @@ contains
    !>
    !> with n - x = -x d/(m (m + y)).
    pure function hertz_strip_stress(p0, q0, x, y) result(stress)
-      !> Largest tractions.
-      real(dp), intent(in) :: p0, q0
-      !> Place, y >= 0.
+      !> Largest pressure on the strip, along +y.
+      real(dp), intent(in) :: p0
+      !> Largest shear traction on the strip, along +x; in the unit of p0.
+      real(dp), intent(in) :: q0
+      !> Coordinates of the place, from the middle of the strip, in half-widths, y >= 0.
       real(dp), intent(in) :: x, y
       real(dp) :: stress(3)
       complex(dp) :: root
@@ -93,6 +102,7 @@ contains
 
    !> int p(s)/(x - s) ds over the strip for p = 1, principal value: ln |(1 + x)/(1 - x)|; NaN at the edges.
    elemental real(dp) function uniform_strip_integral(x)
+      !> Coordinate on the surface, from the middle of the strip, in half-widths.
       real(dp), intent(in) :: x
 
       uniform_strip_integral = not_a_number()
@@ -102,6 +112,7 @@ contains
 
    !> The same for p = sqrt(1 - x^2): pi x inside, pi (x - sgn(x) sqrt(x^2 - 1)) outside.
    elemental real(dp) function hertz_strip_integral(x)
+      !> Coordinate on the surface, from the middle of the strip, in half-widths.
       real(dp), intent(in) :: x
 
       if (abs(x) <= 1) then

@@ -37,6 +37,7 @@ contains
 
    !> The model with its tables.
    subroutine new_wave_model(self)
+      !> The new model; receives its tables.
       type(wave_model_t), intent(out) :: self
       type(variable_t) :: v(v_penetration)
       type(result_t) :: r(10)
@@ -64,8 +65,11 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
+      !> The model; its tables give the variables their names.
       class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call need(self%variables, values, [v_period, v_amplitude], problems)
@@ -76,6 +80,7 @@ contains
 
    !> Pressure p* of full contact.
    pure real(dp) function full_pressure(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       full_pressure = pi*contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))*(values(v_amplitude)/values(v_period))
@@ -83,11 +88,17 @@ contains
 
    !> See `halfspace_model_t`. Beyond full contact the penetration of a half-plane is undefined.
    subroutine solve_point(self, values, memory, results, error_estimate, status)
+      !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Memory of the block, not used here.
       type(point_memory_t), intent(inout) :: memory
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       real(dp) :: q, p, d, half_width, x(n_places), lift
       integer :: i
@@ -129,9 +140,15 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine get_profiles(self, values, results, slow, fast, profiles)
+      !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:), results(:)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
       real(dp), intent(in) :: slow(:), fast(:)
+      !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
       real(dp) :: q, p, lift
 

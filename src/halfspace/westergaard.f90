@@ -31,6 +31,7 @@ contains
 
    !> Half-width a/l of contact for a mean pressure q >= 0.
    elemental real(dp) function wave_half_width(q)
+      !> Mean pressure, in p* [-], >= 0.
       real(dp), intent(in) :: q
 
       wave_half_width = 0.5_dp
@@ -39,8 +40,9 @@ contains
 
    !> Pressure at x: 2 cos psi sqrt(s^2 - sin^2 psi), and q + cos 2 psi in full contact.
    elemental real(dp) function wave_pressure(q, x)
-      !> Mean pressure, q >= 0.
+      !> Mean pressure, in p* [-], >= 0.
       real(dp), intent(in) :: q
+      !> Coordinate along the wave, from a crest, in wavelengths [-].
       real(dp), intent(in) :: x
       real(dp) :: psi, edge
 
@@ -57,8 +59,9 @@ contains
    !>
    !>     g = s^2 (sinh 2v - 2v)
    elemental real(dp) function wave_gap(q, x)
-      !> Mean pressure, q >= 0.
+      !> Mean pressure, in p* [-], >= 0.
       real(dp), intent(in) :: q
+      !> Coordinate along the wave, from a crest, in wavelengths [-].
       real(dp), intent(in) :: x
       real(dp) :: psi, edge, square
 
@@ -77,6 +80,7 @@ contains
 
    !> psi of the same place within half a wave of the nearest crest, 0 <= psi <= pi/2.
    elemental real(dp) function phase_of(x)
+      !> Coordinate along the wave, from a crest, in wavelengths [-].
       real(dp), intent(in) :: x
 
       phase_of = pi*abs(x - anint(x))
@@ -84,7 +88,7 @@ contains
 
    !> Mean gap 1 - q + q ln q; 0 in full contact.
    elemental real(dp) function wave_mean_gap(q)
-      !> Mean pressure, q >= 0.
+      !> Mean pressure, in p* [-], >= 0.
       real(dp), intent(in) :: q
       real(dp) :: d, term
       integer :: k
@@ -107,7 +111,7 @@ contains
 
    !> How far the mean planes have approached since first touch: q - q ln q, 1 in full contact.
    elemental real(dp) function wave_penetration(q)
-      !> Mean pressure, q >= 0.
+      !> Mean pressure, in p* [-], >= 0.
       real(dp), intent(in) :: q
 
       wave_penetration = 1
@@ -118,8 +122,11 @@ contains
    !> Mean pressure of a penetration up to 1; 0 for a negative one. In full contact every pressure >= 1 belongs to
    !> the penetration 1, and the least is given.
    pure subroutine find_wave_pressure(penetration, q, is_converged)
+      !> Approach of the mean planes since first touch, in D [-]; no pressure belongs to more than 1.
       real(dp), intent(in) :: penetration
+      !> Mean pressure, in p* [-], >= 0.
       real(dp), intent(out) :: q
+      !> Was a mean pressure found?
       logical, intent(out) :: is_converged
       type(penetration_equation_t) :: equation
       real(dp) :: x
@@ -135,9 +142,13 @@ contains
 
    !> See `equation_t`.
    pure subroutine evaluate(self, x, value, slope)
+      !> Equation with its ln(penetration).
       class(penetration_equation_t), intent(in) :: self
+      !> Logarithm of the mean pressure, ln q, < 0.
       real(dp), intent(in) :: x
+      !> Value of the equation, 0 at its root.
       real(dp), intent(out) :: value
+      !> Derivative of the value with respect to x.
       real(dp), intent(out) :: slope
 
       value = log(1 - x) + x - self%logarithm
