@@ -12,7 +12,7 @@ module adfric_halfspace_catalogue
    private
    public :: halfspace_models, new_halfspace_model
 
-   !> Their names, separated by a blank.
+   !> Names of these models, separated by a blank.
    character(*), parameter :: halfspace_models = 'hertz rigid_punch wave_1d wave_2d_elastic surface_elastic line_load '// &
       & 'strip_load point_load'
 

@@ -33,7 +33,7 @@ module adfric_halfspace_field_model
          real(dp), intent(out) :: field(:)
       end subroutine get_field_i
 
-      !> The place of the results, or of a map: with its coordinates along the axes instead of those of the results.
+      !> The place of the results, or a place of a map, whose coordinates along the axes replace those of the results.
       pure function get_place_i(self, values, slow, fast) result(place)
          import :: field_model_t, dp
          implicit none (type, external)
@@ -50,7 +50,7 @@ module adfric_halfspace_field_model
 
 contains
 
-   !> Rows of stresses.
+   !> Set rows of stresses.
    subroutine set_stresses(components, r)
       !> Components separated by a blank, such as 'xx yy xy'.
       character(*), intent(in) :: components
@@ -69,7 +69,7 @@ contains
       end do
    end subroutine set_stresses
 
-   !> Rows of the stresses in the plane: s_xx, s_yy, s_xy and the largest shear.
+   !> Set the rows of the stresses in the plane: s_xx, s_yy, s_xy and the largest shear.
    subroutine set_plane_stresses(r)
       !> Table of results; its first four rows are set.
       type(result_t), intent(inout) :: r(:)
@@ -79,7 +79,7 @@ contains
       r(shear) = result_t('largest_shear_stress', 'Pa', 'largest shear stress in the plane', '', .true.)
    end subroutine set_plane_stresses
 
-   !> Rows of displacements.
+   !> Set rows of displacements.
    subroutine set_displacements(components, r)
       !> Components separated by a blank, such as 'x y'.
       character(*), intent(in) :: components
@@ -97,7 +97,7 @@ contains
       end do
    end subroutine set_displacements
 
-   !> The profiles: a map of every result.
+   !> Table of the profiles: a map of every result.
    function maps_of(results) result(p)
       !> Table of results, each of which gets a map of its own.
       type(result_t), intent(in) :: results(:)

@@ -37,7 +37,7 @@ module adfric_halfspace_halfspace_model
 
    abstract interface
 
-      !> Add to `problems` what is missing or impossible; the profiles' axes are no concern of it.
+      !> Add to `problems` what is missing or impossible; the axes of the profiles are checked elsewhere.
       subroutine check_case_i(self, values, problems)
          import :: halfspace_model_t, dp, problems_t
          implicit none (type, external)
@@ -87,7 +87,7 @@ module adfric_halfspace_halfspace_model
 
 contains
 
-   !> The tables; those of the profiles' axes are added to the variables.
+   !> Set the tables of the model; rows of the profiles' axes are added to its variables.
    subroutine set_tables(self, name, summary, variables, results, profiles, axes, is_depth)
       !> The model, which receives the tables.
       class(halfspace_model_t), intent(inout) :: self
@@ -124,7 +124,7 @@ contains
       self%profile_axes = axes
    end subroutine set_tables
 
-   !> Rows of pressure and gap.
+   !> Rows of the profiles of pressure and gap.
    function contact_profiles() result(p)
       type(profile_t) :: p(2)
 

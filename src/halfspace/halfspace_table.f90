@@ -27,7 +27,7 @@ contains
       variable = variable_t(group, name, kind_real, unit, meaning, '', unset, smallest_unit, largest_unit)
    end function positive
 
-   !> Any real number.
+   !> A real variable of any value.
    function number(group, name, unit, meaning, default) result(variable)
       !> Namelist group of the variable, without `&`.
       character(*), intent(in) :: group
@@ -45,14 +45,14 @@ contains
       if (present(default)) variable%default = default
    end function number
 
-   !> Poisson's ratio of &solid.
+   !> The variable for Poisson's ratio in &solid.
    function poisson_ratio_row() result(variable)
       type(variable_t) :: variable
 
       variable = variable_t('solid', 'poisson_ratio', kind_real, '-', 'Poisson''s ratio', '', unset, -1.0_dp, 0.5_dp, .true.)
    end function poisson_ratio_row
 
-   !> A word of a list, without default.
+   !> A variable that is a word of a list, without default.
    function choice(group, name, meaning, choices) result(variable)
       !> Namelist group of the variable, without `&`.
       character(*), intent(in) :: group
@@ -67,7 +67,7 @@ contains
       variable = variable_t(group, name, kind_choice, '', meaning, choices)
    end function choice
 
-   !> A dataset of a file.
+   !> A variable that is a dataset of a file.
    function dataset(group, name, unit, meaning, largest_rank, least_count) result(variable)
       !> Namelist group of the variable, without `&`.
       character(*), intent(in) :: group
@@ -89,14 +89,14 @@ contains
       variable%least_count = least_count
    end function dataset
 
-   !> Are profiles wanted?
+   !> The switch that says whether profiles are wanted.
    function output_switch() result(variable)
       type(variable_t) :: variable
 
       variable = variable_t('output', 'profiles', kind_logical, '', 'write profiles of every point', '', 0.0_dp)
    end function output_switch
 
-   !> Beginning, end and number of samples along an axis of the profiles.
+   !> Set the rows for beginning, end and number of samples along an axis of the profiles.
    subroutine set_output_axis(name, n_default, is_depth, variables)
       !> Name of the axis, such as 'x'.
       character(*), intent(in) :: name

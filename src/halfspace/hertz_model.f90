@@ -212,7 +212,7 @@ contains
       end associate
    end subroutine solve_point
 
-   !> The contact along a line.
+   !> Solve the contact along a line.
    subroutine solve_line(values, memory, results, error_estimate)
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -236,7 +236,7 @@ contains
       results(r_violation) = max(misfit, unit_contact%violation)
    end subroutine solve_line
 
-   !> The contact on an ellipse or a circle.
+   !> Solve the contact on an ellipse or a circle.
    subroutine solve_ellipse(values, memory, results, error_estimate, status)
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)

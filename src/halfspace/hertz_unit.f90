@@ -24,11 +24,11 @@ module adfric_halfspace_hertz_unit
 
    !> A unit contact.
    type :: unit_contact_t
-      !> Of an ellipse.
+      !> Shape of the ellipse; without meaning for a line.
       type(ellipse_shape_t) :: shape
-      !> Largest shear stress and its depth; 0 of an ellipse without nu.
+      !> Largest shear stress and its depth; 0 for an ellipse without nu.
       real(dp) :: shear = 0, depth = 0
-      !> Of the conditions of contact at some places.
+      !> Largest violation of the conditions of contact at some places.
       real(dp) :: violation = 0
    end type unit_contact_t
 
@@ -50,7 +50,7 @@ module adfric_halfspace_hertz_unit
 
 contains
 
-   !> That of a line: the same as for the last point, if this is one of a line of the same nu.
+   !> Unit contact of a line; that of the last point, if this was solved for a line of the same nu.
    subroutine find_unit_line(poisson_ratio, memory, self)
       !> Poisson's ratio nu [-]; not set: the largest shear stress is that in the plane.
       real(dp), intent(in) :: poisson_ratio
@@ -66,7 +66,7 @@ contains
       call keep_unit_contact([poisson_ratio], self, memory)
    end subroutine find_unit_line
 
-   !> That of an ellipse: the same as for the last point, if this has the same shape and nu.
+   !> Unit contact of an ellipse; that of the last point, if this was solved for the same A/B and nu.
    subroutine find_unit_ellipse(ratio, poisson_ratio, memory, self)
       !> Ratio A/B of the curvatures [-], in (0, 1].
       real(dp), intent(in) :: ratio
@@ -84,7 +84,7 @@ contains
       call keep_unit_contact([ratio, poisson_ratio], self, memory)
    end subroutine find_unit_ellipse
 
-   !> What was kept for a key.
+   !> Give back the unit contact that was kept for a key.
    pure subroutine recall_unit_contact(key, memory, self, is_known)
       !> All numbers that the contact depends on.
       real(dp), intent(in) :: key(:)
@@ -101,7 +101,7 @@ contains
          & found(7), found(8))
    end subroutine recall_unit_contact
 
-   !> Keep it for a key.
+   !> Keep the unit contact for a key.
    pure subroutine keep_unit_contact(key, self, memory)
       !> All numbers that the contact depends on.
       real(dp), intent(in) :: key(:)
@@ -118,7 +118,7 @@ contains
       call memory%keep(key, found)
    end subroutine keep_unit_contact
 
-   !> Along a line, R = 1 m.
+   !> Solve the unit contact along a line, R = 1 m.
    subroutine solve_unit_line(poisson_ratio, self)
       !> Poisson's ratio nu [-]; not set: the largest shear stress is that in the plane.
       real(dp), intent(in) :: poisson_ratio
@@ -131,7 +131,7 @@ contains
       self%violation = largest_violation(line_pressure(line, places()), line_gap(line, places()), 1.0_dp, 1.0_dp)
    end subroutine solve_unit_line
 
-   !> On an ellipse, E* = 1 Pa.
+   !> Solve the unit contact on an ellipse, E* = 1 Pa.
    subroutine solve_unit_ellipse(ratio, poisson_ratio, self)
       !> Ratio A/B of the curvatures [-], in (0, 1].
       real(dp), intent(in) :: ratio

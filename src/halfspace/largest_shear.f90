@@ -26,8 +26,8 @@ module adfric_halfspace_largest_shear
 
 contains
 
-   !> By samples, whose steps grow with the depth as what there is to see does, and then by the golden section; a place is known to
-   !> the root of round-off only, for there the stress is level.
+   !> Find the largest shear stress by samples, whose steps grow with the depth as the stress varies more slowly there, and then by
+   !> the golden section. Its depth is known to the root of round-off only, for the stress is level there.
    pure subroutine find_largest_shear(field, unit, depth, shear)
       !> Field whose principal stresses on the axis are compared.
       class(axial_stress_t), intent(in) :: field

@@ -25,7 +25,7 @@ module adfric_halfspace_line_load_model
    integer, parameter, public :: r_stress_xx = 1, r_stress_xy = 3, r_shear = 4, r_displacement_x = 5, r_displacement_y = 6, &
       & r_strain = 5, r_slope = 6
    integer, parameter, public :: distribution_uniform = 1, distribution_hertz = 2, distribution_sampled = 3
-   !> Samples, so that there are fewer to compare with.
+   !> Fewest samples, so that every second of them makes a coarser set to compare with.
    integer, parameter :: fewest_samples = 3
 
    type, abstract, extends(field_model_t) :: plane_model_t
@@ -95,7 +95,7 @@ contains
          & maps_of(r), 'y x', .true.)
    end subroutine new_strip_load_model
 
-   !> Rows that both have.
+   !> Set the rows that both models have.
    subroutine set_common(v)
       !> Table of variables; its first four rows are set.
       type(variable_t), intent(inout) :: v(:)
@@ -335,7 +335,7 @@ contains
       end associate
    end subroutine solve_strip_point
 
-   !> Stresses and their largest shear.
+   !> Set the stresses and their largest shear stress.
    pure subroutine set_stress(stress, field)
       !> Stresses s_xx, s_yy, s_xy at the place [Pa].
       real(dp), intent(in) :: stress(3)

@@ -32,7 +32,7 @@ module adfric_halfspace_periodic_contact
       !> Gap of the undeformed surfaces g0, from any level.
       real(dp), allocatable :: shape(:, :)
       real(dp), allocatable :: gap(:, :)
-      !> [E*]
+      !> Pressure of the gap [E*].
       real(dp), allocatable :: pressure(:, :)
       logical, allocatable :: is_open(:, :)
       !> Given mean of the gap, or the present one.
@@ -73,7 +73,7 @@ contains
       end if
    end subroutine start_contact
 
-   !> What depends on the shape alone.
+   !> Find once what depends on the shape and on what is given alone.
    subroutine prepare(state, operator)
       !> In: the shape and what is given. Out: rest pressure, scales, and room for the pressure, too.
       type(contact_state_t), intent(inout) :: state
@@ -138,7 +138,8 @@ contains
       state%mean_gap = sum(state%gap)/size(state%gap)
    end subroutine solve_contact
 
-   !> Gap zero in contact, some contact, and under a given mean gap some of it open and its mean as given.
+   !> See to it that the gap is zero in contact, that there is contact, and under a given mean gap that there are open cells and
+   !> that the mean is as given.
    pure subroutine keep_region_sound(state)
       !> Contact whose open region and gap are mended.
       type(contact_state_t), intent(inout) :: state
@@ -163,7 +164,7 @@ contains
       state%gap(:, :) = state%gap*(state%mean_gap*size(state%gap)/total)
    end subroutine keep_region_sound
 
-   !> Pressure of the present gap.
+   !> Find the pressure of the present gap.
    subroutine update_pressure(state, operator)
       !> Contact whose pressure is set from its gap.
       type(contact_state_t), intent(inout) :: state
@@ -174,7 +175,7 @@ contains
       state%pressure(:, :) = state%mean_pressure + state%rest_pressure + state%pressure
    end subroutine update_pressure
 
-   !> Open cells that overlap and closed cells that pull, by more than the tolerance.
+   !> Find open cells that overlap and closed cells that pull, by more than the tolerance.
    pure subroutine find_wrong_cells(state, tolerance, is_wrong)
       !> Contact whose gap and pressure are judged.
       type(contact_state_t), intent(in) :: state
@@ -186,7 +187,7 @@ contains
       is_wrong = merge(state%gap < -tolerance*state%gap_scale, state%pressure < -tolerance*state%pressure_scale, state%is_open)
    end subroutine find_wrong_cells
 
-   !> Only the last of the cells.
+   !> Keep the last of the wrong cells only.
    pure subroutine keep_last(is_wrong)
       !> In: the wrong cells. Out: the last of them alone; none if there is none.
       logical, intent(inout) :: is_wrong(:, :)

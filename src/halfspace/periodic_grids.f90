@@ -10,7 +10,7 @@ module adfric_halfspace_periodic_grids
 
 contains
 
-   !> How many times, and once more, the cells can be halved in all directions that vary.
+   !> Number of nested grids: one, and one more each time that the cells can be halved in all directions that vary.
    pure integer function n_grids_of(n_cells) result(n_grids)
       !> Number of cells in each direction.
       integer, intent(in) :: n_cells(2)
@@ -60,7 +60,7 @@ contains
       end do
    end function refine
 
-   !> The same along one line.
+   !> Linear interpolation to cells of half the size along one line.
    pure subroutine refine_line(coarse, is_quarter, fine)
       !> Values along a line of the coarser grid.
       real(dp), intent(in) :: coarse(:)
@@ -81,7 +81,7 @@ contains
    pure integer function neighbour(i, step, n, is_quarter)
       !> Number of the cell on its line, from 1.
       integer, intent(in) :: i
-      !> On which side the neighbour lies: -1 before the cell, 1 after it.
+      !> Side on which the neighbour lies: -1 before the cell, 1 after it.
       integer, intent(in) :: step
       !> Number of cells on the line.
       integer, intent(in) :: n

@@ -99,7 +99,7 @@ module adfric_halfspace_periodic_model
 
 contains
 
-   !> The tables.
+   !> Set the tables of the model.
    subroutine set_tables(self, name, summary, variables)
       !> The model, which receives the tables.
       class(periodic_model_t), intent(inout) :: self
@@ -273,7 +273,7 @@ contains
       end do
    end subroutine solve_points
 
-   !> Maps of pressure and gap.
+   !> Set the maps of pressure and gap.
    pure subroutine set_maps(solution, modulus, profiles)
       !> Solution whose pressure and gap are taken.
       type(periodic_solution_t), intent(in) :: solution
@@ -286,7 +286,7 @@ contains
       profiles(:, :, 2) = solution%gap
    end subroutine set_maps
 
-   !> Results of a point.
+   !> Set the results of a point.
    subroutine store(self, values, solution, results)
       !> The model, which finds peak pressure and pressure of full contact.
       class(periodic_model_t), intent(in) :: self

@@ -19,7 +19,7 @@ module adfric_halfspace_periodic_point
       real(dp), allocatable :: shape(:, :)
    end type periodic_surface_t
 
-   !> What is held.
+   !> What is held at a point.
    type :: periodic_goal_t
       !> Is it the mean pressure [E*], or else the penetration [m]?
       logical :: is_pressure = .true.

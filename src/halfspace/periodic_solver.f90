@@ -27,10 +27,10 @@ module adfric_halfspace_periodic_solver
 
    !> What a solution is; the maps have the shape of the cells.
    type :: periodic_solution_t
-      !> [E*]
+      !> Pressure in the cells [E*].
       real(dp), allocatable :: pressure(:, :)
       real(dp), allocatable :: gap(:, :)
-      !> [E*]
+      !> Mean pressure [E*].
       real(dp) :: mean_pressure = 0
       !> How far the surfaces approached from first touch, at the mean of the deformed surface.
       real(dp) :: penetration = 0
@@ -69,7 +69,7 @@ contains
    subroutine new_periodic_solver(self, n_cells, period, is_quarter, error, is_measured)
       !> The solver; not to be used after an error.
       type(periodic_solver_t), intent(out) :: self
-      !> Number of cells along x and y, of the quarter if it is one; best with many factors of 2. 1 along y makes a 1-D surface.
+      !> Number of cells along x and y, of the quarter if it is one; best with many factors of 2. One cell along y makes a line.
       integer, intent(in) :: n_cells(2)
       !> Periods in x and y, in any unit of length, > 0.
       real(dp), intent(in) :: period(2)
@@ -165,7 +165,7 @@ contains
          call set_error(error, input_failure, 'the surface does not have the number of cells of its solver')
    end subroutine check_shape
 
-   !> No contact.
+   !> Set the state without contact.
    subroutine set_touch(self, shape, penetration, solution)
       !> Solver whose finest operator finds the pressure of full contact.
       class(periodic_solver_t), intent(inout) :: self
@@ -189,7 +189,7 @@ contains
       solution%status = contact_solved
    end subroutine set_touch
 
-   !> From the coarsest grid to the finest.
+   !> Solve on each grid, from the coarsest that has contact to the finest.
    subroutine solve(self, shape, goal, tolerance, solution)
       !> Solver for surfaces of these cells and periods.
       class(periodic_solver_t), intent(inout) :: self
@@ -234,7 +234,8 @@ contains
       if (.not. touches) touches = minval(state%shape) < sum(state%shape)/size(state%shape) - state%mean_gap
    end function touches
 
-   !> Gap and open region of the next coarser grid. A function that changes its sign at the edge of the contact tells where it lies.
+   !> Begin from gap and open region of the next coarser grid. A function that changes its sign at the edge of the contact tells
+   !> where this edge lies.
    subroutine start_from_coarse(state, coarse, operator)
       !> Contact on the finer grid; receives gap, open region and mean pressure to begin from.
       type(contact_state_t), intent(inout) :: state
@@ -250,7 +251,7 @@ contains
       state%mean_pressure = coarse%mean_pressure
    end subroutine start_from_coarse
 
-   !> Collect what was found.
+   !> Collect what the grids have found.
    pure subroutine set_solution(states, is_quarter, solution)
       !> Contacts on the grids that were used, the finest last.
       type(contact_state_t), intent(in) :: states(:)

@@ -33,7 +33,7 @@ module adfric_halfspace_punch_model
    !> Places where the conditions of contact are checked, and how far they reach, in half-widths.
    integer, parameter :: n_places = 120
    real(dp), parameter :: reach = 3.0_dp
-   !> Of a polynomial, those of small tips are large.
+   !> Largest coefficient of a polynomial; those of small tips are large.
    real(dp), parameter :: largest_coefficient = 1.0e100_dp
    !> Decimal logarithm of a load beyond all numbers.
    real(dp), parameter :: largest_load = 200.0_dp
@@ -163,7 +163,7 @@ contains
       modulus_of = contact_modulus_of(values(v_contact_modulus:v_poisson_ratio))
    end function modulus_of
 
-   !> Coefficients that are no numbers beside what is given.
+   !> Find coefficients that make a load beyond all numbers.
    subroutine check_coefficients(self, values, problems)
       !> The model; its tables give the variables their names.
       class(punch_model_t), intent(in) :: self
@@ -330,7 +330,7 @@ contains
       end associate
    end subroutine get_profiles
 
-   !> Pressure, gap and displacement along the surface.
+   !> Set pressure, gap and displacement along the surface.
    subroutine get_surface(state, x, profiles)
       !> The punch on its solved contact.
       type(state_t), intent(in) :: state

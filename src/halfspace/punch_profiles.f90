@@ -70,7 +70,7 @@ contains
       wedge_load = modulus*slope*a
    end function wedge_load
 
-   !> Its pressure (E* m/pi) arccosh(a/|x|); 0 outside, NaN at the tip, where it is infinite.
+   !> Pressure of the wedge, (E* m/pi) arccosh(a/|x|); 0 outside, NaN at the tip, where it is infinite.
    elemental real(dp) function wedge_pressure(modulus, slope, a, x)
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
@@ -88,7 +88,7 @@ contains
       wedge_pressure = modulus*slope/pi*asinh(sqrt((a - abs(x))*(a + abs(x)))/abs(x))
    end function wedge_pressure
 
-   !> Its gap (2m/pi)(x arccos(a/x) - a arccosh(x/a)); 0 in contact.
+   !> Gap of the wedge, (2m/pi)(x arccos(a/x) - a arccosh(x/a)); 0 in contact.
    elemental real(dp) function wedge_gap(slope, a, x)
       !> Slope m of the wedge [-], > 0.
       real(dp), intent(in) :: slope

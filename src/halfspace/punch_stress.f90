@@ -52,7 +52,7 @@ contains
       stress = [-aimag(w) - depth*real(derivative), -aimag(w) + depth*real(derivative), depth*aimag(derivative)]
    end function punch_stress
 
-   !> W and W' of the sum of b_k sin(k th), cos th = s: W = -sum of b_k z^k, by Horner's rule.
+   !> Set W and W' of the sum of b_k sin(k th), cos th = s: W = -sum of b_k z^k, by Horner's rule.
    pure subroutine add_bounded(b, z, root, w, derivative)
       !> Coefficients b_k of the bounded pressure [Pa]; shape `(n_terms)`.
       real(dp), intent(in) :: b(:)
@@ -76,7 +76,7 @@ contains
       derivative = derivative/root
    end subroutine add_bounded
 
-   !> Those of c/sqrt(1 - s^2): W = -c/sqrt(t^2 - 1).
+   !> Add W and W' of c/sqrt(1 - s^2): W = -c/sqrt(t^2 - 1).
    pure subroutine add_flat(c, t, root, w, derivative)
       !> Coefficient c of the pressure [Pa].
       real(dp), intent(in) :: c
@@ -93,8 +93,8 @@ contains
       derivative = derivative + c*(t/root)/root/root
    end subroutine add_flat
 
-   !> Those of (c/pi) arccosh(1/|s|): W = -(c/pi) arcsin(1/t) = -(2c/pi) arctan z = (i c/pi) ln((sqrt(t^2 - 1) + i)/t), the last of
-   !> which keeps the digits of t close to the tip.
+   !> Add W and W' of (c/pi) arccosh(1/|s|): W = -(c/pi) arcsin(1/t) = -(2c/pi) arctan z = (i c/pi) ln((sqrt(t^2 - 1) + i)/t). The
+   !> last form keeps the digits of t close to the tip.
    pure subroutine add_wedge(c, t, root, z, w, derivative)
       !> Coefficient c of the pressure: E* times the slope [Pa].
       real(dp), intent(in) :: c

@@ -134,7 +134,7 @@ contains
       bounded_load = load_at(profile, modulus, a, load_nodes(n))
    end function bounded_load
 
-   !> Where the integrand of the load is looked at [a]: x > 0 only, with twice as many points as for the pressure.
+   !> Where the integrand of the load is evaluated [a]: x > 0 only, with twice as many points as for the pressure.
    pure function load_nodes(n) result(nodes)
       !> Number of nodes, that of the points of collocation.
       integer, intent(in) :: n
@@ -144,7 +144,7 @@ contains
       nodes = cos((2*[(i, i=1, n)] - 1)*pi/(4*n))
    end function load_nodes
 
-   !> The same load with the nodes at hand.
+   !> Load of the bounded solution from nodes that are given.
    pure real(dp) function load_at(profile, modulus, a, nodes)
       !> Even profile of the punch.
       class(punch_profile_t), intent(in) :: profile

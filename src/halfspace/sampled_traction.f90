@@ -156,7 +156,7 @@ contains
       end if
    end subroutine add_piece
 
-   !> The same by Gauss's rule.
+   !> Add the stresses of a piece, as `add_piece` does, by Gauss's rule.
    pure subroutine add_far(self, i, nodes, weights, middle, half, y, stress)
       !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
@@ -191,7 +191,7 @@ contains
       end do
    end subroutine add_far
 
-   !> The same by the closed form.
+   !> Add the stresses of a piece, as `add_piece` does, by the closed form.
    pure subroutine add_near(self, i, x, y, stress)
       !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
@@ -271,7 +271,7 @@ contains
       end do
    end function integral_at
 
-   !> Add what the piece from sample i to the next has.
+   !> Add the integrals over the piece from sample i to the next.
    pure subroutine add_piece_integral(self, i, x, integral)
       !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self
@@ -297,7 +297,7 @@ contains
       end if
    end subroutine add_piece_integral
 
-   !> The same by Gauss's rule.
+   !> Add the integrals over a piece, as `add_piece_integral` does, by Gauss's rule.
    pure subroutine add_far_integral(self, i, nodes, weights, middle, half, integral)
       !> Tractions that load the half-plane.
       class(sampled_traction_t), intent(in) :: self

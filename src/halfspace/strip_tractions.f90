@@ -11,7 +11,7 @@ module adfric_halfspace_strip_tractions
    private
    public :: uniform_strip_stress, hertz_strip_stress, uniform_strip_integral, hertz_strip_integral, log_ratio
 
-   !> Below this the logarithm of the distances' ratio is an inverse hyperbolic tangent.
+   !> Below this the logarithm of the distances' ratio is found as an inverse hyperbolic tangent.
    real(dp), parameter :: even_distances = 0.5_dp
 
 contains
@@ -110,7 +110,7 @@ contains
       uniform_strip_integral = log_ratio(x, 0.0_dp, abs(1 + x), abs(1 - x))
    end function uniform_strip_integral
 
-   !> The same for p = sqrt(1 - x^2): pi x inside, pi (x - sgn(x) sqrt(x^2 - 1)) outside.
+   !> The same integral for p = sqrt(1 - x^2): pi x inside, pi (x - sgn(x) sqrt(x^2 - 1)) outside.
    elemental real(dp) function hertz_strip_integral(x)
       !> Coordinate on the surface, from the middle of the strip, in half-widths.
       real(dp), intent(in) :: x

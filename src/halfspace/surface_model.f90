@@ -24,7 +24,7 @@ module adfric_halfspace_surface_model
    !> Places of the surface's own variables; those of `adfric_halfspace_periodic_table` follow.
    integer, parameter, public :: v_heights = 1, v_length_x = 2, v_length_y = 3
    integer, parameter, public :: n_surface_own = 3
-   !> Cells in each direction, so that there is a wave that they can hold.
+   !> Fewest cells in each direction, so that they can hold a wave.
    integer, parameter :: fewest_cells = 4
 
    type, extends(periodic_model_t) :: surface_model_t

@@ -20,7 +20,7 @@ module adfric_halfspace_wave_2d_model
    !> Places of the wave's own variables; those of `adfric_halfspace_periodic_table` follow.
    integer, parameter, public :: v_period = 1, v_amplitude = 2, v_cells = 3
    integer, parameter, public :: n_wave_2d_own = 3
-   !> So that grids of half and a quarter of the cells tell the error of the area.
+   !> Cells come in multiples of this, so that grids of half and a quarter of them tell the error of the area.
    integer, parameter :: multiple_of_cells = 64
 
    type, extends(periodic_model_t) :: wave_2d_model_t
