@@ -193,7 +193,7 @@ contains
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> What the points before it in the block have found; this point keeps its own there.
+      !> What earlier points of the block have found; this point keeps there what it finds.
       type(point_memory_t), intent(inout) :: memory
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -216,7 +216,7 @@ contains
    subroutine solve_line(values, memory, results, error_estimate)
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> What the points before it in the block have found; this point keeps its own there.
+      !> What earlier points of the block have found; this point keeps there what it finds.
       type(point_memory_t), intent(inout) :: memory
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -240,7 +240,7 @@ contains
    subroutine solve_ellipse(values, memory, results, error_estimate, status)
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> What the points before it in the block have found; this point keeps its own there.
+      !> What earlier points of the block have found; this point keeps there what it finds.
       type(point_memory_t), intent(inout) :: memory
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)

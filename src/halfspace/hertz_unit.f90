@@ -54,7 +54,7 @@ contains
    subroutine find_unit_line(poisson_ratio, memory, self)
       !> Poisson's ratio nu [-]; not set: the largest shear stress is that in the plane.
       real(dp), intent(in) :: poisson_ratio
-      !> What the points before it in the block have found; this point keeps its own there.
+      !> What earlier points of the block have found; this point keeps there what it finds.
       type(point_memory_t), intent(inout) :: memory
       !> The unit contact; `shape` has no meaning for a line.
       type(unit_contact_t), intent(out) :: self
@@ -72,7 +72,7 @@ contains
       real(dp), intent(in) :: ratio
       !> Poisson's ratio nu [-]; not set: no largest shear stress is looked for.
       real(dp), intent(in) :: poisson_ratio
-      !> What the points before it in the block have found; this point keeps its own there.
+      !> What earlier points of the block have found; this point keeps there what it finds.
       type(point_memory_t), intent(inout) :: memory
       !> The unit contact; `shape%is_converged` tells whether it was found.
       type(unit_contact_t), intent(out) :: self

@@ -56,9 +56,9 @@ contains
 
    !> Begin from the geometry alone: where the full contact would pull, or where the undeformed surfaces do not overlap.
    subroutine start_contact(state, operator)
-      !> In: the shape and what is given. Out: gap and open region to begin from, too.
+      !> In: the shape and what is given. Out: also gap and open region to begin from.
       type(contact_state_t), intent(inout) :: state
-      !> Stiffness and compliance on this grid; it counts how often they are applied.
+      !> Operator of this grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       real(dp) :: depth
 
@@ -75,9 +75,9 @@ contains
 
    !> Find once what depends on the shape and on what is given alone.
    subroutine prepare(state, operator)
-      !> In: the shape and what is given. Out: rest pressure, scales, and room for the pressure, too.
+      !> In: the shape and what is given. Out: also rest pressure, scales, and room for the pressure.
       type(contact_state_t), intent(inout) :: state
-      !> Stiffness and compliance on this grid; it counts how often they are applied.
+      !> Operator of this grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
 
       if (allocated(state%rest_pressure)) return
@@ -93,7 +93,7 @@ contains
    subroutine solve_contact(state, operator, face, tolerance)
       !> In: gap and open region to begin from. Out: the solution; `is_converged` tells whether it was found.
       type(contact_state_t), intent(inout) :: state
-      !> Stiffness and compliance on this grid; it counts how often they are applied.
+      !> Operator of this grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       !> Workspace for the cells of this grid.
       type(face_t), intent(inout) :: face
@@ -168,7 +168,7 @@ contains
    subroutine update_pressure(state, operator)
       !> Contact whose pressure is set from its gap.
       type(contact_state_t), intent(inout) :: state
-      !> Stiffness and compliance on this grid; it counts how often they are applied.
+      !> Operator of this grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
 
       call operator%apply_stiffness(state%gap, state%pressure)

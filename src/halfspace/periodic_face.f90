@@ -47,7 +47,7 @@ contains
    subroutine solve(self, operator, is_open, has_fixed_mean, tolerance, pressure, gap, mean_pressure, n_iterations)
       !> Workspace for the cells of the operator.
       class(face_t), intent(inout) :: self
-      !> Stiffness and compliance on the same cells; it counts how often they are applied.
+      !> Operator of the same cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       !> Is the cell in the open region? Shape of the cells, as that of `pressure` and `gap`.
       logical, intent(in) :: is_open(:, :)
@@ -93,7 +93,7 @@ contains
    subroutine precondition(self, operator, has_fixed_mean, shift)
       !> Workspace with the residual; receives the preconditioned residual.
       class(face_t), intent(inout) :: self
-      !> Stiffness and compliance on the same cells; it counts how often they are applied.
+      !> Operator of the same cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       !> Is the mean gap given, and the mean pressure not?
       logical, intent(in) :: has_fixed_mean

@@ -187,7 +187,7 @@ contains
       integer, intent(in) :: n
       !> Load of the bounded part [N/m].
       real(dp), intent(in) :: bounded
-      !> In: half-width, modulus and load. Out: coefficients, error of the load and `is_converged`, too.
+      !> In: half-width, modulus and load. Out: also coefficients, error of the load and `is_converged`.
       type(punch_contact_t), intent(inout) :: self
       !> A series ends where its terms are round-off of the largest.
       real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
