@@ -27,12 +27,13 @@ contains
 
    !> Find the assignments of all groups.
    subroutine scan_assignments(source, groups, assignments, problems)
+      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
-      !> A group in which something makes no sense is marked.
+      !> The groups of the file; those in which something makes no sense are marked as garbled.
       type(group_t), intent(inout) :: groups(:)
-      !> In the order of the file.
+      !> The assignments of all groups, in the order of the file.
       type(assignment_t), allocatable, intent(out) :: assignments(:)
-      !> What is wrong with the form of the file is added here.
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(assignment_t), allocatable :: found(:)
       integer :: i, n
@@ -48,16 +49,17 @@ contains
 
    !> Find the assignments of one group.
    subroutine scan_group(source, group, number, assignments, n, problems)
+      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
-      !> It is marked if something in it makes no sense.
+      !> The group to look through; it is marked as garbled if something in it makes no sense.
       type(group_t), intent(inout) :: group
-      !> Number of the group.
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: number
-      !> Room for the assignments of all groups.
+      !> Room for the assignments of all groups; those of this group follow the ones found before.
       type(assignment_t), intent(inout) :: assignments(:)
-      !> Assignments found so far.
+      !> Number of assignments found so far.
       integer, intent(inout) :: n
-      !> What is wrong is added here.
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name
       integer :: equals, next_equals, name_first, next_first
@@ -87,9 +89,14 @@ contains
    !> Find the next `name =`; both positions are behind `last` if there is none. A `=` without a name is passed over:
    !> it belongs to what stands before it.
    pure subroutine find_assignment(bare, first, last, name_first, equals)
+      !> Text of the file without comments.
       character(*), intent(in) :: bare
+      !> Ends of the part of the text that is searched; `first` lies outside of quotes.
       integer, intent(in) :: first, last
-      integer, intent(out) :: name_first, equals
+      !> Position where the name begins.
+      integer, intent(out) :: name_first
+      !> Position of the `=` behind the name.
+      integer, intent(out) :: equals
 
       equals = first
       do while (equals <= last)
@@ -108,6 +115,7 @@ contains
 
    !> Position of the name, with its subscripts, at the end of a text.
    pure integer function start_of_name(text)
+      !> What stands before the `=`, from the end of the assignment before.
       character(*), intent(in) :: text
       integer :: bracket
 
@@ -128,7 +136,9 @@ contains
 
    !> First position of the blanks before a position.
    pure integer function skip_blanks_back(text, position)
+      !> Text that is looked through backwards.
       character(*), intent(in) :: text
+      !> Position behind the blanks, at most one behind the text.
       integer, intent(in) :: position
 
       do skip_blanks_back = position, 2, -1
@@ -140,12 +150,13 @@ contains
 
    !> Report what stands between the name of a group and its first assignment.
    subroutine check_start(source, group, name_first, problems)
+      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
-      !> It is marked if there is something.
+      !> The group; it is marked as garbled if something stands there.
       type(group_t), intent(inout) :: group
-      !> Where its first assignment begins.
+      !> Position where its first assignment begins; one behind the group if there is none.
       integer, intent(in) :: name_first
-      !> It is added here.
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: first
 
@@ -159,14 +170,15 @@ contains
 
    !> Report what cannot be the name of a variable.
    subroutine report_name(source, group, name, equals, problems)
+      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
-      !> It is marked.
+      !> The group of the assignment, which is marked as garbled.
       type(group_t), intent(inout) :: group
-      !> What stands for a name.
+      !> What stands where a name should stand.
       character(*), intent(in) :: name
-      !> Position of the `=` behind it.
+      !> Position of the `=` behind it, for the number of the line.
       integer, intent(in) :: equals
-      !> It is added here.
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: what
 
@@ -179,8 +191,11 @@ contains
 
    !> Set where the value of an assignment stands.
    pure subroutine trim_value(bare, first, last, assignment)
+      !> Text of the file without comments.
       character(*), intent(in) :: bare
+      !> Ends of what stands behind the `=`, up to the next name or the end of the group.
       integer, intent(in) :: first, last
+      !> Receives the ends of its value; `value_last` is smaller than `value_first` if there is none.
       type(assignment_t), intent(inout) :: assignment
       integer :: length
 

@@ -33,9 +33,13 @@ contains
 
    !> Read the groups of a model.
    subroutine read_groups(file, model, input, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> Receives a value for every variable, and which of them are given or broken.
       type(case_t), intent(out) :: input
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: groups
       integer :: i, n
@@ -60,9 +64,13 @@ contains
 
    !> Report groups that the model does not have, and mark what is behind a group that makes no sense.
    subroutine check_group_names(file, model, input, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> Receives which variables are broken, so that their absence is not reported as well.
       type(case_t), intent(inout) :: input
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: known
       integer :: i
@@ -81,8 +89,11 @@ contains
 
    !> Mark the variables of a group.
    subroutine mark_group(model, group, input)
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> Name of the group, in small letters; nothing is marked if the model has no such group.
       character(*), intent(in) :: group
+      !> Receives which variables are broken, so that their absence is not reported as well.
       type(case_t), intent(inout) :: input
       integer :: k
 
@@ -93,11 +104,15 @@ contains
 
    !> Read the value of one variable.
    subroutine read_assignment(file, number, model, input, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
+      !> Number of the assignment in the file, from 1.
       integer, intent(in) :: number
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> Receives the value of the variable, or that it is broken.
       type(case_t), intent(inout) :: input
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: group, name, flaw
       integer :: i, place
@@ -127,10 +142,13 @@ contains
 
    !> Mark the variables that an unknown name probably means: their absence needs no report of its own.
    subroutine mark_meant(model, group, name, input)
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
-      !> Where the name stands; empty where it may be of any group.
+      !> Name of the group where the name stands; empty where the name may be of any group.
       character(*), intent(in) :: group
+      !> The unknown name, in small letters.
       character(*), intent(in) :: name
+      !> Receives which variables are broken, so that their absence is not reported as well.
       type(case_t), intent(inout) :: input
       character(:), allocatable :: meant
       integer :: k

@@ -16,10 +16,15 @@ contains
 
    !> Let the model check the values.
    subroutine check_consistency(file, model, input, axes, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> The model, which knows what its values may be together.
       class(model_t), intent(in) :: model
+      !> Values of all variables, and which of them are given, swept or broken.
       type(case_t), intent(in) :: input
+      !> The swept variables with their values.
       type(axis_t), intent(in) :: axes(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
@@ -32,12 +37,17 @@ contains
 
    !> Check where one swept variable takes another than its first value.
    subroutine check_end(file, model, input, axis, number, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> The model, which knows what its values may be together.
       class(model_t), intent(in) :: model
+      !> Values of all variables, and which of them are given, swept or broken.
       type(case_t), intent(in) :: input
+      !> The swept variable with its values.
       type(axis_t), intent(in) :: axis
-      !> Which value of the axis.
+      !> Which value of the axis is looked at, from 1; nothing is done at the first one.
       integer, intent(in) :: number
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp) :: values(size(input%values))
 
@@ -52,12 +62,17 @@ contains
 
    !> Check one point.
    subroutine check_point(file, model, input, values, point, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> The model, which knows what its values may be together.
       class(model_t), intent(in) :: model
+      !> Values of all variables, and which of them are given, swept or broken.
       type(case_t), intent(in) :: input
+      !> Values of all variables at the point; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> What to add to a problem to say at which point it is met; empty for the first.
+      !> What to add to a problem to say at which point it is met; empty for the first point.
       character(*), intent(in) :: point
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(problems_t) :: found
       integer :: i, n_before
@@ -76,8 +91,11 @@ contains
 
    !> Is the problem only that a variable has no value since something was wrong with it?
    pure logical function is_consequence(item, model, input)
+      !> A problem that the model has found.
       type(problem_t), intent(in) :: item
+      !> The model, whose table names the variables.
       class(model_t), intent(in) :: model
+      !> Says of which variables the value is broken.
       type(case_t), intent(in) :: input
       integer :: i
 
@@ -92,7 +110,10 @@ contains
 
    !> Does a name stand in a text as a word?
    pure logical function mentions(text, name)
-      character(*), intent(in) :: text, name
+      !> Text of a problem.
+      character(*), intent(in) :: text
+      !> Name of a variable, not empty.
+      character(*), intent(in) :: name
       character(:), allocatable :: padded
       integer :: first, step
 
@@ -111,10 +132,13 @@ contains
 
    !> Has the same been said before? At the ends of a sweep, has anything been said of the variable?
    pure logical function is_known(item, problems, n_before, is_end)
+      !> A problem that the model has found.
       type(problem_t), intent(in) :: item
+      !> Everything that has been reported so far.
       type(problems_t), intent(in) :: problems
-      !> Problems that were there before this point.
+      !> Number of problems that had been reported before this point.
       integer, intent(in) :: n_before
+      !> Is the point at the end of a sweep, instead of the first one of the run?
       logical, intent(in) :: is_end
       integer :: i
 
@@ -132,9 +156,13 @@ contains
 
    !> Line of the variable that a problem names, else of its group; 0 if neither stands in the file.
    pure integer function line_of_variable(item, file, model, input)
+      !> A problem that the model has found.
       type(problem_t), intent(in) :: item
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> The model, whose table names the variables.
       class(model_t), intent(in) :: model
+      !> Says in which lines variables are given or swept.
       type(case_t), intent(in) :: input
       integer :: i, group
 

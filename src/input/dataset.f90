@@ -41,6 +41,7 @@ contains
 
    !> Does a variable name a dataset?
    elemental logical function is_given(self)
+      !> The dataset of a variable; it has a text if the variable names one.
       class(dataset_t), intent(in) :: self
 
       is_given = allocated(self%text)
@@ -48,6 +49,7 @@ contains
 
    !> The dataset with its shape and range, in words.
    pure function describe(self) result(text)
+      !> A dataset that has been loaded.
       class(dataset_t), intent(in) :: self
       character(:), allocatable :: text
       integer :: k
@@ -64,13 +66,13 @@ contains
 
    !> Read the name of a dataset.
    pure subroutine read_dataset_name(text, dataset, flaw, place)
-      !> Text of the value.
+      !> Text of the value, as it stands in the input.
       character(*), intent(in) :: text
-      !> Not given if something is wrong.
+      !> Receives the names of file and dataset; left as it is if something is wrong.
       type(dataset_t), intent(inout) :: dataset
       !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
-      !> Position of what is wrong in the text.
+      !> Position in the text of what is wrong, from 1.
       integer, intent(out) :: place
       character(:), allocatable :: word, name
       integer :: colon
@@ -93,11 +95,13 @@ contains
 
    !> Read the values of a dataset and hold them against what its variable allows.
    subroutine load_dataset(dataset, variable, values, flaw)
+      !> In: the names of file and dataset. Out: also shape, units, range and checksum.
       type(dataset_t), intent(inout) :: dataset
+      !> Row of the model's table: unit, bounds, number of dimensions and of values.
       type(variable_t), intent(in) :: variable
-      !> As a model takes them.
+      !> The values in SI units, the last dimension of the file first; shape `(n, 1)` for one dimension.
       real(dp), allocatable, intent(out) :: values(:, :)
-      !> What is wrong; empty if nothing is.
+      !> What is wrong with the file, the dataset or its values; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       type(checksum_t) :: checksum
       integer :: j
@@ -133,13 +137,13 @@ contains
 
    !> Convert values to SI units.
    pure subroutine convert_units(units, wanted, values, flaw)
-      !> Those of the values; empty: SI units.
+      !> Units in which the values are; empty: SI units.
       character(*), intent(in) :: units
-      !> Unit of the variable.
+      !> SI unit of the variable.
       character(*), intent(in) :: wanted
-      !> Finite.
+      !> Finite values, which are converted in place.
       real(dp), intent(inout) :: values(:, :)
-      !> Why that cannot be; empty if it has been done.
+      !> In: empty. Out: why the values cannot be converted; empty if that is done.
       character(:), allocatable, intent(inout) :: flaw
       type(unit_t) :: given, si
       logical :: is_known, is_si
@@ -164,8 +168,11 @@ contains
 
    !> What to say of a value out of range.
    pure function show_outlier(value, relation, bound) result(text)
+      !> The value in SI units.
       real(dp), intent(in) :: value
+      !> What the value should be to the bound and is not, with a blank at the end: '>= ' or '<= '.
       character(*), intent(in) :: relation
+      !> The bound in SI units.
       real(dp), intent(in) :: bound
       character(:), allocatable :: text
 

@@ -15,8 +15,11 @@ contains
 
    !> Read every dataset and hand it to the model; what is wrong with one is said with its name and line.
    subroutine load_datasets(model, input, problems)
+      !> The model, which takes over the values of each dataset.
       class(model_t), intent(inout) :: model
+      !> In: the names of the datasets. Out: also what is known of their values, and which are broken.
       type(case_t), intent(inout) :: input
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(problems_t) :: found
       real(dp), allocatable :: values(:, :)
@@ -45,8 +48,9 @@ contains
 
    !> The datasets that are given, for those who only need to know which they are.
    subroutine list_sources(datasets, sources)
-      !> Of all variables.
+      !> One for each variable of the model, with no text where the variable names no dataset.
       type(dataset_t), intent(in) :: datasets(:)
+      !> Place of the variable, name and checksum of each dataset that is given.
       type(source_t), allocatable, intent(out) :: sources(:)
       integer :: i, n
 

@@ -38,10 +38,11 @@ contains
 
    !> Find the groups.
    subroutine scan_groups(source, groups, problems)
+      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
-      !> In the order of the file.
+      !> The groups, in the order of the file.
       type(group_t), allocatable, intent(out) :: groups(:)
-      !> What is wrong with the form of the file is added here.
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(group_t), allocatable :: found(:)
       integer :: position, n
@@ -71,10 +72,11 @@ contains
 
    !> Move to the next group; what stands before it is a problem.
    subroutine skip_to_group(source, position, problems)
+      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
-      !> Where to look; then the `&` of the group, or the end of the text.
+      !> In: where to look from. Out: the `&` of the next group, or one behind the text.
       integer, intent(inout) :: position
-      !> What stands before the group is added here.
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_reported
 
@@ -93,10 +95,11 @@ contains
 
    !> Report text that belongs to no group.
    subroutine report_outside(source, position, problems)
+      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
-      !> Where it begins.
+      !> Position where the text begins that belongs to no group.
       integer, intent(in) :: position
-      !> It is added here.
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call problems%add('', '', 'text outside of any group, given '// &
@@ -106,8 +109,9 @@ contains
 
    !> Does a group begin at this position?
    pure logical function is_group_start(bare, position)
+      !> Text of the file without comments.
       character(*), intent(in) :: bare
-      !> Where to look.
+      !> Position in the text, outside of quotes.
       integer, intent(in) :: position
       integer :: i
 
@@ -125,7 +129,9 @@ contains
 
    !> Does a group end with the word `&end` at this position?
    pure logical function is_group_end(bare, position)
+      !> Text of the file without comments.
       character(*), intent(in) :: bare
+      !> Position in the text, outside of quotes.
       integer, intent(in) :: position
       character(5) :: word
 
@@ -135,9 +141,11 @@ contains
 
    !> Read the name after `&`.
    subroutine read_group_name(bare, position, group)
+      !> Text of the file without comments.
       character(*), intent(in) :: bare
-      !> Position of `&`, then the position after the name.
+      !> In: position of the `&`. Out: the position behind the name.
       integer, intent(inout) :: position
+      !> Receives its name, in small letters, and its position.
       type(group_t), intent(inout) :: group
 
       group%first = position
@@ -151,12 +159,13 @@ contains
 
    !> Find the end of a group, and move behind it.
    subroutine skip_to_group_end(source, position, group, problems)
+      !> Text of the file without comments, which counts its lines.
       type(source_t), intent(in) :: source
-      !> Behind the name of the group, then behind the group.
+      !> In: the position behind the name of the group. Out: the position behind the group.
       integer, intent(inout) :: position
-      !> Its end is set.
+      !> Receives the ends of its body; it is garbled if a quote is not closed.
       type(group_t), intent(inout) :: group
-      !> A missing end is added here.
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call find_group_end(source%bare, position, group)
@@ -168,10 +177,11 @@ contains
 
    !> Find the end of a group, with its `/` or without.
    pure subroutine find_group_end(bare, position, group)
+      !> Text of the file without comments.
       character(*), intent(in) :: bare
-      !> Behind the name of the group, then behind the group.
+      !> In: the position behind the name of the group. Out: the position behind the group.
       integer, intent(inout) :: position
-      !> Its end is set.
+      !> Receives the ends of its body, and whether it has an end; it is garbled if a quote is not closed.
       type(group_t), intent(inout) :: group
       integer :: last
 

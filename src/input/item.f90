@@ -23,10 +23,13 @@ contains
 
    !> Take the next value of a list.
    pure subroutine next_item(text, position, item, flaw)
+      !> Text of the value of an assignment: values between blanks, line ends or single commas.
       character(*), intent(in) :: text
-      !> Where to look, then where to look next.
+      !> In: where to look. Out: where to look for the next value; behind the text if there is none.
       integer, intent(inout) :: position
+      !> Ends of the value in the text, and how often it is repeated; `first` is 0 if there is no value.
       type(item_t), intent(out) :: item
+      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
 
       flaw = ''
@@ -55,11 +58,13 @@ contains
 
    !> Take the value of a variable that has only one.
    pure subroutine take_only_word(text, word, flaw, place)
+      !> Text of the value, as it stands in the input.
       character(*), intent(in) :: text
-      !> As it is written, without a repeat count of 1; empty if something is wrong.
+      !> The value as it is written, without a repeat count of 1; empty if something is wrong.
       character(:), allocatable, intent(out) :: word
+      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
-      !> Position of what is wrong in the text.
+      !> Position in the text of what is wrong, from 1.
       integer, intent(out) :: place
       type(item_t) :: item, second
       integer :: position
@@ -83,7 +88,9 @@ contains
 
    !> Move to what is neither blank nor line end.
    pure subroutine skip_blanks(text, position)
+      !> Text of the value of an assignment.
       character(*), intent(in) :: text
+      !> In: where to look. Out: the first position that is no blank; one behind the text if all are.
       integer, intent(inout) :: position
 
       do while (position <= len(text))
@@ -94,7 +101,9 @@ contains
 
    !> Take `3*` off a value.
    pure subroutine take_repeat_count(text, item)
+      !> Text of the value of an assignment.
       character(*), intent(in) :: text
+      !> In: the ends of the value, with its count if it has one. Out: the ends without the count, and `repeat`.
       type(item_t), intent(inout) :: item
       integer :: length, i
 

@@ -33,7 +33,7 @@ module adfric_input_literal
       pure real(c_double) function c_strtod(text, end_of_number) bind(c, name='strtod')
          import :: c_char, c_double, c_ptr
          implicit none (type, external)
-         !> Ends with a null character.
+         !> A number as C writes it, with a null character at its end.
          character(kind=c_char), intent(in) :: text(*)
          !> Where to say how far the number goes; null: nowhere.
          type(c_ptr), intent(in), value :: end_of_number
@@ -44,8 +44,11 @@ contains
 
    !> A real number; 0 if something is wrong.
    pure subroutine convert_real(word, value, flaw)
+      !> The value as it is written, without blanks.
       character(*), intent(in) :: word
+      !> The nearest number that can be held; 0 if something is wrong.
       real(dp), intent(out) :: value
+      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       integer :: first, exponent
       logical :: is_number
@@ -68,9 +71,9 @@ contains
 
    !> Is a number beyond the largest?
    pure logical function is_too_large(digits, exponent)
-      !> From the first that is not 0 on, with a point and more.
+      !> The number from its first digit on that is not 0, with a point and an exponent where it has them.
       character(*), intent(in) :: digits
-      !> Decimal exponent of the first digit.
+      !> Decimal exponent of that first digit.
       integer, intent(in) :: exponent
       integer :: i, n
 
@@ -90,6 +93,7 @@ contains
 
    !> The value of what is known to be a number.
    pure real(dp) function value_of(word)
+      !> A number as Fortran writes it, not too large and not too small.
       character(*), intent(in) :: word
       character(kind=c_char) :: letters(len(word) + 1)
       integer :: i
@@ -104,6 +108,7 @@ contains
 
    !> Is it one of the words for infinity and for no number?
    pure logical function is_not_finite(word)
+      !> The value as it is written, with any capitals.
       character(*), intent(in) :: word
       character(:), allocatable :: lower
 
@@ -116,11 +121,13 @@ contains
 
    !> Take a number apart: in 0.0012e5 the first digit is the 1, and the exponent is 2.
    pure subroutine split_number(word, first, exponent, is_number)
+      !> The value as it is written, which may be no number.
       character(*), intent(in) :: word
       !> Position of the first digit that is not 0; 0 for the number 0.
       integer, intent(out) :: first
       !> Decimal exponent of that digit.
       integer, intent(out) :: exponent
+      !> False if the word is no number; the other two mean nothing then.
       logical, intent(out) :: is_number
       integer :: i, point, n_digits
 
@@ -154,9 +161,11 @@ contains
 
    !> Read an exponent; an enormous one is cut where it is still enormous.
    pure subroutine read_exponent(word, exponent, is_number)
+      !> What stands behind the `e`: digits, with a sign or without.
       character(*), intent(in) :: word
+      !> The exponent, of at most 100000000 in size; 0 if the word is no integer.
       integer, intent(out) :: exponent
-      !> False if it is no integer.
+      !> False if the word is no integer.
       logical, intent(out) :: is_number
       integer, parameter :: enormous = 100000000
       integer :: i, first
@@ -174,8 +183,11 @@ contains
 
    !> An integer; 0 if something is wrong.
    pure subroutine convert_integer(word, value, flaw)
+      !> The value as it is written, without blanks.
       character(*), intent(in) :: word
+      !> The integer; 0 if something is wrong.
       integer(i8), intent(out) :: value
+      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       integer :: first
 
@@ -194,8 +206,11 @@ contains
 
    !> A logical; false if something is wrong.
    pure subroutine convert_logical(word, value, flaw)
+      !> The value as it is written, with any capitals.
       character(*), intent(in) :: word
+      !> The logical; false if something is wrong.
       logical, intent(out) :: value
+      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
 
       value = .false.
@@ -211,8 +226,11 @@ contains
 
    !> A text in quotes, without them and without the blanks at its end; empty if something is wrong.
    pure subroutine convert_quoted(word, value, flaw)
+      !> The value as it is written, with its quotes.
       character(*), intent(in) :: word
+      !> The text between the quotes, a doubled quote made one; empty if something is wrong.
       character(:), allocatable, intent(out) :: value
+      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       integer :: i, last, n
 

@@ -39,11 +39,13 @@ contains
 
    !> Read a file and find its groups and assignments.
    subroutine open_namelist_file(self, path, problems, error)
+      !> Receives the text with its groups and assignments; empty if there is an error.
       type(namelist_file_t), intent(out) :: self
+      !> Name of the file, as the user gave it.
       character(*), intent(in) :: path
-      !> What is wrong with the form of the file is added here.
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      !> The file cannot be read, or is no text.
+      !> Allocated if the file cannot be read, or is no text.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: text
       type(source_t) :: source
@@ -63,9 +65,13 @@ contains
 
    !> Find groups and assignments of a text; whatever stands twice is a problem.
    subroutine new_namelist_file(self, path, text, problems)
+      !> Receives the text with its groups and assignments.
       type(namelist_file_t), intent(out) :: self
+      !> Name of the file, as the user gave it.
       character(*), intent(in) :: path
+      !> The whole text of the file, byte by byte.
       character(*), intent(in) :: text
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       self%path = path
@@ -79,8 +85,11 @@ contains
 
    !> Read a file byte by byte.
    subroutine read_whole_file(path, text, error)
+      !> Name of the file, as the user gave it.
       character(*), intent(in) :: path
+      !> Every byte of the file; not to be used if there is an error.
       character(:), allocatable, intent(out) :: text
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       character(256) :: message
       integer(i8) :: length
@@ -116,11 +125,13 @@ contains
 
    !> Read what has no known length, such as a pipe: to its end, or one byte more than is allowed.
    subroutine read_stream(unit, text, status, message)
+      !> Unit that is open for stream access.
       integer, intent(in) :: unit
+      !> What could be read; longer than is allowed by one byte if there is too much.
       character(:), allocatable, intent(out) :: text
       !> 0 if everything has been read.
       integer, intent(out) :: status
-      !> What went wrong, where something did.
+      !> Receives what went wrong, where something did; means nothing if `status` is 0.
       character(*), intent(inout) :: message
       integer :: n
 
@@ -139,7 +150,9 @@ contains
 
    !> Report groups that stand twice.
    subroutine report_repeated_groups(self, problems)
+      !> The file, whose groups are compared.
       type(namelist_file_t), intent(in) :: self
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: i, first
 
@@ -154,7 +167,9 @@ contains
 
    !> Report variables that stand twice in their group.
    subroutine report_repeated_variables(self, problems)
+      !> The file, whose assignments are compared within each group.
       type(namelist_file_t), intent(in) :: self
+      !> Receives what is wrong with the form of the file; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: i, first
 
@@ -170,7 +185,9 @@ contains
 
    !> Number of the first group of a name; 0 if there is none.
    pure integer function find_group(self, name)
+      !> The file, whose groups are searched.
       class(namelist_file_t), intent(in) :: self
+      !> Name of the group, in small letters.
       character(*), intent(in) :: name
 
       do find_group = 1, size(self%groups)
@@ -181,9 +198,11 @@ contains
 
    !> Number of the first assignment to a variable of a group; 0 if there is none.
    pure integer function find_assignment(self, group, name)
+      !> The file, whose assignments are searched.
       class(namelist_file_t), intent(in) :: self
-      !> Number of the group.
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
+      !> Name of the variable, in small letters.
       character(*), intent(in) :: name
 
       do find_assignment = 1, size(self%assignments)
@@ -195,8 +214,9 @@ contains
 
    !> Text of the value of an assignment, without comments.
    pure function value_of(self, assignment) result(text)
+      !> The file, from whose text the value is taken.
       class(namelist_file_t), intent(in) :: self
-      !> Number of the assignment.
+      !> Number of the assignment in the file, from 1.
       integer, intent(in) :: assignment
       character(:), allocatable :: text
 
@@ -207,7 +227,9 @@ contains
 
    !> Line of a position in the text.
    pure integer function line_of(self, position)
+      !> The file, whose lines are counted.
       class(namelist_file_t), intent(in) :: self
+      !> Position in the text, from 1 to one behind its end.
       integer, intent(in) :: position
 
       line_of = self%source%line_at(position)
@@ -215,14 +237,17 @@ contains
 
    !> Add a problem of a group to the list.
    pure subroutine report(self, problems, group, variable, text, position)
+      !> The file, which gives the name of the group and the number of the line.
       class(namelist_file_t), intent(in) :: self
+      !> Receives the problem behind those that there are.
       type(problems_t), intent(inout) :: problems
-      !> Number of the group.
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
+      !> Name of the variable; empty if the problem is one of the whole group.
       character(*), intent(in) :: variable
       !> What is wrong, what was given, what is allowed.
       character(*), intent(in) :: text
-      !> Where in the text.
+      !> Position in the text of what is wrong, for the number of the line.
       integer, intent(in) :: position
 
       call problems%add(trim(self%groups(group)%name), variable, text, &
@@ -231,14 +256,17 @@ contains
 
    !> Add a problem of a variable to the list, with the line where it stands; where it does not, that of its group.
    subroutine report_variable(self, problems, group, variable, text, place)
+      !> The file, which says where the variable stands.
       class(namelist_file_t), intent(in) :: self
+      !> Receives the problem behind those that there are.
       type(problems_t), intent(inout) :: problems
-      !> Number of the group.
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
+      !> Name of the variable; empty if the problem is one of the whole group.
       character(*), intent(in) :: variable
       !> What is wrong, what was given, what is allowed.
       character(*), intent(in) :: text
-      !> Where in the text of its value; absent: at its name.
+      !> Position of what is wrong in the text of the value; absent: the name of the variable is meant.
       integer, intent(in), optional :: place
       integer :: number, position
 

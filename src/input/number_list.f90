@@ -21,12 +21,13 @@ contains
 
    !> Read a list of real numbers.
    subroutine read_list(text, values, flaw, place)
+      !> Text of the value of an assignment: numbers, each with a repeat count or without.
       character(*), intent(in) :: text
-      !> Size 0 if something is wrong.
+      !> The numbers, with repeated ones written out; size 0 if something is wrong.
       real(dp), allocatable, intent(out) :: values(:)
-      !> What is wrong and what was given; empty if the list is good.
+      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
-      !> Position of what is wrong in the text.
+      !> Position in the text of what is wrong, from 1.
       integer, intent(out) :: place
       real(dp), allocatable :: kept(:)
       integer(i8) :: n, n_kept
@@ -44,18 +45,19 @@ contains
 
    !> Examine, keep and count the values of a list.
    subroutine scan_list(text, values, n_kept, n, is_room, flaw, place)
+      !> Text of the value of an assignment: numbers, each with a repeat count or without.
       character(*), intent(in) :: text
-      !> Those that are kept, and room for more.
+      !> The numbers that are kept, and room for more behind them.
       real(dp), allocatable, intent(out) :: values(:)
-      !> How many are kept: no more than a list may have.
+      !> Number of values that are kept: no more than a list may have.
       integer(i8), intent(out) :: n_kept
-      !> How many values the list has.
+      !> Number of values that the list has, whether they are kept or not.
       integer(i8), intent(out) :: n
       !> Is there memory for all that a list may have?
       logical, intent(out) :: is_room
       !> What is wrong with a value; empty if all are good.
       character(:), allocatable, intent(out) :: flaw
-      !> Position of what is wrong in the text.
+      !> Position in the text of what is wrong, from 1.
       integer, intent(out) :: place
       type(item_t) :: item
       real(dp) :: value
@@ -84,12 +86,13 @@ contains
 
    !> Make room for more values: twice as many, so that each of them is moved about once.
    subroutine make_room(values, n_kept, n, is_room)
+      !> In: values that are kept, and room. Out: the same values with room for `n`; unchanged if that fails.
       real(dp), allocatable, intent(inout) :: values(:)
-      !> How many are kept.
+      !> Number of values that are kept.
       integer(i8), intent(in) :: n_kept
-      !> How many there shall be room for.
+      !> Number of values that there shall be room for.
       integer(i8), intent(in) :: n
-      !> Is there?
+      !> False if the memory has no room for so many.
       logical, intent(out) :: is_room
       real(dp), allocatable :: larger(:)
       integer(i8) :: n_larger

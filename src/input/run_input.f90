@@ -45,13 +45,17 @@ contains
 
    !> Open an input and find out which model it wants.
    subroutine read_job(path, known_models, file, run, problems, error)
+      !> Name of the input, with or without a folder.
       character(*), intent(in) :: path
       !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
+      !> Receives the input, cut into groups and assignments, for `read_case`.
       type(namelist_file_t), intent(out) :: file
+      !> Receives the names of the model and of the results file, the title and the text.
       type(run_input_t), intent(out) :: run
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      !> The file cannot be read.
+      !> Allocated if the file cannot be read, or is no text.
       type(error_t), allocatable, intent(out) :: error
       integer :: group
 
@@ -77,9 +81,13 @@ contains
 
    !> Read the case and the sweep of the model that the input wants, and hand the model its datasets.
    subroutine read_case(file, model, run, problems)
+      !> The input, cut into groups and assignments by `read_job`.
       type(namelist_file_t), intent(in) :: file
+      !> The model that the input wants; it takes over the values of the datasets.
       class(model_t), intent(inout) :: model
+      !> In: what `read_job` has found. Out: also the points, the datasets, and what is given or swept.
       type(run_input_t), intent(inout) :: run
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(case_t) :: input
       character(:), allocatable :: text
@@ -101,6 +109,7 @@ contains
 
    !> The name of the input, without folder and with `.h5` for its extension.
    pure function default_output(path) result(name)
+      !> Name of the input, with or without a folder.
       character(*), intent(in) :: path
       character(:), allocatable :: name
       integer :: dot
@@ -113,8 +122,11 @@ contains
 
    !> Report that there is no `&job`.
    subroutine report_missing_job(file, known_models, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: text
       integer :: i
@@ -131,10 +143,15 @@ contains
 
    !> Read a text of `&job`; what is wrong, or not given, leaves it as it is.
    subroutine read_word(file, group, name, word, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
+      !> Name of the variable of `&job`.
       character(*), intent(in) :: name
+      !> Receives the text without its quotes; left as it is if something is wrong or nothing is given.
       character(:), allocatable, intent(inout) :: word
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: quoted, given, flaw
       integer :: number, place
@@ -152,9 +169,13 @@ contains
 
    !> Read the name of the results file.
    subroutine read_output(file, group, output, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
+      !> In: the name for an input that gives none. Out: the name that is given, if one is.
       character(:), allocatable, intent(inout) :: output
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call read_word(file, group, 'output', output, problems)
@@ -171,10 +192,15 @@ contains
 
    !> Read the name of the model; empty if it is unknown.
    subroutine read_model(file, group, known_models, model, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
+      !> Names of the models, separated by a blank.
       character(*), intent(in) :: known_models
+      !> In: empty. Out: the name of a known model; empty if something is wrong.
       character(:), allocatable, intent(inout) :: model
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: choices
       integer :: n_before

@@ -28,8 +28,9 @@ contains
 
    !> Strip a text of its comments and count its lines.
    pure subroutine new_source(self, text)
+      !> Receives the text without comments, and the lines before its positions.
       type(source_t), intent(out) :: self
-      !> As it stands in the file.
+      !> The text as it stands in the file.
       character(*), intent(in) :: text
 
       self%bare = text
@@ -39,9 +40,9 @@ contains
 
    !> Replace comments and tabs by blanks and line ends by one kind of them.
    pure subroutine strip_comments(text, bare)
-      !> As it stands in the file.
+      !> The text as it stands in the file.
       character(*), intent(in) :: text
-      !> A copy of it.
+      !> In: a copy of the text. Out: the same with blanks for comments and tabs.
       character(*), intent(inout) :: bare
       integer :: i, last
 
@@ -69,6 +70,7 @@ contains
 
    !> Count the line ends before every position that is a stride from the last.
    pure subroutine count_lines(self)
+      !> In: the text without comments. Out: also the lines before its positions.
       type(source_t), intent(inout) :: self
       integer :: i, n
 
@@ -83,8 +85,9 @@ contains
 
    !> Line of a position, from 1.
    pure integer function line_at(self, position)
+      !> A text whose lines have been counted.
       class(source_t), intent(in) :: self
-      !> From 1 to the one behind the text.
+      !> Position in the text, from 1 to one behind its end.
       integer, intent(in) :: position
       integer :: i, block
 
@@ -97,6 +100,7 @@ contains
 
    !> Position of the first character that no text has; 0 if there is none.
    pure integer function find_control_character(text)
+      !> The text as it stands in the file.
       character(*), intent(in) :: text
 
       do find_control_character = 1, len(text)
@@ -110,7 +114,9 @@ contains
 
    !> Position of the quote that closes the one at `first`; the end of the line if there is none.
    pure integer function end_of_quote(text, first)
+      !> Text in which the quote stands.
       character(*), intent(in) :: text
+      !> Position of the quote that opens.
       integer, intent(in) :: first
 
       end_of_quote = first + 1
@@ -132,6 +138,7 @@ contains
 
    !> Is a text in quotes, from the first to `end_of_quote`, closed? A doubled quote within it stands for itself.
    pure logical function is_closed(quoted)
+      !> The text with the quote that opens and, if there is one, that which closes.
       character(*), intent(in) :: quoted
       integer :: i
 
@@ -143,7 +150,9 @@ contains
 
    !> Position of the last character of a line, its line end excluded.
    pure integer function end_of_line(text, first)
+      !> Text with line ends of any kind.
       character(*), intent(in) :: text
+      !> Position in the line, at most the length of the text.
       integer, intent(in) :: first
 
       do end_of_line = first, len(text) - 1

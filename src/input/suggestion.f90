@@ -13,6 +13,7 @@ contains
 
    !> Number of letters to insert, delete, replace or swap with their neighbour that make one word the other.
    pure integer function edit_distance(a, b)
+      !> The two words; small letters and capitals differ.
       character(*), intent(in) :: a, b
       !> Rows i - 2, i - 1 and i of the table of distances between the beginnings of a and b.
       integer :: previous(-1:len(b)), last(-1:len(b)), row(-1:len(b))
@@ -37,8 +38,9 @@ contains
 
    !> The known word that is near enough to be meant; empty if there is none. Capitals do not count.
    pure function find_nearest(word, known) result(nearest)
+      !> The word that is not known, with any capitals.
       character(*), intent(in) :: word
-      !> Words, separated by a blank.
+      !> Words that may be meant, separated by a blank.
       character(*), intent(in) :: known
       character(:), allocatable :: nearest
       character(:), allocatable :: candidate, lower
@@ -67,8 +69,9 @@ contains
 
    !> The end of a message: `; did you mean 'velocity'?`, or nothing.
    pure function did_you_mean(word, known) result(question)
+      !> The word that is not known, with any capitals.
       character(*), intent(in) :: word
-      !> Words, separated by a blank.
+      !> Words that may be meant, separated by a blank.
       character(*), intent(in) :: known
       character(:), allocatable :: question
 

@@ -25,11 +25,15 @@ contains
 
    !> Read all sweeps. An axis that cannot be used is left out; there is a problem then.
    subroutine read_sweeps(file, model, input, axes, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> In: what the groups give. Out: also the first values of the axes, and what is swept or broken.
       type(case_t), intent(inout) :: input
-      !> In the order of the file.
+      !> Variables and values of the axes that can be used, in the order of the file.
       type(axis_t), allocatable, intent(out) :: axes(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(axis_t) :: axis
       integer :: i, n
@@ -50,12 +54,17 @@ contains
 
    !> Read one sweep; the variable is 0 if the axis cannot be used.
    subroutine read_axis(file, group, model, input, axis, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group.
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> In: what the groups and earlier sweeps give. Out: also what this sweep does.
       type(case_t), intent(inout) :: input
+      !> Place of the variable in the model's table, and its values; place 0 if the axis cannot be used.
       type(axis_t), intent(out) :: axis
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: variable, n_before
 
@@ -79,12 +88,17 @@ contains
 
    !> Find which variable of the model is swept; 0 if it cannot be.
    subroutine find_swept_variable(file, group, model, input, variable, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
-      !> What an unknown name probably means is marked here; everything, if there is no name.
+      !> Receives which variables an unknown name may mean as broken: all, if there is no name.
       type(case_t), intent(inout) :: input
+      !> Place of the variable in the model's table, from 1; 0 if none can be swept.
       integer, intent(out) :: variable
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: quoted, name, flaw
       integer :: number, place
@@ -111,10 +125,13 @@ contains
 
    !> Look up `name` or `group%name`.
    subroutine look_up(model, name, variable, flaw)
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> `name` or `group%name`, in small letters.
       character(*), intent(in) :: name
-      !> 0 if there is none.
+      !> Place of the variable in the model's table, from 1; 0 if none can be swept.
       integer, intent(out) :: variable
+      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
       character(:), allocatable :: groups, bare_name
       integer :: percent
@@ -145,7 +162,9 @@ contains
 
    !> The only variable of this name that may be meant without its group; 0 if none is, or several are.
    pure integer function find_bare_name(model, name)
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> Name of the variable, in small letters and without its group.
       character(*), intent(in) :: name
       integer :: i
 
@@ -162,7 +181,9 @@ contains
 
    !> Is a variable of the model a number?
    pure logical function is_numeric(model, variable)
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> Place of the variable in the model's table, from 1.
       integer, intent(in) :: variable
 
       is_numeric = any(model%variables(variable)%kind == [kind_real, kind_integer])
@@ -170,6 +191,7 @@ contains
 
    !> Variables that can be swept, separated by a blank.
    pure function list_swept(model) result(list)
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
       character(:), allocatable :: list
       character(:), allocatable :: name
@@ -186,11 +208,17 @@ contains
 
    !> A variable is given in one place.
    subroutine check_not_twice(file, group, model, variable, input, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> Place of the variable in the model's table, from 1.
       integer, intent(in) :: variable
+      !> Says which variables are given or swept already, and in which lines.
       type(case_t), intent(in) :: input
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: where_else
 
@@ -208,11 +236,17 @@ contains
 
    !> Every value is within the range of the variable.
    subroutine check_swept_range(file, group, model, variable, values, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
+      !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> Place of the variable in the model's table, from 1.
       integer, intent(in) :: variable
+      !> Values of the sweep, at least one, in the SI unit of the variable.
       real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: name, text
       integer :: i, first, n
@@ -236,6 +270,7 @@ contains
 
    !> Is the number of points beyond all counting? Empty if it is not.
    pure function find_size_problem(plan) result(text)
+      !> The run, of which the sizes of the axes count.
       type(plan_t), intent(in) :: plan
       character(:), allocatable :: text
       character(:), allocatable :: counts

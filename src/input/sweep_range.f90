@@ -32,10 +32,13 @@ contains
 
    !> Read the values of a sweep; size 0 if something is wrong.
    subroutine read_sweep_values(file, group, values, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the group.
+      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
+      !> The values in the order of the sweep; size 0 if something is wrong.
       real(dp), allocatable, intent(out) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(range_t) :: interval
       integer :: n_before, status
@@ -63,8 +66,11 @@ contains
 
    !> A list stands alone.
    subroutine check_alone(file, group, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
@@ -77,9 +83,13 @@ contains
 
    !> Read a list.
    subroutine read_sweep_list(file, group, values, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
+      !> The values in the order of the list; size 0 if something is wrong.
       real(dp), allocatable, intent(out) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw
       integer :: place
@@ -91,8 +101,11 @@ contains
 
    !> A range has both ends and a count. Of a group that makes no sense nothing is missed.
    subroutine check_complete(file, group, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_there(3)
       integer :: k
@@ -111,9 +124,13 @@ contains
 
    !> Read a range.
    subroutine read_range(file, group, interval, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
+      !> Receives the ends, the count and the spacing; only to be used if nothing was wrong.
       type(range_t), intent(out) :: interval
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call read_end(file, group, 'from', interval%from, problems)
@@ -124,10 +141,15 @@ contains
 
    !> Read an end of the range.
    subroutine read_end(file, group, name, value, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
+      !> 'from' or 'to'.
       character(*), intent(in) :: name
+      !> The end of the range; 0 if it is missing or wrong.
       real(dp), intent(out) :: value
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: word, flaw
       integer :: number, place
@@ -142,9 +164,13 @@ contains
 
    !> Read the number of values.
    subroutine read_count(file, group, n_values, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
+      !> The number of values; 0 if it is missing or no integer.
       integer(i8), intent(out) :: n_values
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(*), parameter :: allowed = ', allowed: an integer >= 1 and <= '
       character(:), allocatable :: word, flaw
@@ -163,9 +189,13 @@ contains
 
    !> Read the spacing.
    subroutine read_spacing(file, group, is_logarithmic, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
+      !> Are the values at equal ratios? False: at equal distances, as where no spacing is given.
       logical, intent(out) :: is_logarithmic
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(*), parameter :: allowed = ', allowed: ''linear'', ''log'''
       character(:), allocatable :: quoted, word, flaw
@@ -185,9 +215,13 @@ contains
 
    !> Do the ends, the count and the spacing agree?
    subroutine check_range(file, group, interval, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
+      !> The range, each part of which is good by itself.
       type(range_t), intent(in) :: interval
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: ends
       logical :: is_one_value
@@ -206,7 +240,9 @@ contains
 
    !> Set the values of a range.
    pure subroutine fill_range(interval, values)
+      !> The range, whose ends, count and spacing agree.
       type(range_t), intent(in) :: interval
+      !> Receives the values; as many as the range has.
       real(dp), intent(out) :: values(:)
 
       if (interval%is_logarithmic) then

@@ -12,7 +12,9 @@ contains
 
    !> Values at equal distances; the ends are met to the last bit.
    pure subroutine fill_linear(from, to, values)
+      !> First and last value, in any order.
       real(dp), intent(in) :: from, to
+      !> Receives the values, as many as there is room for; a single one is `from`.
       real(dp), intent(out) :: values(:)
       real(dp) :: s, n, steps
       integer :: i
@@ -30,8 +32,9 @@ contains
 
    !> Values at equal ratios; the ends are met to the last bit, and powers of ten between powers of ten.
    pure subroutine fill_logarithmic(from, to, values)
-      !> Both positive or both negative.
+      !> First and last value, in any order; both positive or both negative.
       real(dp), intent(in) :: from, to
+      !> Receives the values, as many as there is room for; a single one is `from`.
       real(dp), intent(out) :: values(:)
       real(dp) :: first, last, n, steps, magnitude
       integer :: i
@@ -49,7 +52,9 @@ contains
 
    !> The first value is `from`, the last is `to`.
    pure subroutine set_ends(from, to, values)
+      !> First and last value.
       real(dp), intent(in) :: from, to
+      !> The values between which these ends are set; a single one becomes `from`.
       real(dp), intent(inout) :: values(:)
 
       if (size(values) < 1) return
@@ -59,7 +64,10 @@ contains
 
    !> The value, or the end that rounding has carried it past.
    elemental real(dp) function keep_between(value, one_end, other_end)
-      real(dp), intent(in) :: value, one_end, other_end
+      !> A value that should lie between the ends.
+      real(dp), intent(in) :: value
+      !> The ends, in any order.
+      real(dp), intent(in) :: one_end, other_end
 
       keep_between = min(max(value, min(one_end, other_end)), max(one_end, other_end))
    end function keep_between

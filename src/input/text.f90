@@ -36,6 +36,7 @@ contains
 
    !> The text in small letters.
    pure function to_lower(text) result(lower)
+      !> Any text; only the letters A to Z are changed.
       character(*), intent(in) :: text
       character(len(text)) :: lower
       integer :: i
@@ -48,6 +49,7 @@ contains
 
    !> Is it a letter of the English alphabet?
    elemental logical function is_letter(c)
+      !> A character of a text.
       character, intent(in) :: c
 
       is_letter = (c >= 'a' .and. c <= 'z') .or. (c >= 'A' .and. c <= 'Z')
@@ -55,6 +57,7 @@ contains
 
    !> Is it a decimal digit?
    elemental logical function is_digit(c)
+      !> A character of a text.
       character, intent(in) :: c
 
       is_digit = c >= '0' .and. c <= '9'
@@ -62,6 +65,7 @@ contains
 
    !> Does it stand between two values?
    elemental logical function is_separator(c)
+      !> A character of a text.
       character, intent(in) :: c
 
       is_separator = c == ' ' .or. c == newline .or. c == ','
@@ -69,6 +73,7 @@ contains
 
    !> Is it a letter, a digit or an underscore?
    elemental logical function is_name_character(c)
+      !> A character of a text.
       character, intent(in) :: c
 
       is_name_character = is_letter(c) .or. is_digit(c) .or. c == '_'
@@ -76,6 +81,7 @@ contains
 
    !> Is it a name: a letter, then letters, digits and underscores?
    pure logical function is_name(text)
+      !> The text to judge; with blanks around it, it is no name.
       character(*), intent(in) :: text
       integer :: i
 
@@ -90,6 +96,7 @@ contains
 
    !> The text without the blanks and line ends around it.
    pure function strip(text) result(stripped)
+      !> Any text; an empty one stays empty.
       character(*), intent(in) :: text
       character(:), allocatable :: stripped
       integer :: first
@@ -101,7 +108,9 @@ contains
 
    !> A blank-separated list with something else between its words.
    pure function join_words(list, between) result(joined)
+      !> Words, separated by a blank.
       character(*), intent(in) :: list
+      !> What stands between two words of the result, such as a comma and a blank.
       character(*), intent(in) :: between
       character(:), allocatable :: joined
       integer :: k
@@ -114,6 +123,7 @@ contains
 
    !> A piece of the user's text for a message: on one line, printable and not too long.
    pure function show_text(text) result(shown)
+      !> Text as the user wrote it, of any length and with any bytes.
       character(*), intent(in) :: text
       character(:), allocatable :: shown
       integer :: i
@@ -128,6 +138,7 @@ contains
 
    !> A number with as few digits as tell it apart from every other.
    pure function show_number(x) result(shown)
+      !> A finite number.
       real(dp), intent(in) :: x
       character(:), allocatable :: shown
       character(40) :: buffer
@@ -152,8 +163,9 @@ contains
 
    !> Digits and a decimal exponent as a number: plain where that is short, else with an exponent.
    pure function place_point(digits, exponent) result(shown)
-      !> The first one stands before the point.
+      !> Decimal digits, at least one; with exponent 0 the first one stands before the point.
       character(*), intent(in) :: digits
+      !> Decimal exponent of the first digit.
       integer, intent(in) :: exponent
       character(:), allocatable :: shown
 
@@ -172,6 +184,7 @@ contains
 
    !> An integer as text.
    pure function show_integer(n) result(shown)
+      !> Any integer; a negative one keeps its sign.
       integer, intent(in) :: n
       character(:), allocatable :: shown
 
@@ -180,6 +193,7 @@ contains
 
    !> A long integer as text.
    pure function show_long_integer(n) result(shown)
+      !> Any integer; a negative one keeps its sign.
       integer(i8), intent(in) :: n
       character(:), allocatable :: shown
       character(20) :: buffer

@@ -19,14 +19,15 @@ contains
 
    !> Read the value of a variable as it is held, as a real number.
    subroutine read_variable(text, variable, value, flaw, place)
-      !> Text of the value.
+      !> Text of the value, as it stands in the input.
       character(*), intent(in) :: text
+      !> Row of the model's table: kind, unit, default and what is allowed.
       type(variable_t), intent(in) :: variable
-      !> The default where something is wrong.
+      !> The value as a real number; the default of the variable if something is wrong.
       real(dp), intent(out) :: value
       !> What is wrong, what was given, what is allowed; empty if the value is good.
       character(:), allocatable, intent(out) :: flaw
-      !> Position of what is wrong in the text.
+      !> Position in the text of what is wrong, from 1.
       integer, intent(out) :: place
       character(:), allocatable :: word, question
       integer(i8) :: n
@@ -57,14 +58,15 @@ contains
 
    !> One of several words.
    pure subroutine convert_choice(word, choices, value, flaw, question)
-      !> With its quotes.
+      !> The value as it is written, with its quotes.
       character(*), intent(in) :: word
-      !> Separated by a blank.
+      !> Words that are allowed, separated by a blank.
       character(*), intent(in) :: choices
-      !> Place of the word in `choices`.
+      !> Place of the word in `choices`, from 1; `unset` if something is wrong.
       real(dp), intent(out) :: value
+      !> What is wrong and what was given; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
-      !> Which word may be meant; empty if that cannot be said.
+      !> A question that names the word which may be meant; empty if there is none.
       character(:), allocatable, intent(out) :: question
       character(:), allocatable :: choice
       integer :: k
@@ -84,7 +86,9 @@ contains
 
    !> Is a value within the range of its variable?
    elemental logical function is_in_range(value, variable)
+      !> The value as it is held, a number in SI units.
       real(dp), intent(in) :: value
+      !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
 
       is_in_range = is_usable(value) .and. value >= variable%lower .and. value <= variable%upper
@@ -95,6 +99,7 @@ contains
 
    !> Can a number be multiplied with a few others of its kind without leaving the range of numbers?
    elemental logical function is_usable(value)
+      !> Any number in SI units; NaN is not usable.
       real(dp), intent(in) :: value
 
       is_usable = abs(value) <= largest .and. .not. (abs(value) > 0 .and. abs(value) < smallest)
@@ -102,6 +107,7 @@ contains
 
    !> Can a value be held as an integer of default kind?
    elemental logical function is_integer(value)
+      !> Any number; NaN is no integer.
       real(dp), intent(in) :: value
 
       is_integer = .false.
@@ -110,8 +116,9 @@ contains
 
    !> What a variable may be, in words.
    pure function describe_allowed(variable, value) result(text)
+      !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
-      !> What was given instead.
+      !> What was given instead; if no variable may be so large or small, the text says that as well.
       real(dp), intent(in), optional :: value
       character(:), allocatable :: text
       logical :: has_lower, has_upper
@@ -144,6 +151,7 @@ contains
 
    !> What a dataset may be, in words.
    pure function describe_dataset(variable) result(text)
+      !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text
 
@@ -158,6 +166,7 @@ contains
 
    !> Words in quotes, with commas between them.
    pure function list_choices(choices) result(text)
+      !> Words that are allowed, separated by a blank.
       character(*), intent(in) :: choices
       character(:), allocatable :: text
 
@@ -166,7 +175,9 @@ contains
 
    !> A value with its unit.
    pure function show_value(value, variable) result(text)
+      !> The value as it is held, a number in SI units.
       real(dp), intent(in) :: value
+      !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text
 
@@ -176,6 +187,7 @@ contains
 
    !> Has the variable a unit?
    pure logical function has_unit(variable)
+      !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
 
       has_unit = .false.

@@ -19,13 +19,17 @@ contains
 
    !> Is a word in a blank-separated list?
    pure logical function has_word(list, word)
-      character(*), intent(in) :: list, word
+      !> Words, separated by a blank.
+      character(*), intent(in) :: list
+      !> The word to look for; an empty one stands in no list.
+      character(*), intent(in) :: word
 
       has_word = len_trim(word) > 0 .and. index(' '//list//' ', ' '//trim(word)//' ') > 0
    end function has_word
 
    !> Groups of a model, separated by a blank.
    pure function list_groups(model) result(list)
+      !> The model, whose table names groups and variables.
       class(model_t), intent(in) :: model
       character(:), allocatable :: list
       integer :: i
@@ -39,7 +43,9 @@ contains
 
    !> Variables of one group of a model, separated by a blank; of all groups if `group` is empty.
    pure function list_variables(model, group) result(list)
+      !> The model, whose table names groups and variables.
       class(model_t), intent(in) :: model
+      !> Name of the group; empty for all groups.
       character(*), intent(in) :: group
       character(:), allocatable :: list
       integer :: i
@@ -54,7 +60,9 @@ contains
 
    !> Groups of a model that have a variable of this name, separated by a blank.
    pure function list_groups_of(model, name) result(list)
+      !> The model, whose table names groups and variables.
       class(model_t), intent(in) :: model
+      !> Name of the variable, in small letters.
       character(*), intent(in) :: name
       character(:), allocatable :: list
       integer :: i
@@ -68,7 +76,9 @@ contains
 
    !> What to say of a group that a model does not have.
    pure function say_unknown_group(model, group) result(text)
+      !> The model, whose table names groups and variables.
       class(model_t), intent(in) :: model
+      !> The unknown name, in small letters and without `&`.
       character(*), intent(in) :: group
       character(:), allocatable :: text
       character(:), allocatable :: known
@@ -80,8 +90,11 @@ contains
 
    !> What to say of a variable that a group does not have; the model may have it elsewhere.
    pure function say_unknown_variable(model, group, name) result(text)
+      !> The model, whose table names groups and variables.
       class(model_t), intent(in) :: model
+      !> Name of the group where the name stands.
       character(*), intent(in) :: group
+      !> The unknown name, in small letters.
       character(*), intent(in) :: name
       character(:), allocatable :: text
       character(:), allocatable :: home, near
@@ -105,6 +118,7 @@ contains
    pure function say_unknown_name(known, name) result(text)
       !> Names that the group has, separated by a blank.
       character(*), intent(in) :: known
+      !> The unknown name, in small letters.
       character(*), intent(in) :: name
       character(:), allocatable :: text
 
@@ -113,10 +127,13 @@ contains
 
    !> Report the variables of a group that are not among the known ones.
    subroutine report_unknown_names(file, group, known, problems)
+      !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
       integer, intent(in) :: group
-      !> Separated by a blank.
+      !> Names that the group has, separated by a blank.
       character(*), intent(in) :: known
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: i
 
