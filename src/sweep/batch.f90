@@ -39,10 +39,16 @@ contains
 
    !> Make room for a batch; it is empty.
    pure subroutine new_batch(self, n_results, n_counts, block_size, max_blocks)
+      !> Receives room for results; it has no points yet.
       type(batch_t), intent(out) :: self
-      integer, intent(in) :: n_results, n_counts
-      !> Number of points of a block, and of blocks.
-      integer, intent(in) :: block_size, max_blocks
+      !> Number of results per point.
+      integer, intent(in) :: n_results
+      !> Number of counts that the model makes per block.
+      integer, intent(in) :: n_counts
+      !> Largest number of points of a block.
+      integer, intent(in) :: block_size
+      !> Largest number of blocks of a batch.
+      integer, intent(in) :: max_blocks
 
       allocate (self%results(block_size*max_blocks, n_results), self%counts(max_blocks, n_counts))
       allocate (self%error_estimate(block_size*max_blocks), self%status(block_size*max_blocks))
@@ -50,10 +56,18 @@ contains
 
    !> Make a store of so many batches.
    pure subroutine new_batch_store(self, n, n_results, n_counts, block_size, max_blocks)
+      !> Receives the batches, none of which is taken or has memory yet.
       type(batch_store_t), intent(out) :: self
+      !> Number of batches.
       integer, intent(in) :: n
-      !> See `new_batch`.
-      integer, intent(in) :: n_results, n_counts, block_size, max_blocks
+      !> Number of results per point.
+      integer, intent(in) :: n_results
+      !> Number of counts that the model makes per block.
+      integer, intent(in) :: n_counts
+      !> Largest number of points of a block.
+      integer, intent(in) :: block_size
+      !> Largest number of blocks of a batch.
+      integer, intent(in) :: max_blocks
 
       allocate (self%batches(n))
       allocate (self%is_taken(n), source=.false.)
@@ -65,8 +79,9 @@ contains
 
    !> Take an empty batch; by one thread at a time.
    pure subroutine take(self, place)
+      !> The store, in which the batch is marked as taken.
       class(batch_store_t), intent(inout) :: self
-      !> Its place; 0 if all are taken.
+      !> Place of the batch in the store, from 1; 0 if all are taken.
       integer, intent(out) :: place
 
       place = findloc(self%is_taken, .false., dim=1)
@@ -78,7 +93,9 @@ contains
 
    !> Give back a batch, which is empty again; by one thread at a time.
    pure subroutine give_back(self, place)
+      !> The store, in which the batch is marked as free.
       class(batch_store_t), intent(inout) :: self
+      !> Place of the batch in the store, from 1.
       integer, intent(in) :: place
 
       self%is_taken(place) = .false.
@@ -86,7 +103,9 @@ contains
 
    !> Memory of a batch [bytes].
    pure real(dp) function batch_bytes(n_results, n_points)
+      !> Number of results per point.
       integer, intent(in) :: n_results
+      !> Number of points that the batch has room for.
       integer, intent(in) :: n_points
       integer, parameter :: real_bytes = 8, integer_bytes = 4
 
@@ -95,8 +114,11 @@ contains
 
    !> Hand the results to a sink; the batch is empty then, and goes on with the next block.
    subroutine put_into(self, sink, error)
+      !> In: the results of some points. Out: an empty batch that begins with the point behind them.
       class(batch_t), intent(inout) :: self
+      !> Receives the results.
       class(sink_t), intent(inout) :: sink
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       associate (n => self%n_points)
@@ -109,6 +131,7 @@ contains
 
    !> Forget the results.
    pure subroutine clear(self)
+      !> The batch, which keeps its memory and its first point.
       class(batch_t), intent(inout) :: self
 
       self%n_points = 0

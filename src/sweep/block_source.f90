@@ -27,12 +27,13 @@ module adfric_sweep_block_source
       subroutine take_blocks_i(self, most, first, n)
          import :: block_source_t, i8
          implicit none (type, external)
+         !> The source, which has these blocks no more.
          class(block_source_t), intent(inout) :: self
-         !> Largest number of blocks to take.
+         !> Largest number of blocks to take, at least 1.
          integer, intent(in) :: most
-         !> Number of the first of them in the run.
+         !> Number in the run of the first block that is taken.
          integer(i8), intent(out) :: first
-         !> How many they are; 0: none is left.
+         !> Number of blocks that are taken; 0 if none is left.
          integer, intent(out) :: n
       end subroutine take_blocks_i
    end interface
@@ -55,6 +56,7 @@ contains
 
    !> Nothing more will be asked for, though blocks are left: other processes shall end, too. Here there are none.
    subroutine end_alone(self)
+      !> The source, in which nothing is left afterwards.
       class(block_source_t), intent(inout) :: self
 
       self%n_left = 0
@@ -62,7 +64,9 @@ contains
 
    !> All blocks of a part of a run.
    subroutine new_block_list(self, blocks)
+      !> Receives all blocks, none of which is solved.
       type(block_list_t), intent(out) :: self
+      !> The blocks of a part of a run.
       type(blocks_t), intent(in) :: blocks
 
       self%blocks = blocks
@@ -71,8 +75,9 @@ contains
 
    !> Leave a block out, since it is solved.
    subroutine mark_done(self, place)
+      !> The list, in which the block is marked as solved; its points count as solved before.
       class(block_list_t), intent(inout) :: self
-      !> Its place in the part.
+      !> Place of the block in the part, from 1.
       integer(i8), intent(in) :: place
 
       if (.not. allocated(self%is_done)) allocate (self%is_done(self%blocks%n_blocks()), source=0_int8)
@@ -84,9 +89,13 @@ contains
 
    !> See `block_source_t`.
    subroutine take_from_list(self, most, first, n)
+      !> The list, which has these blocks no more.
       class(block_list_t), intent(inout) :: self
+      !> Largest number of blocks to take, at least 1.
       integer, intent(in) :: most
+      !> Number in the run of the first block that is taken.
       integer(i8), intent(out) :: first
+      !> Number of blocks that are taken; 0 if none is left.
       integer, intent(out) :: n
       integer :: most_here
 
@@ -108,8 +117,9 @@ contains
 
    !> Leave out the next blocks that are left.
    subroutine leave_out(self, n)
+      !> The list, which goes on behind the blocks that are left out.
       class(block_list_t), intent(inout) :: self
-      !> How many, at most `n_left`.
+      !> Number of blocks to leave out, at most `n_left`.
       integer(i8), intent(in) :: n
       integer(i8) :: n_passed
 
@@ -123,8 +133,9 @@ contains
 
    !> Was the block at a place solved before?
    pure logical function is_solved(self, place)
+      !> The list, which knows what has been marked as solved.
       class(block_list_t), intent(in) :: self
-      !> Its place in the part.
+      !> Place of the block in the part, from 1.
       integer(i8), intent(in) :: place
 
       is_solved = .false.

@@ -59,12 +59,13 @@ contains
 
    !> The blocks of a part of a run.
    pure subroutine new_blocks(self, n_points, part, most)
+      !> Receives the part, and how its run is cut into blocks and stretches.
       type(blocks_t), intent(out) :: self
       !> Number of points of the whole run.
       integer(i8), intent(in) :: n_points
-      !> The whole run if absent.
+      !> The part of the run; the whole run if absent.
       type(part_t), intent(in), optional :: part
-      !> Most points of a block, > 0; see `model_t%largest_block`.
+      !> Largest number of points of a block, > 0; see `model_t%largest_block`.
       integer, intent(in), optional :: most
 
       if (present(part)) self%part = part
@@ -77,6 +78,7 @@ contains
 
    !> Number of points of the blocks of a run.
    pure integer function block_size_of(n_points)
+      !> Number of points of the whole run.
       integer(i8), intent(in) :: n_points
 
       block_size_of = int(min(int(largest_block, i8), max(int(smallest_block, i8), n_points/blocks_of_small_run)))
@@ -84,6 +86,7 @@ contains
 
    !> Is it the run as a whole, and not one of its parts?
    pure logical function is_whole(self)
+      !> The part; one that is named has a file of its own.
       class(part_t), intent(in) :: self
 
       is_whole = .not. self%is_named
@@ -91,6 +94,7 @@ contains
 
    !> Number of blocks of the part; 0 where there are more parts than blocks.
    pure integer(i8) function n_blocks(self)
+      !> Says how the run is cut into blocks, and which of them the part has.
       class(blocks_t), intent(in) :: self
       integer(i8) :: n_rounds, n_stretches, last
 
@@ -106,6 +110,7 @@ contains
 
    !> Number of points of the part.
    pure integer(i8) function n_points(self)
+      !> Says how the run is cut into blocks, and which of them the part has.
       class(blocks_t), intent(in) :: self
       integer(i8) :: n
 
@@ -117,8 +122,9 @@ contains
    !> Which turn the part has in a round, from 0. The first turn goes round the parts by the golden section, which meets all
    !> of them evenly (Knuth, The Art of Computer Programming 3, 6.4).
    pure integer(i8) function turn_of(self, round)
+      !> Says how the run is cut into blocks, and which of them the part has.
       class(blocks_t), intent(in) :: self
-      !> From 0.
+      !> Number of the round, from 0.
       integer(i8), intent(in) :: round
       !> 2**32 times the golden section.
       integer(i8), parameter :: word = 2_i8**32, half_word = 2_i8**16, golden = 2654435769_i8
@@ -130,7 +136,9 @@ contains
 
    !> Number of the block at a place of the part.
    pure integer(i8) function block_at(self, place)
+      !> Says how the run is cut into blocks, and which of them the part has.
       class(blocks_t), intent(in) :: self
+      !> Place of the block in the part, from 1.
       integer(i8), intent(in) :: place
       integer(i8) :: round
 
@@ -140,7 +148,9 @@ contains
 
    !> Place of a block of the part.
    pure integer(i8) function place_of(self, block)
+      !> Says how the run is cut into blocks, and which of them the part has.
       class(blocks_t), intent(in) :: self
+      !> Number of the block in the run, from 1; it must be one of the part.
       integer(i8), intent(in) :: block
 
       place_of = (block - 1)/(self%stretch*self%part%of)*self%stretch + mod(block - 1, self%stretch) + 1
@@ -148,7 +158,9 @@ contains
 
    !> How many blocks, from a place on, stand side by side in the run.
    pure integer(i8) function n_neighbours(self, place)
+      !> Says how the run is cut into blocks, and which of them the part has.
       class(blocks_t), intent(in) :: self
+      !> Place of the block in the part, from 1.
       integer(i8), intent(in) :: place
 
       n_neighbours = self%n_blocks() - place + 1
@@ -157,7 +169,9 @@ contains
 
    !> Number of the first point of a block in the run, from 1.
    pure integer(i8) function first_point(self, block)
+      !> Says how the run is cut into blocks, and which of them the part has.
       class(blocks_t), intent(in) :: self
+      !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
 
       first_point = (block - 1)*self%size + 1
@@ -165,7 +179,9 @@ contains
 
    !> Number of points of a block.
    pure integer function n_points_of(self, block)
+      !> Says how the run is cut into blocks, and which of them the part has.
       class(blocks_t), intent(in) :: self
+      !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
 
       n_points_of = int(min(int(self%size, i8), self%n_points_of_run - (block - 1)*self%size))
@@ -173,8 +189,9 @@ contains
 
    !> Where a point of the run stands among the points of the part, from 1.
    pure integer(i8) function row_of(self, point)
+      !> Says how the run is cut into blocks, and which of them the part has.
       class(blocks_t), intent(in) :: self
-      !> Number in the run, from 1.
+      !> Number of the point in the run, from 1; it must be one of the part.
       integer(i8), intent(in) :: point
 
       row_of = (self%place_of((point - 1)/self%size + 1) - 1)*self%size + mod(point - 1, int(self%size, i8)) + 1

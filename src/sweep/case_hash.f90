@@ -15,7 +15,9 @@ contains
    !> A hash of the program, the model, the value of every variable, the values of every axis and the checksum of every dataset.
    !> Names of files, title, comments and the form of the input do not count.
    function case_hash(model, plan) result(hash)
+      !> The model, whose name and names of variables are hashed.
       class(model_t), intent(in) :: model
+      !> The run, whose values, axes and checksums of datasets are hashed.
       type(plan_t), intent(in) :: plan
       character(checksum_length) :: hash
       type(checksum_t) :: sum

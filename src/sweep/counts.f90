@@ -10,8 +10,9 @@ contains
 
    !> Names of what the model counts: it is asked to solve no point at all.
    subroutine find_counts(model, counts)
+      !> The model, which is asked to solve no point.
       class(model_t), intent(in) :: model
-      !> All 0.
+      !> What the model counts; all values are 0.
       type(attribute_t), allocatable, intent(out) :: counts(:)
       real(dp) :: values(size(model%variables), 0), results(size(model%results), 0), error_estimate(0)
       integer :: status(0)
@@ -21,8 +22,9 @@ contains
 
    !> The counts of a block in the order of their names.
    pure function pick_counts(counts, found) result(values)
+      !> Names of the counts in their order; their values are not used.
       type(attribute_t), intent(in) :: counts(:)
-      !> What the model counted in the block.
+      !> What the model counted in the block; a name that is missing counts as 0.
       type(attribute_t), intent(in) :: found(:)
       real(dp) :: values(size(counts))
       integer :: i, k

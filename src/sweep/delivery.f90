@@ -63,11 +63,18 @@ contains
 
    !> Make ready what the threads share. Of the batches each thread that solves has the one of its number, from 1.
    subroutine new_delivery(self, n_workers, n_results, n_counts, block_size, max_blocks)
+      !> Receives the store and an empty queue; no thread writes for the others yet.
       type(delivery_t), intent(out) :: self
-      !> Threads that solve.
+      !> Number of threads that solve.
       integer, intent(in) :: n_workers
-      !> Sizes of a batch.
-      integer, intent(in) :: n_results, n_counts, block_size, max_blocks
+      !> Number of results per point.
+      integer, intent(in) :: n_results
+      !> Number of counts that the model makes per block.
+      integer, intent(in) :: n_counts
+      !> Largest number of points of a block.
+      integer, intent(in) :: block_size
+      !> Largest number of blocks of a batch.
+      integer, intent(in) :: max_blocks
       integer :: i, place
 
       self%n_workers = n_workers
@@ -81,6 +88,7 @@ contains
 
    !> From now on a thread writes for the others, if the system has what that needs.
    subroutine make_writer(self)
+      !> Receives the semaphores; `has_writer` says whether all could be made.
       class(delivery_t), intent(inout) :: self
       logical :: is_made(3)
 
@@ -92,6 +100,7 @@ contains
 
    !> The thread that wrote has ended.
    subroutine remove_writer(self)
+      !> What the threads share; its semaphores are given back.
       class(delivery_t), intent(inout) :: self
 
       call self%bell%free()
@@ -101,9 +110,11 @@ contains
 
    !> Leave a batch to be put into the sink, and go on with an empty one behind it.
    subroutine leave_batch(sink, self, place)
+      !> Receives the results at once where no thread writes for the others.
       class(sink_t), intent(inout) :: sink
+      !> What the threads share; the batch is added to its queue.
       type(delivery_t), intent(inout) :: self
-      !> Of the batch that is left; out: of the empty one.
+      !> In: place of the batch that is left. Out: place of the empty one.
       integer, intent(inout) :: place
       integer :: next
 
@@ -125,6 +136,7 @@ contains
 
    !> A thread solves nothing more, and sleeps until all is written.
    subroutine end_leaving(self)
+      !> What the threads share; the thread no longer counts as one that solves.
       type(delivery_t), intent(inout) :: self
       logical :: is_last
 
@@ -139,7 +151,9 @@ contains
 
    !> Put into the sink what the others leave, until all of them have ended.
    subroutine deliver(sink, self)
+      !> Receives the results.
       class(sink_t), intent(inout) :: sink
+      !> What the threads share; batches are taken from its queue and given back to its store.
       type(delivery_t), intent(inout) :: self
       integer :: place, i
 
@@ -168,7 +182,9 @@ contains
 
    !> Make the sink ready, unless it is so already. It must be before a batch is put into it.
    subroutine prepare_sink(sink, self)
+      !> The sink, which can take results afterwards unless it fails.
       class(sink_t), intent(inout) :: sink
+      !> What the threads share; it keeps the error if the sink fails.
       type(delivery_t), intent(inout) :: self
       type(error_t), allocatable :: error
 
@@ -183,8 +199,11 @@ contains
 
    !> Put a batch into the sink; it is empty then.
    subroutine put_batch(sink, self, place)
+      !> Receives the results.
       class(sink_t), intent(inout) :: sink
+      !> What the threads share; it keeps the error if the sink fails, and the time.
       type(delivery_t), intent(inout) :: self
+      !> Place of the batch in the store, from 1.
       integer, intent(in) :: place
       type(error_t), allocatable :: error
       real(dp) :: start
@@ -203,9 +222,13 @@ contains
 
    !> See `profile_receiver_t`.
    subroutine put_profiles(self, place, profiles, goes_on)
+      !> The way to the sink; it is closed if the sink has failed.
       class(profile_gate_t), intent(inout) :: self
+      !> Place of the point in its block, from 1.
       integer, intent(in) :: place
+      !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(in) :: profiles(:, :, :)
+      !> False: nothing more of this block is wanted, its results neither.
       logical, intent(out) :: goes_on
       type(error_t), allocatable :: error
       real(dp) :: arrival, start
@@ -230,7 +253,9 @@ contains
 
    !> Keep an error for all threads to see.
    subroutine keep_error(own_error, error)
+      !> Error that this thread has met; not allocated: nothing is done.
       type(error_t), allocatable, intent(in) :: own_error
+      !> Receives a copy of the error; not allocated before.
       type(error_t), allocatable, intent(inout) :: error
 
       if (.not. allocated(own_error)) return
@@ -241,6 +266,7 @@ contains
 
    !> Has the sink failed? Then all threads end.
    logical function has_failed(self)
+      !> What the threads share, with the error if there is one.
       type(delivery_t), intent(in) :: self
 
       !$omp critical (adfric_sweep_error)

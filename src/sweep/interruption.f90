@@ -25,6 +25,7 @@ contains
 
    !> Name of one of these signals.
    pure function signal_name(number) result(name)
+      !> Number of the signal; any but those of SIGHUP and SIGINT is taken for that of SIGTERM.
       integer, intent(in) :: number
       character(:), allocatable :: name
       !> The same on every POSIX system.

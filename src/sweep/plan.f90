@@ -41,6 +41,7 @@ contains
 
    !> Number of points of the run.
    pure integer(i8) function n_points(self)
+      !> The run, whose axes are multiplied.
       class(plan_t), intent(in) :: self
 
       n_points = product(self%shape())
@@ -48,6 +49,7 @@ contains
 
    !> Number of values of each axis, the slowest first.
    pure function plan_shape(self) result(counts)
+      !> The run, whose axes are measured.
       class(plan_t), intent(in) :: self
       integer(i8), allocatable :: counts(:)
       integer :: k
@@ -57,10 +59,11 @@ contains
 
    !> Values of all variables at the points `first`, `first + 1`, ...
    pure subroutine get_values(self, first, values)
+      !> The run, with its base values and axes.
       class(plan_t), intent(in) :: self
       !> Number of the first point, from 1.
       integer(i8), intent(in) :: first
-      !> Shape `(n_variables, n)` for n points.
+      !> Values of all variables at n points; shape `(n_variables, n)`.
       real(dp), intent(out) :: values(:, :)
       integer(i8) :: rest
       integer :: i, k

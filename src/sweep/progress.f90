@@ -22,8 +22,12 @@ module adfric_sweep_progress
       subroutine report_i(self, n_done, n_total)
          import :: progress_t, i8
          implicit none (type, external)
+         !> The listener, which may remember what it was told.
          class(progress_t), intent(inout) :: self
-         integer(i8), intent(in) :: n_done, n_total
+         !> Number of points solved so far, also before this run and in other processes.
+         integer(i8), intent(in) :: n_done
+         !> Number of points of the run, or of the part of it that is solved.
+         integer(i8), intent(in) :: n_total
       end subroutine report_i
    end interface
 
@@ -31,8 +35,12 @@ contains
 
    !> Show nothing.
    subroutine report_nothing(self, n_done, n_total)
+      !> The listener, which remembers nothing.
       class(silent_progress_t), intent(inout) :: self
-      integer(i8), intent(in) :: n_done, n_total
+      !> Number of points solved so far, also before this run and in other processes.
+      integer(i8), intent(in) :: n_done
+      !> Number of points of the run, or of the part of it that is solved.
+      integer(i8), intent(in) :: n_total
 
       associate (unused => self, unused_too => n_done + n_total)
       end associate

@@ -63,13 +63,19 @@ contains
 
    !> Solve every block of the source. The run ends before that when a signal asks for it; `summary%signal` says so.
    subroutine run_sweep(model, plan, sink, progress, summary, error, source)
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
       type(plan_t), intent(in) :: plan
+      !> Receives the results.
       class(sink_t), intent(inout) :: sink
+      !> Is told from time to time how many points are solved.
       class(progress_t), intent(inout) :: progress
+      !> Counts, ranges and times of the points that are solved now.
       type(run_summary_t), intent(out) :: summary
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
-      !> If absent, every block of the plan is solved.
+      !> Says which blocks are solved; if absent, every block of the plan is.
       class(block_source_t), intent(inout), optional :: source
       type(block_list_t) :: every_block
       type(blocks_t) :: blocks
@@ -85,12 +91,19 @@ contains
 
    !> Solve every block of a source.
    subroutine run_source(model, plan, sink, progress, summary, error, source)
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
       type(plan_t), intent(in) :: plan
+      !> Receives the results.
       class(sink_t), intent(inout) :: sink
+      !> Is told from time to time how many points are solved.
       class(progress_t), intent(inout) :: progress
+      !> Counts, ranges and times of the points that are solved now.
       type(run_summary_t), intent(out) :: summary
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
+      !> Says which blocks are solved; they are taken from it.
       class(block_source_t), intent(inout) :: source
       type(sweep_t) :: sweep
       real(dp) :: start
@@ -126,11 +139,15 @@ contains
 
    !> Say who solves and who writes, as far as the threads that there are allow it.
    subroutine share_work(sink, source, n_results, n_threads, sweep)
+      !> The sink, which is made ready here if no thread writes for the others.
       class(sink_t), intent(inout) :: sink
+      !> Says how large the blocks are.
       class(block_source_t), intent(in) :: source
+      !> Number of results per point.
       integer, intent(in) :: n_results
-      !> That may solve.
+      !> Number of threads that may solve.
       integer, intent(in) :: n_threads
+      !> In: what the model counts. Out: also the delivery, ready to take batches.
       type(sweep_t), intent(inout) :: sweep
 
       call new_delivery(sweep%delivery, min(n_threads, omp_get_num_threads()), n_results, size(sweep%counts), source%blocks%size, &
@@ -142,7 +159,9 @@ contains
 
    !> Memory that a run needs beside that of its plan [bytes].
    real(dp) function memory_needed(model, plan)
+      !> The model, whose numbers of variables and results count.
       class(model_t), intent(in) :: model
+      !> The run, whose number of points and lengths of profiles count.
       type(plan_t), intent(in) :: plan
       integer, parameter :: real_bytes = 8
       real(dp) :: per_thread, batch
@@ -159,7 +178,9 @@ contains
 
    !> Shape of the profiles of a point: the axis that runs fastest first.
    function profile_shape_of(model, plan) result(counts)
+      !> The model, with its profiles and their axes.
       class(model_t), intent(in) :: model
+      !> The run, whose base values say how long the profiles are.
       type(plan_t), intent(in) :: plan
       integer :: counts(3)
       integer :: k, n_axes
@@ -173,11 +194,17 @@ contains
 
    !> What each thread does.
    subroutine work(model, plan, sink, progress, source, sweep)
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
       type(plan_t), intent(in) :: plan
+      !> Receives the results.
       class(sink_t), intent(inout) :: sink
+      !> Is told from time to time how many points are solved.
       class(progress_t), intent(inout) :: progress
+      !> Says which blocks are solved; they are taken from it.
       class(block_source_t), intent(inout) :: source
+      !> What the threads share; receives what this thread has found.
       type(sweep_t), intent(inout) :: sweep
       type(worker_t) :: worker
       integer(i8) :: first, n_solved
@@ -218,9 +245,13 @@ contains
 
    !> Make ready what a thread has for itself.
    subroutine new_worker(self, model, blocks, sweep)
+      !> Receives room for the values, results and profiles of a block.
       type(worker_t), intent(out) :: self
+      !> The model, whose numbers of variables and results count.
       class(model_t), intent(in) :: model
+      !> The blocks of the run, which say how many points one has.
       type(blocks_t), intent(in) :: blocks
+      !> What the threads share; it says which shape profiles have.
       type(sweep_t), intent(in) :: sweep
 
       associate (n => blocks%size, shape => sweep%profile_shape)
@@ -233,12 +264,15 @@ contains
 
    !> Take the next blocks: less of them towards the end of the run, so that all threads end at about the same time.
    subroutine take_blocks(source, sweep, n_wanted, first, n)
+      !> The source, which has these blocks no more.
       class(block_source_t), intent(inout) :: source
+      !> What the threads share; it says whether something has failed.
       type(sweep_t), intent(in) :: sweep
+      !> Largest number of blocks to take, at least 1.
       integer, intent(in) :: n_wanted
-      !> Number of the first block in the run.
+      !> Number in the run of the first block that is taken; undefined if there is none.
       integer(i8), intent(out) :: first
-      !> 0: no block is left, or the run must end.
+      !> Number of blocks that are taken; 0 if none is left, or if the run must end.
       integer, intent(out) :: n
       integer(i8) :: share
 
@@ -252,6 +286,7 @@ contains
 
    !> Has something failed, or does the user want the run to end?
    logical function must_end(sweep)
+      !> What the threads share; it says whether something has failed.
       type(sweep_t), intent(in) :: sweep
 
       must_end = has_failed(sweep%delivery)
@@ -260,8 +295,9 @@ contains
 
    !> Number of blocks of the next batch.
    pure subroutine choose_batch_size(duration, n)
-      !> Of the last one [s].
+      !> Time that the last batch took [s].
       real(dp), intent(in) :: duration
+      !> In: number of blocks of the last batch. Out: that of the next one.
       integer, intent(inout) :: n
 
       if (duration < short_batch) n = min(2*n, largest_batch)
@@ -270,13 +306,19 @@ contains
 
    !> Solve a block and add it to the batch; profiles go to the sink at once. Where that fails, nothing is added.
    subroutine solve_one_block(model, plan, blocks, block, sink, sweep, worker)
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
       type(plan_t), intent(in) :: plan
+      !> The blocks of the run, which say where this one begins and ends.
       type(blocks_t), intent(in) :: blocks
-      !> Its number in the run.
+      !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
+      !> Receives the profiles.
       class(sink_t), intent(inout), target :: sink
+      !> What the threads share; the results are added to the thread's batch in its store.
       type(sweep_t), intent(inout), target :: sweep
+      !> What the thread has for itself; the points are added to its summary.
       type(worker_t), intent(inout) :: worker
       type(attribute_t), allocatable :: found(:)
       type(profile_gate_t) :: gate

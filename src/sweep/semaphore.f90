@@ -20,24 +20,28 @@ module adfric_sweep_semaphore
       type(c_ptr) function c_new(count) bind(c, name='adfric_new_semaphore')
          import :: c_ptr, c_long
          implicit none (type, external)
+         !> Count that the semaphore begins with, >= 0.
          integer(c_long), intent(in), value :: count
       end function c_new
 
       subroutine c_free(handle) bind(c, name='adfric_free_semaphore')
          import :: c_ptr
          implicit none (type, external)
+         !> A semaphore that was made by `c_new`; it is gone afterwards.
          type(c_ptr), intent(in), value :: handle
       end subroutine c_free
 
       subroutine c_post(handle) bind(c, name='adfric_post_semaphore')
          import :: c_ptr
          implicit none (type, external)
+         !> A semaphore that was made by `c_new`.
          type(c_ptr), intent(in), value :: handle
       end subroutine c_post
 
       subroutine c_wait(handle) bind(c, name='adfric_wait_semaphore')
          import :: c_ptr
          implicit none (type, external)
+         !> A semaphore that was made by `c_new`.
          type(c_ptr), intent(in), value :: handle
       end subroutine c_wait
 
@@ -47,10 +51,11 @@ contains
 
    !> Make it.
    subroutine make(self, count, is_made)
+      !> Receives the semaphore.
       class(semaphore_t), intent(inout) :: self
-      !> At first.
+      !> Count that the semaphore begins with, >= 0.
       integer, intent(in) :: count
-      !> The system may have no room for one.
+      !> False if the system has no room for a semaphore.
       logical, intent(out) :: is_made
 
       self%handle = c_new(int(count, c_long))
@@ -59,6 +64,7 @@ contains
 
    !> Add one to the count, and wake a thread that waits for it.
    subroutine post(self)
+      !> The semaphore, which must have been made.
       class(semaphore_t), intent(in) :: self
 
       call c_post(self%handle)
@@ -66,6 +72,7 @@ contains
 
    !> Sleep until the count is not 0, and take one from it.
    subroutine wait_for_post(self)
+      !> The semaphore, which must have been made.
       class(semaphore_t), intent(in) :: self
 
       call c_wait(self%handle)
@@ -73,6 +80,7 @@ contains
 
    !> Give back what it takes; nobody may use it any more.
    subroutine free(self)
+      !> The semaphore; it may never have been made, and is gone afterwards.
       class(semaphore_t), intent(inout) :: self
 
       if (c_associated(self%handle)) call c_free(self%handle)

@@ -22,17 +22,19 @@ module adfric_sweep_sink
       subroutine put_i(self, first, results, error_estimate, status, counts, error)
          import :: sink_t, dp, i8, error_t
          implicit none (type, external)
+         !> The sink, which keeps or writes the results.
          class(sink_t), intent(inout) :: self
          !> Number of the first point in the run, from 1; the first one of a block.
          integer(i8), intent(in) :: first
-         !> Shape `(n_points, n_results)`: each result contiguous, as it is written.
+         !> Results of the points, each result contiguous as it is written; shape `(n_points, n_results)`.
          real(dp), intent(in) :: results(:, :)
-         !> Shape `(n_points)`.
+         !> Relative error of the main result at each point; shape `(n_points)`.
          real(dp), intent(in) :: error_estimate(:)
-         !> Shape `(n_points)`.
+         !> One of `status_...` for each point; shape `(n_points)`.
          integer, intent(in) :: status(:)
          !> What the model counted in each block; shape `(n_blocks, n_counts)`.
          real(dp), intent(in) :: counts(:, :)
+         !> Not allocated if all went well.
          type(error_t), allocatable, intent(out) :: error
       end subroutine put_i
 
@@ -40,10 +42,13 @@ module adfric_sweep_sink
       subroutine put_profiles_i(self, point, profiles, error)
          import :: sink_t, dp, i8, error_t
          implicit none (type, external)
+         !> The sink, which keeps or writes the profiles.
          class(sink_t), intent(inout) :: self
+         !> Number of the point in the run, from 1.
          integer(i8), intent(in) :: point
-         !> Shape `(n_last_axis, n_first_axis, n_profiles)`.
+         !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
          real(dp), intent(in) :: profiles(:, :, :)
+         !> Not allocated if all went well.
          type(error_t), allocatable, intent(out) :: error
       end subroutine put_profiles_i
 
@@ -53,7 +58,9 @@ contains
 
    !> Make ready what the first results need. Called once, before any results come.
    subroutine prepare(self, error)
+      !> The sink, which can take results afterwards; here nothing has to be done for that.
       class(sink_t), intent(inout) :: self
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       associate (unused => self, unused_too => error)

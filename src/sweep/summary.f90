@@ -36,7 +36,9 @@ contains
 
    !> Start with no points.
    pure subroutine new_summary(self, results)
+      !> Receives counts of 0 and empty ranges.
       type(run_summary_t), intent(out) :: self
+      !> The model's table of results: which are enumerated, and which are main results.
       type(result_t), intent(in) :: results(:)
       integer :: i, n_states
 
@@ -57,9 +59,11 @@ contains
 
    !> Add points.
    pure subroutine add_points(self, results, status)
+      !> The summary, to which the points are added.
       class(run_summary_t), intent(inout) :: self
-      !> Shape `(n_results, n_points)`.
+      !> Results of the points; shape `(n_results, n_points)`.
       real(dp), intent(in) :: results(:, :)
+      !> One of `status_...` for each point; shape `(n_points)`.
       integer, intent(in) :: status(:)
       integer :: i, k, state
 
@@ -86,7 +90,9 @@ contains
 
    !> Add the points of another part of the run. The result does not depend on the order of the parts.
    pure subroutine merge_summary(self, other)
+      !> The summary, to which the points are added; its wall time and signal stay as they are.
       class(run_summary_t), intent(inout) :: self
+      !> Summary of the other part, of the same model.
       type(run_summary_t), intent(in) :: other
 
       self%n_points = self%n_points + other%n_points

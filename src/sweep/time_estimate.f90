@@ -43,8 +43,11 @@ contains
 
    !> Estimate the time of a run. It takes no longer than `longest_trial`, whatever becomes of the trials.
    subroutine estimate_time(model, plan, estimate)
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
       type(plan_t), intent(in) :: plan
+      !> Receives the time, or that it is not known.
       type(time_estimate_t), intent(out) :: estimate
       type(blocks_t) :: blocks
       type(child_process_t) :: child
@@ -77,11 +80,15 @@ contains
 
    !> The time of all points from that of some.
    subroutine conclude(points, seconds, seconds_of_all, blocks, estimate)
-      !> Number of points of the trials, and their time [s].
-      real(dp), intent(in) :: points, seconds
+      !> Number of points that the trials have solved.
+      real(dp), intent(in) :: points
+      !> Time that these points took on a processor [s].
+      real(dp), intent(in) :: seconds
       !> Time of all trials, whether they came to an end or not [s].
       real(dp), intent(in) :: seconds_of_all
+      !> The blocks of the run, which say how many points and blocks it has.
       type(blocks_t), intent(in) :: blocks
+      !> In: the number of threads. Out: also the time, and whether a trial came to its end.
       type(time_estimate_t), intent(inout) :: estimate
       real(dp) :: per_point
       integer(i8) :: n_at_once
@@ -96,9 +103,13 @@ contains
    !> In the other process: solve neighbouring points here and there in the run, more of them at once as long as that is quick, and
    !> tell how long it takes once there are as many as there will be: the first point of a block takes longer than the others.
    subroutine try_points(model, plan, blocks, child)
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
       type(plan_t), intent(in) :: plan
+      !> The blocks of the run, of which some are tried.
       type(blocks_t), intent(in) :: blocks
+      !> Sends the number of points and the time [s] of each trial to the process that waits for them.
       type(child_process_t), intent(in) :: child
       real(dp) :: start, seconds
       integer(i8) :: n_done
@@ -123,8 +134,9 @@ contains
 
    !> The block of a trial: the first one in the middle, the others where the run is tried least so far.
    pure integer(i8) function block_of_trial(blocks, trial) result(block)
+      !> The blocks of the run, which say how many there are.
       type(blocks_t), intent(in) :: blocks
-      !> From 1.
+      !> Number of the trial, from 1.
       integer, intent(in) :: trial
       real(dp) :: place, step
       integer :: rest
@@ -143,12 +155,17 @@ contains
 
    !> Solve the first points of a block.
    subroutine try_block(model, plan, blocks, block, n_wanted, seconds, n)
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
       type(plan_t), intent(in) :: plan
+      !> The blocks of the run, which say where this one begins and ends.
       type(blocks_t), intent(in) :: blocks
+      !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
+      !> Number of points to solve; fewer are if the block has fewer.
       integer, intent(in) :: n_wanted
-      !> Time that it took on a processor [s].
+      !> Time that the points took on a processor [s].
       real(dp), intent(out) :: seconds
       !> Number of points that were solved.
       integer, intent(out) :: n
@@ -176,9 +193,13 @@ contains
 
    !> Forget the profiles of a point.
    subroutine take_waste(self, place, profiles, goes_on)
+      !> The receiver, which keeps nothing.
       class(waste_t), intent(inout) :: self
+      !> Place of the point in its block, from 1; not used.
       integer, intent(in) :: place
+      !> Profiles of the point, which are forgotten; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(in) :: profiles(:, :, :)
+      !> Always true: the rest of the block is wanted, so that its time is known.
       logical, intent(out) :: goes_on
 
       goes_on = .true.
