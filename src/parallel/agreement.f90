@@ -14,10 +14,11 @@ contains
 
    !> Give everyone the failure of the first process that has one. Nobody goes on before all have come here.
    subroutine share_failure(world, status, text)
+      !> The processes of the run, all of which must call this procedure.
       type(world_t), intent(in) :: world
-      !> 0: no failure.
+      !> In: exit status of this process, 0 without failure. Out: that of the first process with a failure.
       integer, intent(inout) :: status
-      !> What is said of it.
+      !> In: the message of the failure, if there is one. Out: that of the first process with a failure.
       character(:), allocatable, intent(inout) :: text
       integer(int8), allocatable :: bytes(:)
       integer(i8) :: numbers(2)
@@ -44,7 +45,9 @@ contains
 
    !> Give everyone the error of the first process that has one. Nobody goes on before all have come here.
    subroutine share_error(world, error)
+      !> The processes of the run, all of which must call this procedure.
       type(world_t), intent(in) :: world
+      !> In: the error of this process. Out: that of the first process with an error; not allocated if none has one.
       type(error_t), allocatable, intent(inout) :: error
       character(:), allocatable :: text
       integer :: status
@@ -61,7 +64,9 @@ contains
 
    !> Give everyone the number of the first process.
    subroutine share_status(world, status)
+      !> The processes of the run, all of which must call this procedure.
       type(world_t), intent(in) :: world
+      !> In: a number, which counts in the first process alone. Out: that of the first process.
       integer, intent(inout) :: status
       integer(i8) :: numbers(1)
 
@@ -72,7 +77,9 @@ contains
 
    !> Give everyone the answer of the first process.
    subroutine share_answer(world, answer)
+      !> The processes of the run, all of which must call this procedure.
       type(world_t), intent(in) :: world
+      !> In: an answer, which counts in the first process alone. Out: that of the first process.
       logical, intent(inout) :: answer
       integer :: number
 
@@ -83,8 +90,9 @@ contains
 
    !> Give everyone the blocks that the first process knows to be solved.
    subroutine share_done_blocks(world, list)
+      !> The processes of the run, all of which must call this procedure.
       type(world_t), intent(in) :: world
-      !> With all blocks of the run where nothing is known of it.
+      !> In: all blocks of the part, marked as solved in the first process. Out: marked everywhere.
       type(block_list_t), intent(inout) :: list
       integer(int8), allocatable :: is_done(:)
       integer(i8) :: place
@@ -102,7 +110,9 @@ contains
 
    !> Make what each process found what all of them found; times are those of the slowest.
    subroutine add_up_summary(world, summary)
+      !> The processes of the run, all of which must call this procedure.
       type(world_t), intent(in) :: world
+      !> In: what this process found. Out: what all of them found.
       type(run_summary_t), intent(inout) :: summary
       integer(i8), allocatable :: counts(:)
       real(dp), allocatable :: extremes(:)

@@ -32,9 +32,11 @@ contains
 
    !> The blocks of a list, which is the same in all processes.
    subroutine new_shared_blocks(self, list, world)
+      !> Receives the list and the share of this process.
       type(shared_blocks_t), intent(out) :: self
+      !> Blocks of the run, with those marked that are solved; the same in all processes.
       type(block_list_t), intent(in) :: list
-      !> It must live on; no tickets have been taken yet.
+      !> The processes; it must live as long as `self`, and no ticket may have been taken from it.
       type(world_t), intent(inout), target :: world
 
       self%world => world
@@ -47,7 +49,9 @@ contains
 
    !> What is left to one process, rounded up.
    pure integer(i8) function share_of(self, n)
+      !> Knows the number of processes.
       type(shared_blocks_t), intent(in) :: self
+      !> Number of blocks that are left to all processes together.
       integer(i8), intent(in) :: n
 
       share_of = (n + self%world%n_ranks - 1)/self%world%n_ranks
@@ -55,9 +59,13 @@ contains
 
    !> See `block_source_t`.
    subroutine take_shared_blocks(self, most, first, n)
+      !> The source, which has these blocks no more.
       class(shared_blocks_t), intent(inout) :: self
+      !> Largest number of blocks to take, at least 1.
       integer, intent(in) :: most
+      !> Number in the run of the first block that is taken.
       integer(i8), intent(out) :: first
+      !> Number of blocks that are taken; 0 if none is left.
       integer, intent(out) :: n
 
       first = 0
@@ -75,7 +83,9 @@ contains
 
    !> Draw a ticket for some blocks; nothing is held afterwards if none are left.
    subroutine draw_ticket(self, most)
+      !> The source, which holds the blocks of the ticket afterwards.
       class(shared_blocks_t), intent(inout) :: self
+      !> Number of blocks that the ticket is for; fewer are held if fewer are left.
       integer, intent(in) :: most
       integer(i8) :: n_before
 
@@ -91,6 +101,7 @@ contains
 
    !> See `block_source_t`: nobody gets a block any more.
    subroutine end_early(self)
+      !> The source, in which nothing is left afterwards.
       class(shared_blocks_t), intent(inout) :: self
       integer(i8) :: n_before
 

@@ -51,6 +51,7 @@ contains
    !> Find the other processes. One that was started alone needs no MPI, and saves its time and its files. One of several has
    !> one thread unless the user wants more: cores are given to processes.
    subroutine start(self)
+      !> Receives the numbers of processes and of this one among them.
       class(world_t), intent(inout) :: self
       type(MPI_Comm) :: here
       type(hdf5_calls_t) :: calls
@@ -88,6 +89,7 @@ contains
 
    !> Make the counter of tickets ready, for access by all processes at any time.
    subroutine open_counter(self)
+      !> The processes; receives the window to the counter, which stands in the first of them.
       class(world_t), intent(inout) :: self
       integer, parameter :: bytes_of_counter = 8
       integer(i8), pointer :: counter
@@ -107,6 +109,7 @@ contains
 
    !> Leave the other processes.
    subroutine stop_world(self)
+      !> The processes; no message can be sent afterwards.
       class(world_t), intent(inout) :: self
 
       if (self%n_ranks > 1) then
@@ -118,6 +121,7 @@ contains
 
    !> Is it the process that speaks for all?
    pure logical function is_first(self)
+      !> Knows the number of this process.
       class(world_t), intent(in) :: self
 
       is_first = self%rank == 0
@@ -125,10 +129,11 @@ contains
 
    !> Give everyone the bytes of one process.
    subroutine share_bytes(self, bytes, from)
+      !> The processes of the run, all of which must call this procedure.
       class(world_t), intent(in) :: self
-      !> Of the same number everywhere.
+      !> In: bytes, as many in every process. Out: those of the process `from`.
       integer(int8), intent(inout), contiguous :: bytes(:)
-      !> Number of this process.
+      !> Number of the process whose bytes are given to all, from 0.
       integer, intent(in) :: from
       integer(i8) :: first
       integer :: n
@@ -142,7 +147,9 @@ contains
 
    !> Put the sums over all processes in the place of numbers, everywhere.
    subroutine add_up(self, numbers)
+      !> The processes of the run, all of which must call this procedure.
       class(world_t), intent(in) :: self
+      !> In: numbers of this process, as many in each. Out: their sums over all processes.
       integer(i8), intent(inout), contiguous :: numbers(:)
 
       if (self%n_ranks == 1) return
@@ -151,7 +158,9 @@ contains
 
    !> Put the greatest of all processes in the place of numbers, everywhere.
    subroutine find_greatest(self, numbers)
+      !> The processes of the run, all of which must call this procedure.
       class(world_t), intent(in) :: self
+      !> In: numbers of this process, as many in each. Out: the greatest of all processes.
       real(dp), intent(inout), contiguous :: numbers(:)
 
       if (self%n_ranks == 1) return
@@ -161,9 +170,11 @@ contains
    !> Take tickets, each of which is given out once among all processes, in order. Nobody has to wait for another process:
    !> the counter is changed where it stands, without the help of its owner.
    subroutine take_tickets(self, n, n_before)
+      !> Holds the counter of tickets, or knows the process that does.
       class(world_t), intent(inout) :: self
+      !> Number of tickets to take.
       integer(i8), intent(in) :: n
-      !> How many have been given out before these.
+      !> Number of tickets that had been given out before these, to all processes.
       integer(i8), intent(out) :: n_before
       integer(i8), asynchronous :: wanted, before
 
@@ -180,9 +191,11 @@ contains
 
    !> Create a list of properties by which all processes open a file together.
    subroutine create_shared_access(self, calls, list)
+      !> The processes that open the file.
       class(world_t), intent(in) :: self
+      !> Takes note of calls of HDF5 that fail.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> To be closed by the caller.
+      !> Id of the list of properties, to be closed by the caller.
       integer(hid_t), intent(out) :: list
 
       call create_access(calls, list)

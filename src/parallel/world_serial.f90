@@ -34,6 +34,7 @@ contains
 
    !> Find the other processes.
    subroutine start(self)
+      !> The only process, which has given out no ticket yet.
       class(world_t), intent(inout) :: self
 
       self%n_tickets = 0
@@ -41,6 +42,7 @@ contains
 
    !> Leave the other processes.
    subroutine stop_world(self)
+      !> The only process, which forgets its tickets.
       class(world_t), intent(inout) :: self
 
       self%n_tickets = 0
@@ -48,6 +50,7 @@ contains
 
    !> Is it the process that speaks for all?
    pure logical function is_first(self)
+      !> Knows the number of this process.
       class(world_t), intent(in) :: self
 
       is_first = self%rank == 0
@@ -55,10 +58,11 @@ contains
 
    !> Give everyone the bytes of one process.
    subroutine share_bytes(self, bytes, from)
+      !> The processes of the run, all of which must call this procedure.
       class(world_t), intent(in) :: self
-      !> Of the same number everywhere.
+      !> In: bytes, as many in every process. Out: those of the process `from`.
       integer(int8), intent(inout), contiguous :: bytes(:)
-      !> Number of this process.
+      !> Number of the process whose bytes are given to all, from 0.
       integer, intent(in) :: from
 
       associate (unused => self%rank, unused_too => bytes, unused_as_well => from)
@@ -67,7 +71,9 @@ contains
 
    !> Put the sums over all processes in the place of numbers, everywhere.
    subroutine add_up(self, numbers)
+      !> The processes of the run, all of which must call this procedure.
       class(world_t), intent(in) :: self
+      !> In: numbers of this process, as many in each. Out: their sums over all processes.
       integer(i8), intent(inout), contiguous :: numbers(:)
 
       associate (unused => self%rank, unused_too => numbers)
@@ -76,7 +82,9 @@ contains
 
    !> Put the greatest of all processes in the place of numbers, everywhere.
    subroutine find_greatest(self, numbers)
+      !> The processes of the run, all of which must call this procedure.
       class(world_t), intent(in) :: self
+      !> In: numbers of this process, as many in each. Out: the greatest of all processes.
       real(dp), intent(inout), contiguous :: numbers(:)
 
       associate (unused => self%rank, unused_too => numbers)
@@ -85,9 +93,11 @@ contains
 
    !> Take tickets, each of which is given out once among all processes, in order. Nobody has to wait for another process.
    subroutine take_tickets(self, n, n_before)
+      !> Holds the counter of tickets, or knows the process that does.
       class(world_t), intent(inout) :: self
+      !> Number of tickets to take.
       integer(i8), intent(in) :: n
-      !> How many have been given out before these.
+      !> Number of tickets that had been given out before these, to all processes.
       integer(i8), intent(out) :: n_before
 
       n_before = self%n_tickets
@@ -96,9 +106,11 @@ contains
 
    !> Create a list of properties by which all processes open a file together.
    subroutine create_shared_access(self, calls, list)
+      !> The processes that open the file.
       class(world_t), intent(in) :: self
+      !> Takes note of calls of HDF5 that fail.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> To be closed by the caller.
+      !> Id of the list of properties, to be closed by the caller.
       integer(hid_t), intent(out) :: list
 
       call create_access(calls, list)
