@@ -15,9 +15,13 @@ contains
 
    !> Read and validate an input. The outcome is a failure if anything is wrong with it.
    subroutine open_case(path, model, run, outcome)
+      !> Name of the input.
       character(*), intent(in) :: path
+      !> Receives the model that the input wants; only to be used if the outcome is no failure.
       class(model_t), allocatable, intent(out) :: model
+      !> Receives what the input describes; only to be used if the outcome is no failure.
       type(run_input_t), intent(out) :: run
+      !> Receives the failure, if there is one.
       type(outcome_t), intent(inout) :: outcome
       type(namelist_file_t) :: file
       type(problems_t) :: problems

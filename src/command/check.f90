@@ -26,7 +26,9 @@ contains
 
    !> Carry out the command.
    subroutine check_case(command, outcome)
+      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
+      !> Receives what the command has to say, and the exit status.
       type(outcome_t), intent(inout) :: outcome
       class(model_t), allocatable :: model
       type(run_input_t) :: run
@@ -53,7 +55,9 @@ contains
 
    !> The variables that have one value, group by group.
    function describe_values(model, run) result(lines)
+      !> The model of the run, with the names and units of its variables.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
       character(:), allocatable :: group
@@ -81,7 +85,9 @@ contains
 
    !> The point of a sweep that what follows is said of.
    function describe_first_point(model, run) result(line)
+      !> The model of the run, with the names and units of its variables.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: line
       integer :: k
@@ -99,7 +105,9 @@ contains
 
    !> How long the run will take.
    function describe_time(model, run) result(text)
+      !> The model, which solves some trial points.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: text
       type(time_estimate_t) :: estimate
@@ -122,7 +130,9 @@ contains
 
    !> What follows from the values.
    function describe_derived(model, run) result(lines)
+      !> The model, which says what follows from its values.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
       type(derived_t), allocatable :: list(:)
@@ -139,7 +149,9 @@ contains
 
    !> The swept variables, the slowest first.
    function describe_sweep(model, run) result(lines)
+      !> The model of the run, with the names and units of its variables.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
       integer :: k
@@ -158,6 +170,7 @@ contains
 
    !> A unit as it stands behind a number; nothing for a pure number.
    pure function show_unit(unit) result(text)
+      !> A unit; empty or `-` for a pure number.
       character(*), intent(in) :: unit
       character(:), allocatable :: text
 

@@ -15,6 +15,7 @@ contains
    !> A time in words, such as `less than a second`, `3 minutes` or `20 days`: as many units as there are, without more digits
    !> than an estimate has.
    pure function show_duration(seconds) result(text)
+      !> The time [s], >= 0.
       real(dp), intent(in) :: seconds
       character(:), allocatable :: text
       real(dp), parameter :: many = 1.0e9_dp
@@ -42,6 +43,7 @@ contains
 
    !> A number as an integer: below 20 itself, then multiples of 5, 10, 50 and so on, less than 20 of each.
    pure real(dp) function rounded(number)
+      !> The number of units, >= 0.
       real(dp), intent(in) :: number
       real(dp), parameter :: most_steps = 20
       real(dp) :: step, factor

@@ -23,7 +23,9 @@ contains
 
    !> Carry out the command.
    subroutine give_help(command, outcome)
+      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
+      !> Receives what the command has to say, and the exit status.
       type(outcome_t), intent(inout) :: outcome
       type(model_box_t), allocatable :: models(:)
       type(error_t), allocatable :: error
@@ -40,7 +42,9 @@ contains
 
    !> Every model.
    subroutine make_models(models, error)
+      !> Receives every model that the program knows.
       type(model_box_t), allocatable, intent(out) :: models(:)
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       integer :: i
 
@@ -53,6 +57,7 @@ contains
 
    !> A topic in small letters, and without the & of a group.
    pure function plain_topic(topic) result(plain)
+      !> The topic as the user wrote it; empty if there is none.
       character(*), intent(in) :: topic
       character(:), allocatable :: plain
 
@@ -62,10 +67,13 @@ contains
 
    !> The page of a topic; the first page if the topic is empty.
    subroutine find_page(models, topic, text, error)
+      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
+      !> The topic in small letters, without the & of a group; empty if there is none.
       character(*), intent(in) :: topic
-      !> Lines with their line ends.
+      !> The lines of the page, each with its line end; empty if the topic is unknown.
       character(:), allocatable, intent(out) :: text
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: named
 
@@ -89,7 +97,9 @@ contains
 
    !> What there is to say of a name; empty if nothing knows it.
    function explain(models, topic) result(text)
+      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
+      !> A name in small letters, without the & of a group.
       character(*), intent(in) :: topic
       character(:), allocatable :: text
       character(:), allocatable :: of_models
@@ -105,7 +115,9 @@ contains
 
    !> What the models say of a topic, each thing once.
    function describe_every_model(models, topic) result(text)
+      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
+      !> 'outputs', the name of a model, or a name in the tables of the models.
       character(*), intent(in) :: topic
       character(:), allocatable :: text
       type(entries_t) :: entries
@@ -127,6 +139,7 @@ contains
 
    !> Every name that there is help on, separated by a blank.
    function every_name(models) result(names)
+      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: names
       integer :: i

@@ -30,10 +30,11 @@ contains
 
    !> Add an entry; of one that is there already the owner alone.
    pure subroutine add(self, text, owner)
+      !> The entries, to which the text or its owner is added.
       class(entries_t), intent(inout) :: self
-      !> Nothing is added if it is empty.
+      !> What is said; nothing is added if it is empty.
       character(*), intent(in) :: text
-      !> A word.
+      !> Name of who says it, a word.
       character(*), intent(in) :: owner
       integer :: i
 
@@ -51,6 +52,7 @@ contains
 
    !> Room for one more.
    pure subroutine make_room(self)
+      !> The entries, which have room for at least one more afterwards.
       type(entries_t), intent(inout) :: self
       integer, parameter :: first_size = 16
       type(entry_t), allocatable :: larger(:)
@@ -68,7 +70,9 @@ contains
 
    !> Place of an entry; 0 if there is none.
    pure integer function place_of(self, text)
+      !> The entries that are searched.
       class(entries_t), intent(in) :: self
+      !> Text of the entry, compared as a whole.
       character(*), intent(in) :: text
 
       do place_of = self%n, 1, -1
@@ -78,6 +82,7 @@ contains
 
    !> Number of entries.
    pure integer function count_entries(self)
+      !> The entries that are counted.
       class(entries_t), intent(in) :: self
 
       count_entries = self%n
@@ -85,10 +90,11 @@ contains
 
    !> A line for each, with its owners behind it; long lists go on below.
    pure function show_table(self, width, is_sorted) result(lines)
+      !> The entries, one for each line of the table.
       class(entries_t), intent(in) :: self
-      !> Of the first column.
+      !> Width of the first column [letters].
       integer, intent(in) :: width
-      !> By the alphabet, instead of in the order in which they came?
+      !> Do the entries stand by the alphabet, instead of in the order in which they came?
       logical, intent(in) :: is_sorted
       character(:), allocatable :: lines
       integer :: order(self%n), i
@@ -105,9 +111,9 @@ contains
 
    !> Words with commas between them, on lines that are not too long.
    pure function wrap(list, indent) result(text)
-      !> Separated by a blank.
+      !> Words, separated by a blank.
       character(*), intent(in) :: list
-      !> Of the lines after the first.
+      !> Number of letters before the list on its first line, and of blanks before it on the others.
       integer, intent(in) :: indent
       character(:), allocatable :: text
       integer, parameter :: most_columns = 110
@@ -130,6 +136,7 @@ contains
 
    !> Places of the entries by the alphabet: each is put behind those that come before it.
    pure function sorted(self) result(order)
+      !> The entries, which stay where they are.
       type(entries_t), intent(in) :: self
       integer :: order(self%n)
       integer :: i, k
@@ -145,6 +152,7 @@ contains
 
    !> Every entry, after a line that names its owners; a blank line between them.
    pure function show_pages(self) result(lines)
+      !> The entries, one for each page.
       class(entries_t), intent(in) :: self
       character(:), allocatable :: lines
       integer :: i

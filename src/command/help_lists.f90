@@ -24,6 +24,7 @@ contains
 
    !> The list of a topic.
    function show_list(models, topic) result(text)
+      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       !> One of `list_topics`.
       character(*), intent(in) :: topic
@@ -45,6 +46,7 @@ contains
 
    !> Models, a line each.
    function show_models(models) result(text)
+      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
       integer :: i
@@ -57,6 +59,7 @@ contains
 
    !> Groups, with the models that have them.
    function show_groups(models) result(text)
+      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
       type(entries_t) :: entries
@@ -74,6 +77,7 @@ contains
 
    !> Variables with their groups and units, and the models that have them.
    function show_variables(models) result(text)
+      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
       type(entries_t) :: entries
@@ -92,6 +96,7 @@ contains
 
    !> Results and profiles with their units, and the models that have them.
    function show_results(models) result(text)
+      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
       type(result_t), allocatable :: common(:)
@@ -118,6 +123,7 @@ contains
 
    !> Units, with the names of what is given in them.
    function show_units(models) result(text)
+      !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
       type(entries_t) :: entries
@@ -142,10 +148,11 @@ contains
 
    !> The units that a variable may have, such as `N; N/m for wave_2d`.
    pure subroutine add_units(entries, units, name)
+      !> Entries by unit; receives the variable for each unit that it may have.
       type(entries_t), intent(inout) :: entries
-      !> Empty if it has none.
+      !> Units with the case that each is for, separated by a semicolon; empty if the variable has none.
       character(*), intent(in) :: units
-      !> Of the variable.
+      !> Name of the variable.
       character(*), intent(in) :: name
       integer :: first, last
 
@@ -159,6 +166,7 @@ contains
 
    !> A unit without the case that it is for.
    pure function unit_alone(text) result(unit)
+      !> A unit, with ` for ` and a case behind it or without.
       character(*), intent(in) :: text
       character(:), allocatable :: unit
 
@@ -168,7 +176,10 @@ contains
 
    !> A name with its unit in brackets.
    pure function with_unit(name, unit) result(text)
-      character(*), intent(in) :: name, unit
+      !> Name of a variable, a result or a profile.
+      character(*), intent(in) :: name
+      !> Its unit; empty if it has none.
+      character(*), intent(in) :: unit
       character(:), allocatable :: text
 
       text = name

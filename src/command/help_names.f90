@@ -18,6 +18,7 @@ contains
 
    !> All that there is to say of a model, without its name.
    function describe_model(model) result(text)
+      !> The model, whose tables are described.
       class(model_t), intent(in) :: model
       character(:), allocatable :: text
 
@@ -26,6 +27,7 @@ contains
 
    !> Results and profiles of a model.
    function describe_outputs(model) result(text)
+      !> The model, whose tables are described.
       class(model_t), intent(in) :: model
       character(:), allocatable :: text
 
@@ -34,7 +36,9 @@ contains
 
    !> What a model says of a name, or of `group%name`; empty if the name does not occur in its tables.
    function describe_name(model, name) result(text)
+      !> The model, whose tables are described.
       class(model_t), intent(in) :: model
+      !> A name, or `group%name`, in small letters.
       character(*), intent(in) :: name
       character(:), allocatable :: text
 
@@ -45,6 +49,7 @@ contains
 
    !> What stands in the file of every model: the results of that name; all of them if it is empty.
    function describe_common(name) result(text)
+      !> Name of a result, or a word that the status may be; empty for all results.
       character(*), intent(in) :: name
       character(:), allocatable :: text
       type(result_t), allocatable :: common(:)
@@ -61,7 +66,10 @@ contains
 
    !> A heading and what stands under it; nothing if that is nothing.
    pure function with_head(head, lines) result(text)
-      character(*), intent(in) :: head, lines
+      !> The line of the heading, without line end.
+      character(*), intent(in) :: head
+      !> What stands under the heading, with line ends; empty if there is nothing.
+      character(*), intent(in) :: lines
       character(:), allocatable :: text
 
       text = ''
@@ -70,7 +78,9 @@ contains
 
    !> The variables that a name means: of a group, of this name, or with this word among their choices; all if it is empty.
    function describe_variables(model, name) result(text)
+      !> The model, whose tables are described.
       class(model_t), intent(in) :: model
+      !> Name of a group, a variable or a choice, or `group%name`; empty for all variables.
       character(*), intent(in) :: name
       character(:), allocatable :: text
       character(:), allocatable :: last_group
@@ -90,7 +100,9 @@ contains
 
    !> Does a name mean this variable?
    pure logical function is_meant(variable, name)
+      !> Row of the model's table: names, unit, meaning and what is allowed.
       type(variable_t), intent(in) :: variable
+      !> Name of a group, a variable or a choice, or `group%name`; empty for all variables.
       character(*), intent(in) :: name
 
       is_meant = len(name) == 0 .or. name == variable%group .or. name == variable%name &
@@ -100,6 +112,7 @@ contains
 
    !> A variable: meaning on the first line, what it may be on the second.
    function describe_variable(variable) result(text)
+      !> Row of the model's table: names, unit, meaning and what is allowed.
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text
 
@@ -113,7 +126,9 @@ contains
 
    !> The results of a name, or that may be in a state of that name; all if it is empty.
    pure function describe_results(results, name) result(text)
+      !> Rows of a table of results.
       type(result_t), intent(in) :: results(:)
+      !> Name of a result or of one of its states; empty for all results.
       character(*), intent(in) :: name
       character(:), allocatable :: text
       logical :: has_state
@@ -135,7 +150,9 @@ contains
 
    !> The profiles of a name; all if it is empty.
    pure function describe_profiles(model, name) result(text)
+      !> The model, whose tables are described.
       class(model_t), intent(in) :: model
+      !> Name of a profile; empty for all profiles.
       character(*), intent(in) :: name
       character(:), allocatable :: text
       integer :: i
@@ -151,6 +168,7 @@ contains
 
    !> States with their numbers.
    pure function list_states(meanings) result(text)
+      !> Meanings of the states 0, 1, 2, ..., separated by a blank.
       character(*), intent(in) :: meanings
       character(:), allocatable :: text
       character(4) :: number
@@ -166,6 +184,7 @@ contains
 
    !> Every name that a model has something to say of, and those of every run, separated by a blank.
    function list_names(model) result(names)
+      !> The model, whose tables are described.
       class(model_t), intent(in) :: model
       character(:), allocatable :: names
       type(result_t), allocatable :: common(:)
@@ -184,6 +203,7 @@ contains
 
    !> Names of results and of the states that they may be in, each after a blank.
    pure function list_results(results) result(names)
+      !> Rows of a table of results.
       type(result_t), intent(in) :: results(:)
       character(:), allocatable :: names
       integer :: i

@@ -58,8 +58,11 @@ contains
 
    !> Understand a command line.
    subroutine parse_arguments(arguments, command, error)
+      !> The words after the name of the program.
       type(argument_t), intent(in) :: arguments(:)
+      !> Receives what the user asks for; only to be used if there is no error.
       type(command_t), intent(out) :: command
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       integer :: i, n_others
       logical :: are_names
@@ -90,6 +93,7 @@ contains
 
    !> Is it an option? A single `-` is not.
    pure logical function is_option(text)
+      !> A word of the command line.
       character(*), intent(in) :: text
 
       is_option = len(text) > 1 .and. index(text, '-') == 1
@@ -97,10 +101,13 @@ contains
 
    !> Understand an option, and its value behind a = or in the next word.
    subroutine parse_option(arguments, i, command, error)
+      !> The words after the name of the program.
       type(argument_t), intent(in) :: arguments(:)
-      !> Place of the option; moved on to its value.
+      !> In: place of the option among the words. Out: place of its value, if that is the next word.
       integer, intent(inout) :: i
+      !> Receives what the option says.
       type(command_t), intent(inout) :: command
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: name, value
       integer :: equals
@@ -141,6 +148,7 @@ contains
 
    !> What may be meant by an unknown option: another one, or a file.
    pure function say_meant(name) result(text)
+      !> The option that is not known, with its dashes.
       character(*), intent(in) :: name
       character(:), allocatable :: text
 
@@ -150,6 +158,7 @@ contains
 
    !> How to write the name of a file that is taken for an option; empty if it is not.
    pure function say_file(name) result(text)
+      !> A word of the command line that may be the name of a file.
       character(*), intent(in) :: name
       character(:), allocatable :: text
 
@@ -159,8 +168,11 @@ contains
 
    !> Set the name of the results file.
    subroutine set_output(text, command, error)
+      !> Value of the option `--output`; empty if there is none.
       character(*), intent(in) :: text
+      !> Receives the name of the results file.
       type(command_t), intent(inout) :: command
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       if (len_trim(text) == 0 .or. is_option(text)) then
@@ -175,8 +187,11 @@ contains
 
    !> Set which part of the run is solved.
    subroutine set_part(text, command, error)
+      !> Value of the option `--shard`, such as 3/16; empty if there is none.
       character(*), intent(in) :: text
+      !> Receives the part that is to be solved.
       type(command_t), intent(inout) :: command
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       character(*), parameter :: digits = '0123456789'
       !> Digits that an integer surely holds.
@@ -202,10 +217,13 @@ contains
 
    !> Understand a word that is no option: the command, or what it is about.
    subroutine parse_word(text, command, n_others, error)
+      !> A word that is no option.
       character(*), intent(in) :: text
+      !> Receives what the word says.
       type(command_t), intent(inout) :: command
-      !> Number of parts so far (merge).
+      !> Number of names of parts so far, which only `merge` has.
       integer, intent(inout) :: n_others
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       if (len(command%name) == 0) then
@@ -229,7 +247,9 @@ contains
 
    !> Is everything there that the command needs, and nothing else?
    subroutine check_complete(command, error)
+      !> What the user asks for, as far as the words say it.
       type(command_t), intent(in) :: command
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       if (len(command%name) == 0) then
@@ -251,12 +271,15 @@ contains
 
    !> Does an option belong to the command?
    subroutine check_option(option, is_given, owners, command, error)
+      !> Name of the option, with its dashes.
       character(*), intent(in) :: option
+      !> Is the option given?
       logical, intent(in) :: is_given
-      !> Commands that have it.
+      !> Names of the commands that have the option.
       character(*), intent(in) :: owners
+      !> What the user asks for, with the name of the command.
       type(command_t), intent(in) :: command
-      !> Kept if there is one.
+      !> Receives an error if the option is out of place; one that is there already is kept.
       type(error_t), allocatable, intent(inout) :: error
 
       if (.not. is_given .or. allocated(error) .or. index(owners, command%name) > 0) return

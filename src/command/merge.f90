@@ -25,7 +25,9 @@ contains
 
    !> Carry out the command.
    subroutine merge_parts(command, outcome)
+      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
+      !> Receives what the command has to say, and the exit status.
       type(outcome_t), intent(inout) :: outcome
       type(part_file_t) :: parts(size(command%others))
       type(layout_t) :: layout
@@ -62,10 +64,13 @@ contains
 
    !> May the file be written, and is it none of the parts?
    subroutine check_names(command, path, parts, error)
+      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
       !> Name of the results file.
       character(*), intent(in) :: path
+      !> The parts of the run, of which only the names are known.
       type(part_file_t), intent(in) :: parts(:)
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       integer :: i
 

@@ -31,8 +31,9 @@ contains
 
    !> Add lines to the output.
    pure subroutine say(self, lines)
+      !> The outcome, to whose output the lines are added.
       class(outcome_t), intent(inout) :: self
-      !> With their line ends.
+      !> Lines, each with its line end.
       character(*), intent(in) :: lines
 
       if (.not. allocated(self%output)) self%output = ''
@@ -41,7 +42,9 @@ contains
 
    !> End with an error.
    pure subroutine fail(self, error)
+      !> The outcome; receives the message and the exit status.
       class(outcome_t), intent(inout) :: self
+      !> What went wrong; its code becomes the exit status.
       type(error_t), intent(in) :: error
 
       if (.not. allocated(self%errors)) self%errors = ''
@@ -51,9 +54,11 @@ contains
 
    !> End with everything that is wrong with an input.
    pure subroutine fail_with_problems(self, problems, file)
+      !> The outcome; receives a line for each problem and the exit status.
       class(outcome_t), intent(inout) :: self
+      !> What is wrong with the input, at least one problem.
       type(problems_t), intent(in) :: problems
-      !> Name of the input.
+      !> Name of the input, which stands before every line.
       character(*), intent(in) :: file
       integer :: i
 

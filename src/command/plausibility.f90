@@ -14,7 +14,9 @@ contains
 
    !> A line for each variable that has such a value.
    function warn_of_values(model, run) result(lines)
+      !> The model, whose table gives the units and usual sizes of its variables.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
       character(:), allocatable :: unit
@@ -38,9 +40,11 @@ contains
 
    !> Every value that a variable has in a run; of a dataset the two ends of their range.
    pure function values_of(run, place, is_dataset) result(values)
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
-      !> Of the variable.
+      !> Place of the variable in the model's table, from 1.
       integer, intent(in) :: place
+      !> Does the variable take its values from a dataset?
       logical, intent(in) :: is_dataset
       real(dp), allocatable :: values(:)
       integer :: k

@@ -33,10 +33,13 @@ contains
 
    !> Carry out the command.
    subroutine run_case(command, world, progress, outcome)
+      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
-      !> Who takes part. The outcome of the first process holds for all.
+      !> The processes that take part; the outcome of the first one holds for all.
       type(world_t), intent(inout) :: world
+      !> Is told from time to time how many points are solved.
       class(progress_t), intent(inout) :: progress
+      !> Receives what the command has to say, and the exit status.
       type(outcome_t), intent(inout) :: outcome
       class(model_t), allocatable :: model
       type(run_input_t) :: run
@@ -74,7 +77,9 @@ contains
 
    !> Have the model find out what all points have in common.
    subroutine prepare_model(model, plan)
+      !> The model, which keeps what all points have in common.
       class(model_t), intent(inout) :: model
+      !> Every point of the run: the base values and the swept axes.
       type(plan_t), intent(in) :: plan
       real(dp) :: values(size(plan%base), 1)
       logical :: is_swept(size(plan%base))
@@ -90,12 +95,17 @@ contains
 
    !> Is the run that is to be resumed complete already? A file of another run is left to `check_output`.
    subroutine find_complete(command, model, run, is_complete, summary, error)
+      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
+      !> Is every point solved, so that nothing has to be done?
       logical, intent(out) :: is_complete
-      !> Of the whole run if it is.
+      !> Counts and ranges of the whole run; only to be used if it is complete.
       type(run_summary_t), intent(out) :: summary
+      !> Allocated if the file is not complete and may not be overwritten, or if its other name cannot be removed.
       type(error_t), allocatable, intent(out) :: error
       type(layout_t) :: layout
       type(heading_t) :: heading
@@ -134,10 +144,15 @@ contains
 
    !> Can the results be written? Asked before anything is solved.
    subroutine check_output(command, world, model, run, error)
+      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
+      !> The processes that take part; the first one looks at the names, all look at the memory.
       type(world_t), intent(in) :: world
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
+      !> Allocated if the results cannot be written.
       type(error_t), allocatable, intent(out) :: error
       integer :: k
 
@@ -169,9 +184,13 @@ contains
 
    !> What a run says that was asked to end, and how it goes on.
    function say_stopped(command, model, run, summary) result(text)
+      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
+      !> Counts of the points that are solved, and the signal that ended the run.
       type(run_summary_t), intent(in) :: summary
       character(:), allocatable :: text
       type(blocks_t) :: blocks

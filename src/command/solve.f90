@@ -28,14 +28,19 @@ contains
 
    !> Solve every point that is not solved yet, and write the results. Only the first process names and completes the file.
    subroutine solve_case(command, world, model, run, progress, summary, error)
+      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
+      !> The processes that solve the run together.
       type(world_t), intent(inout) :: world
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
+      !> Is told from time to time how many points are solved.
       class(progress_t), intent(inout) :: progress
-      !> Of all processes; of the points that were solved before only in the first of them.
+      !> Summary of all processes; the points that were solved before count in the first of them alone.
       type(run_summary_t), intent(out) :: summary
-      !> The same in all processes.
+      !> Not allocated if all went well; the same in all processes.
       type(error_t), allocatable, intent(out) :: error
       type(results_file_t) :: results
       type(run_summary_t) :: before
@@ -60,17 +65,21 @@ contains
 
    !> Create the file or go on with the one that is there, and find the blocks that are left.
    subroutine begin_file(command, world, model, run, results, list, before, error)
+      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
+      !> The processes that solve the run together.
       type(world_t), intent(in) :: world
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
-      !> Open in the first process alone.
+      !> The results file, open in the first process alone.
       type(results_file_t), intent(inout) :: results
-      !> The same in all processes.
+      !> Blocks of the run, with those marked that are solved; the same in all processes.
       type(block_list_t), intent(out) :: list
-      !> Of the points that are solved; none but in the first process.
+      !> Summary of the points that are solved already; of none but in the first process.
       type(run_summary_t), intent(out) :: before
-      !> The same in all processes.
+      !> Not allocated if all went well; the same in all processes.
       type(error_t), allocatable, intent(out) :: error
       type(blocks_t) :: blocks
       logical :: resumes
@@ -100,7 +109,9 @@ contains
 
    !> Is there a file to go on with?
    logical function is_begun(command, run)
+      !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
 
       is_begun = .false.
@@ -109,16 +120,21 @@ contains
 
    !> Solve the blocks of a list together with the other processes. An error in one of them ends the work of all.
    subroutine solve_together(world, model, run, results, list, progress, summary, error)
+      !> The processes that solve the run together.
       type(world_t), intent(inout), target :: world
+      !> The model that solves the points.
       class(model_t), intent(in) :: model
+      !> The run that the input describes.
       type(run_input_t), intent(in) :: run
-      !> Open in the first process alone, before and after.
+      !> The results file, open in the first process alone, before and after.
       type(results_file_t), intent(inout) :: results
+      !> Blocks of the run, with those marked that are solved; the same in all processes.
       type(block_list_t), intent(in) :: list
+      !> Is told from time to time how many points are solved.
       class(progress_t), intent(inout) :: progress
-      !> Of all processes.
+      !> Summary of the points that all processes solve now.
       type(run_summary_t), intent(out) :: summary
-      !> The same in all processes.
+      !> Not allocated if all went well; the same in all processes.
       type(error_t), allocatable, intent(out) :: error
       type(shared_blocks_t) :: blocks
       integer(hid_t) :: access
@@ -148,10 +164,11 @@ contains
 
    !> Complete the file, or leave it for another time.
    subroutine end_file(results, summary, error)
+      !> The results file; it is closed afterwards.
       type(results_file_t), intent(inout) :: results
-      !> Of all points that are solved, its time that of this run alone.
+      !> Summary of all points that are solved; its time is that of this run alone.
       type(run_summary_t), intent(in) :: summary
-      !> Why the run ended before its time.
+      !> In: why the run ended before its time. Out: also what went wrong with the file.
       type(error_t), allocatable, intent(inout) :: error
 
       if (allocated(error)) then

@@ -13,7 +13,9 @@ contains
 
    !> A value as it would be written in an input; `not given` where there is none.
    pure function show_input_value(variable, value) result(text)
+      !> Row of the model's table: the kind of the variable and its choices.
       type(variable_t), intent(in) :: variable
+      !> The value as it is held, a number in SI units; `unset` where there is none.
       real(dp), intent(in) :: value
       character(:), allocatable :: text
 
