@@ -9,14 +9,17 @@ module adfric_command_help_entries
 
    !> What is said, and by whom.
    type :: entry_t
+      !> What is said; one line of a table, or a page.
       character(:), allocatable :: text
-      !> Separated by a blank.
+      !> Names of those who say it, separated by a blank.
       character(:), allocatable :: owners
    end type entry_t
 
    !> Entries in the order in which they came.
    type :: entries_t
+      !> The entries, with room for more.
       type(entry_t), allocatable, private :: items(:)
+      !> Number of entries.
       integer, private :: n = 0
    contains
       procedure :: add

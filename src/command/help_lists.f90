@@ -17,6 +17,7 @@ module adfric_command_help_lists
 
    !> One of the models.
    type :: model_box_t
+      !> The model.
       class(model_t), allocatable :: model
    end type model_box_t
 

@@ -16,6 +16,7 @@ module adfric_command_line
 
    !> A word of the command line.
    type :: argument_t
+      !> The word as the user wrote it.
       character(:), allocatable :: text
    end type argument_t
 

@@ -168,7 +168,7 @@ contains
       type(results_file_t), intent(inout) :: results
       !> Summary of all points that are solved; its time is that of this run alone.
       type(run_summary_t), intent(in) :: summary
-      !> In: why the run ended before its time. Out: also what went wrong with the file.
+      !> In: why the run ended before its time, if it did. Out: that with what is left of the file, or why the file failed.
       type(error_t), allocatable, intent(inout) :: error
 
       if (allocated(error)) then

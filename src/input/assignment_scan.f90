@@ -13,13 +13,13 @@ module adfric_input_assignment_scan
 
    !> A `variable = value`.
    type :: assignment_t
-      !> Number of its group.
+      !> Number of the group in the file, from 1.
       integer :: group = 0
-      !> In small letters.
+      !> Name of the variable, in small letters.
       character(name_length) :: name = ''
-      !> Position of its name.
+      !> Position of the name in the text.
       integer :: first = 0
-      !> Where its value stands, without surrounding blanks and the comma that may follow.
+      !> Ends of the value in the text, without surrounding blanks and the comma that may follow.
       integer :: value_first = 0, value_last = 0
    end type assignment_t
 

@@ -15,17 +15,17 @@ module adfric_input_case
 
    !> A value for every variable, each component of shape `(n_variables)`.
    type :: case_t
-      !> As a model holds them; of a swept variable its first value.
+      !> Values as a model holds them; of a swept variable the first one.
       real(dp), allocatable :: values(:)
       !> Does the variable stand in its group?
       logical, allocatable :: is_given(:)
       !> Is the variable swept?
       logical, allocatable :: is_swept(:)
-      !> Was something wrong with it, so that its value is not what the user wanted?
+      !> Was something wrong with the variable, so that its value is not what the user wanted?
       logical, allocatable :: is_broken(:)
-      !> Line where it is given or swept; 0 where it is neither.
+      !> Line where the variable is given or swept; 0 where it is neither.
       integer, allocatable :: line(:)
-      !> What it names, where it names a dataset.
+      !> The dataset that the variable names, if it names one.
       type(dataset_t), allocatable :: datasets(:)
    end type case_t
 

@@ -20,7 +20,7 @@ module adfric_input_dataset
 
    !> A dataset; everything but `text` is known once it has been loaded.
    type :: dataset_t
-      !> As it stands in the input; not allocated where no dataset is given.
+      !> Names of file and dataset as the input has them; not allocated where no dataset is given.
       character(:), allocatable :: text
       !> Name of the file, and of the dataset within it.
       character(:), allocatable :: file, path
@@ -30,7 +30,7 @@ module adfric_input_dataset
       character(:), allocatable :: units
       !> Range of the values in SI units.
       real(dp) :: lowest = 0, highest = 0
-      !> Of the values in SI units as 64-bit numbers, in the order of the file.
+      !> Checksum of the values in SI units as 64-bit numbers, in the order of the file.
       character(checksum_length) :: checksum = ''
    contains
       procedure :: is_given

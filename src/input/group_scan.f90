@@ -18,15 +18,15 @@ module adfric_input_group_scan
 
    !> A namelist group.
    type :: group_t
-      !> In small letters.
+      !> Name of the group, in small letters.
       character(name_length) :: name = ''
       !> Which group of this name, from 1.
       integer :: index = 0
-      !> The same as it is reported; 0 where the group needs no number.
+      !> Number of the group in messages; 0 where they need none: for the first group of a name that may stand only once.
       integer :: shown_index = 0
-      !> Position of its `&`.
+      !> Position of the `&` in the text.
       integer :: first = 0
-      !> Where its assignments stand.
+      !> Ends of the text that holds the assignments.
       integer :: body_first = 0, body_last = 0
       !> Does something in it make no sense, so that any of its variables may have been meant?
       logical :: is_garbled = .false.
@@ -111,7 +111,7 @@ contains
    pure logical function is_group_start(bare, position)
       !> Text of the file without comments.
       character(*), intent(in) :: bare
-      !> Position in the text, outside of quotes.
+      !> Position in the text, from 1.
       integer, intent(in) :: position
       integer :: i
 
@@ -131,7 +131,7 @@ contains
    pure logical function is_group_end(bare, position)
       !> Text of the file without comments.
       character(*), intent(in) :: bare
-      !> Position in the text, outside of quotes.
+      !> Position in the text, from 1.
       integer, intent(in) :: position
       character(5) :: word
 

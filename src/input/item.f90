@@ -14,8 +14,9 @@ module adfric_input_item
 
    !> One value, with the number of times it is meant.
    type :: item_t
-      !> Where it stands, without its repeat count; 0 if there is none.
+      !> Ends of the value in the text, without its repeat count; 0 if there is no value.
       integer :: first = 0, last = 0
+      !> How many times the value is meant.
       integer(i8) :: repeat = 1
    end type item_t
 

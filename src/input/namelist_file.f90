@@ -18,13 +18,13 @@ module adfric_input_namelist_file
    type :: namelist_file_t
       !> Name of the file, as the user gave it.
       character(:), allocatable :: path
-      !> Its text, byte by byte.
+      !> Text of the file, byte by byte.
       character(:), allocatable :: text
-      !> The same without comments, at the same positions.
+      !> The text without comments, everything else at the same positions.
       type(source_t) :: source
-      !> In the order of the file.
+      !> The groups, in the order of the file.
       type(group_t), allocatable :: groups(:)
-      !> In the order of the file.
+      !> The assignments of all groups, in the order of the file.
       type(assignment_t), allocatable :: assignments(:)
    contains
       procedure :: find_group

@@ -35,9 +35,9 @@ module adfric_input_run
       type(plan_t) :: plan
       !> Which variables the file gives in their groups, shape `(n_variables)`.
       logical, allocatable :: is_given(:)
-      !> Which variables it sweeps, shape `(n_variables)`.
+      !> Which variables the file sweeps, shape `(n_variables)`.
       logical, allocatable :: is_swept(:)
-      !> Datasets that it names, shape `(n_variables)`; without a name where a variable names none.
+      !> Datasets that the file names, shape `(n_variables)`; without a text where a variable names none.
       type(dataset_t), allocatable :: datasets(:)
    end type run_input_t
 

@@ -8,6 +8,7 @@ module adfric_input_source_text
    private
    public :: source_t, new_source, find_control_character, end_of_quote, is_closed, end_of_line
 
+   !> Line end of old files, and first half of that of others.
    character(*), parameter :: carriage_return = achar(13)
    !> Mark that some editors put before the first line.
    character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
@@ -16,9 +17,9 @@ module adfric_input_source_text
 
    !> A text without its comments.
    type :: source_t
-      !> With blanks for comments and tabs, and one kind of line end: the positions are those of the file.
+      !> The text with blanks for comments and tabs, and one kind of line end: the positions are those of the file.
       character(:), allocatable :: bare
-      !> Line ends before the positions 1, 1 + stride, 1 + 2 stride and so on.
+      !> Number of line ends before the positions 1, 1 + stride, 1 + 2 stride and so on.
       integer, allocatable :: lines_before(:)
    contains
       procedure :: line_at

@@ -94,7 +94,7 @@ contains
       integer, intent(in) :: group
       !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
-      !> Receives which variables an unknown name may mean as broken: all, if there is no name.
+      !> Receives as broken what an unknown name may mean; every variable, if there is no name.
       type(case_t), intent(inout) :: input
       !> Place of the variable in the model's table, from 1; 0 if none can be swept.
       integer, intent(out) :: variable

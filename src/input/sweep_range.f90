@@ -20,8 +20,11 @@ module adfric_input_sweep_range
 
    !> A range of values.
    type :: range_t
+      !> First and last value.
       real(dp) :: from = 0, to = 0
+      !> Number of values, both ends included.
       integer(i8) :: count = 0
+      !> Are the values at equal ratios, instead of at equal distances?
       logical :: is_logarithmic = .false.
    end type range_t
 

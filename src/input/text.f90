@@ -49,7 +49,7 @@ contains
 
    !> Is it a letter of the English alphabet?
    elemental logical function is_letter(c)
-      !> A character of a text.
+      !> The character to judge.
       character, intent(in) :: c
 
       is_letter = (c >= 'a' .and. c <= 'z') .or. (c >= 'A' .and. c <= 'Z')
@@ -57,7 +57,7 @@ contains
 
    !> Is it a decimal digit?
    elemental logical function is_digit(c)
-      !> A character of a text.
+      !> The character to judge.
       character, intent(in) :: c
 
       is_digit = c >= '0' .and. c <= '9'
@@ -65,7 +65,7 @@ contains
 
    !> Does it stand between two values?
    elemental logical function is_separator(c)
-      !> A character of a text.
+      !> The character to judge.
       character, intent(in) :: c
 
       is_separator = c == ' ' .or. c == newline .or. c == ','
@@ -73,7 +73,7 @@ contains
 
    !> Is it a letter, a digit or an underscore?
    elemental logical function is_name_character(c)
-      !> A character of a text.
+      !> The character to judge.
       character, intent(in) :: c
 
       is_name_character = is_letter(c) .or. is_digit(c) .or. c == '_'

@@ -16,8 +16,9 @@ module adfric_parallel_shared_blocks
    !> The share of one process.
    type, extends(block_source_t) :: shared_blocks_t
       private
+      !> The processes, and the counter of their tickets.
       type(world_t), pointer :: world => null()
-      !> What nobody has taken who is known of here.
+      !> Blocks that no process has taken, as far as this one knows.
       type(block_list_t) :: list
       !> Number of blocks that all processes solve, and of those at the front of the list that are gone.
       integer(i8) :: n_all = 0, n_gone = 0

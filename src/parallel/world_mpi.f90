@@ -31,7 +31,7 @@ module adfric_parallel_world
       integer :: rank = 0, n_ranks = 1, n_here = 1
       !> Tickets that have been given out, while there is one process.
       integer(i8), private :: n_tickets = 0
-      !> Where the first of several processes counts them.
+      !> Window to the counter of tickets, which stands in the first of several processes.
       type(MPI_Win), private :: window
       !> Is MPI at work?
       logical, private :: has_mpi = .false.

@@ -9,7 +9,9 @@ module adfric_sweep_batch
 
    !> Where a thread finds room for the next batch while others wait for the sink.
    type :: batch_store_t
+      !> The batches, taken or not.
       type(batch_t), allocatable :: batches(:)
+      !> Is the batch at a place taken?
       logical, allocatable, private :: is_taken(:)
       !> Sizes of a batch, which gets its memory when it is first taken.
       integer, private :: n_results = 0, n_counts = 0, block_size = 0, max_blocks = 0
@@ -22,11 +24,13 @@ module adfric_sweep_batch
    type :: batch_t
       !> Number of the first point in the run, from 1.
       integer(i8) :: first = 1
+      !> Number of points whose results are in the batch, and of their blocks.
       integer :: n_points = 0, n_blocks = 0
-      !> Shape `(n_points, n_results)`, with room for more.
+      !> Results of the points; shape `(n_points, n_results)`, with room for more.
       real(dp), allocatable :: results(:, :)
-      !> Shape `(n_points)`, with room for more.
+      !> Relative error of the main result at each point; shape `(n_points)`, with room for more.
       real(dp), allocatable :: error_estimate(:)
+      !> One of `status_...` for each point; shape `(n_points)`, with room for more.
       integer, allocatable :: status(:)
       !> What the model counted; shape `(n_blocks, n_counts)`, with room for more.
       real(dp), allocatable :: counts(:, :)

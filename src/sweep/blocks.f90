@@ -23,7 +23,7 @@ module adfric_sweep_blocks
 
    !> One of the parts of a run.
    type :: part_t
-      !> Its number, from 1.
+      !> Number of the part, from 1.
       integer :: number = 1
       !> Number of parts.
       integer :: of = 1
@@ -36,6 +36,7 @@ module adfric_sweep_blocks
    !> The blocks of a part of a run. Blocks are numbered from 1 in the order of their points in the run; those of the part
    !> have places from 1 in the same order.
    type :: blocks_t
+      !> The part of the run; the whole run where nothing else is said.
       type(part_t) :: part
       !> Points and blocks of the whole run.
       integer(i8) :: n_points_of_run = 0, n_blocks_of_run = 0
@@ -94,7 +95,7 @@ contains
 
    !> Number of blocks of the part; 0 where there are more parts than blocks.
    pure integer(i8) function n_blocks(self)
-      !> Says how the run is cut into blocks, and which of them the part has.
+      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       integer(i8) :: n_rounds, n_stretches, last
 
@@ -110,7 +111,7 @@ contains
 
    !> Number of points of the part.
    pure integer(i8) function n_points(self)
-      !> Says how the run is cut into blocks, and which of them the part has.
+      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       integer(i8) :: n
 
@@ -122,7 +123,7 @@ contains
    !> Which turn the part has in a round, from 0. The first turn goes round the parts by the golden section, which meets all
    !> of them evenly (Knuth, The Art of Computer Programming 3, 6.4).
    pure integer(i8) function turn_of(self, round)
-      !> Says how the run is cut into blocks, and which of them the part has.
+      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       !> Number of the round, from 0.
       integer(i8), intent(in) :: round
@@ -136,7 +137,7 @@ contains
 
    !> Number of the block at a place of the part.
    pure integer(i8) function block_at(self, place)
-      !> Says how the run is cut into blocks, and which of them the part has.
+      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       !> Place of the block in the part, from 1.
       integer(i8), intent(in) :: place
@@ -148,7 +149,7 @@ contains
 
    !> Place of a block of the part.
    pure integer(i8) function place_of(self, block)
-      !> Says how the run is cut into blocks, and which of them the part has.
+      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       !> Number of the block in the run, from 1; it must be one of the part.
       integer(i8), intent(in) :: block
@@ -158,7 +159,7 @@ contains
 
    !> How many blocks, from a place on, stand side by side in the run.
    pure integer(i8) function n_neighbours(self, place)
-      !> Says how the run is cut into blocks, and which of them the part has.
+      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       !> Place of the block in the part, from 1.
       integer(i8), intent(in) :: place
@@ -169,7 +170,7 @@ contains
 
    !> Number of the first point of a block in the run, from 1.
    pure integer(i8) function first_point(self, block)
-      !> Says how the run is cut into blocks, and which of them the part has.
+      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
@@ -179,7 +180,7 @@ contains
 
    !> Number of points of a block.
    pure integer function n_points_of(self, block)
-      !> Says how the run is cut into blocks, and which of them the part has.
+      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
@@ -189,7 +190,7 @@ contains
 
    !> Where a point of the run stands among the points of the part, from 1.
    pure integer(i8) function row_of(self, point)
-      !> Says how the run is cut into blocks, and which of them the part has.
+      !> The blocks of a part: how the run is cut, and which of them the part has.
       class(blocks_t), intent(in) :: self
       !> Number of the point in the run, from 1; it must be one of the part.
       integer(i8), intent(in) :: point

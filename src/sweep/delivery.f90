@@ -22,21 +22,23 @@ module adfric_sweep_delivery
    type :: delivery_t
       !> Is there a thread that has nothing else to do?
       logical :: has_writer = .false.
+      !> The batches that are filled, that wait and that are free.
       type(batch_store_t) :: store
-      !> The first one; after it nothing more goes to the sink.
+      !> The first error of the sink; after it nothing more goes there.
       type(error_t), allocatable :: error
       !> Time in the sink [s].
       real(dp) :: seconds = 0
-      !> Threads that solve.
+      !> Number of threads that solve from the beginning.
       integer :: n_workers = 0
-      !> Those of them that still do.
+      !> Number of those threads that have not ended yet.
       integer, private :: n_working = 0
-      !> Places of the batches that wait, the longest first, and how many these are.
+      !> Places of the batches that wait for the sink; the one that has waited longest stands first.
       integer, allocatable, private :: queue(:)
+      !> Number of batches that wait for the sink.
       integer, private :: n_waiting = 0
-      !> Counts them, and at the end one more; counts the batches that may be left before others must be written.
+      !> The bell counts the batches that wait, and at the end one more; the room counts those that may still be left.
       type(semaphore_t), private :: bell, room
-      !> Counts the threads that may end, when all is written.
+      !> The semaphore counts the threads that may end, once everything is written.
       type(semaphore_t), private :: finish
       !> Can the sink take results?
       logical, private :: is_prepared = .false.
@@ -47,11 +49,13 @@ module adfric_sweep_delivery
 
    !> The way of the profiles of a block to the sink: at once, for they are large.
    type, extends(profile_receiver_t) :: profile_gate_t
+      !> Receives the profiles.
       class(sink_t), pointer :: sink => null()
+      !> What the threads share; it keeps an error of the sink.
       type(delivery_t), pointer :: delivery => null()
       !> Number of the first point of the block in the run.
       integer(i8) :: first = 1
-      !> Time in it, with that of waiting for the sink [s].
+      !> Time that profiles took to reach the sink, waiting included [s].
       real(dp) :: seconds = 0
       !> Has something failed? Then nothing more is handed over.
       logical :: is_closed = .false.

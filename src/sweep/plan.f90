@@ -7,19 +7,19 @@ module adfric_sweep_plan
 
    !> One swept variable.
    type :: axis_t
-      !> Place in the variables of the model.
+      !> Place of the variable in the model's table, from 1; 0: none.
       integer :: variable = 0
-      !> The values it takes, in the order given by the user.
+      !> Values that the variable takes, in the order given by the user.
       real(dp), allocatable :: values(:)
    end type axis_t
 
    !> A dataset that a variable takes its values from.
    type :: source_t
-      !> Place in the variables of the model.
+      !> Place of the variable in the model's table, from 1; 0: none.
       integer :: variable = 0
-      !> FILE:/DATASET, as the user gave it.
+      !> Names of file and dataset as the user gave them: FILE:/DATASET.
       character(:), allocatable :: name
-      !> Of the values.
+      !> Checksum of the values.
       character(:), allocatable :: checksum
    end type source_t
 
@@ -41,7 +41,7 @@ contains
 
    !> Number of points of the run.
    pure integer(i8) function n_points(self)
-      !> The run, whose axes are multiplied.
+      !> The run, whose points are all combinations of the values of its axes.
       class(plan_t), intent(in) :: self
 
       n_points = product(self%shape())
@@ -49,7 +49,7 @@ contains
 
    !> Number of values of each axis, the slowest first.
    pure function plan_shape(self) result(counts)
-      !> The run, whose axes are measured.
+      !> The run, the values of whose axes are counted.
       class(plan_t), intent(in) :: self
       integer(i8), allocatable :: counts(:)
       integer :: k

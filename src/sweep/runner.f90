@@ -35,27 +35,31 @@ module adfric_sweep_runner
 
    !> What the threads share.
    type :: sweep_t
+      !> Number of points solved by this process, and before this run.
       integer(i8) :: n_solved = 0
+      !> The way of the results to the sink.
       type(delivery_t) :: delivery
       !> Shape of the profiles of a point; (0, 0, 0) if there are none.
       integer :: profile_shape(3) = 0
       !> What the model counts.
       type(attribute_t), allocatable :: counts(:)
+      !> What the threads that have ended have found.
       type(run_summary_t) :: summary
    end type sweep_t
 
    !> What each thread has for itself.
    type :: worker_t
-      !> Shape `(n_variables, block_size)`.
+      !> Values of the variables at the points of a block; shape `(n_variables, block_size)`.
       real(dp), allocatable :: values(:, :)
-      !> Shape `(n_results, block_size)`.
+      !> Results of the points of a block; shape `(n_results, block_size)`.
       real(dp), allocatable :: results(:, :)
-      !> Profiles of a point.
+      !> Profiles of a point; shape `profile_shape` of `sweep_t`.
       real(dp), allocatable :: profiles(:, :, :)
-      !> Place of the batch that it fills.
+      !> Place of the batch that the thread fills.
       integer :: place = 0
-      !> Number of blocks that it takes next.
+      !> Number of blocks that the thread takes next.
       integer :: n_wanted = 1
+      !> What this thread has found so far.
       type(run_summary_t) :: summary
    end type worker_t
 

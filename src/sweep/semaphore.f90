@@ -5,8 +5,9 @@ module adfric_sweep_semaphore
    private
    public :: semaphore_t
 
-   !> It has a count.
+   !> A count that threads raise, and that others wait for when it is 0.
    type :: semaphore_t
+      !> The semaphore of the system; null where there is none.
       type(c_ptr), private :: handle = c_null_ptr
    contains
       procedure :: make
@@ -17,6 +18,7 @@ module adfric_sweep_semaphore
 
    interface
 
+      !> A new semaphore; null if the system has no room for one.
       type(c_ptr) function c_new(count) bind(c, name='adfric_new_semaphore')
          import :: c_ptr, c_long
          implicit none (type, external)
@@ -24,6 +26,7 @@ module adfric_sweep_semaphore
          integer(c_long), intent(in), value :: count
       end function c_new
 
+      !> Give a semaphore back to the system.
       subroutine c_free(handle) bind(c, name='adfric_free_semaphore')
          import :: c_ptr
          implicit none (type, external)
@@ -31,6 +34,7 @@ module adfric_sweep_semaphore
          type(c_ptr), intent(in), value :: handle
       end subroutine c_free
 
+      !> Add one to the count, and wake a thread that waits for it.
       subroutine c_post(handle) bind(c, name='adfric_post_semaphore')
          import :: c_ptr
          implicit none (type, external)
@@ -38,6 +42,7 @@ module adfric_sweep_semaphore
          type(c_ptr), intent(in), value :: handle
       end subroutine c_post
 
+      !> Sleep until the count is not 0, and take one from it.
       subroutine c_wait(handle) bind(c, name='adfric_wait_semaphore')
          import :: c_ptr
          implicit none (type, external)
@@ -49,7 +54,7 @@ module adfric_sweep_semaphore
 
 contains
 
-   !> Make it.
+   !> Make the semaphore.
    subroutine make(self, count, is_made)
       !> Receives the semaphore.
       class(semaphore_t), intent(inout) :: self

@@ -8,7 +8,7 @@ module adfric_sweep_sink
 
    !> A place that takes results by the number of their first point, in any order.
    type, abstract :: sink_t
-      !> May a thread call it that does nothing else?
+      !> May a thread that does nothing else put the results into the sink?
       logical :: has_own_thread = .true.
    contains
       procedure :: prepare

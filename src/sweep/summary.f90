@@ -9,6 +9,7 @@ module adfric_sweep_summary
 
    !> Counts and ranges over the points of a run, or of a part of it.
    type :: run_summary_t
+      !> Number of points.
       integer(i8) :: n_points = 0
       !> Points by status; shape `(0:n_status - 1)`.
       integer(i8) :: by_status(0:n_status - 1) = 0

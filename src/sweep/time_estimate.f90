@@ -23,7 +23,7 @@ module adfric_sweep_time_estimate
 
    !> What is known of the time of a run.
    type :: time_estimate_t
-      !> Of all points with the threads there are [s].
+      !> Time of all points with the threads that there are [s].
       real(dp) :: seconds = 0
       !> Number of threads that solve.
       integer :: n_threads = 1
@@ -84,7 +84,7 @@ contains
       real(dp), intent(in) :: points
       !> Time that these points took on a processor [s].
       real(dp), intent(in) :: seconds
-      !> Time of all trials, whether they came to an end or not [s].
+      !> Time of all trials on a processor, whether they came to an end or not [s].
       real(dp), intent(in) :: seconds_of_all
       !> The blocks of the run, which say how many points and blocks it has.
       type(blocks_t), intent(in) :: blocks
