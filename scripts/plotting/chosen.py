@@ -22,6 +22,9 @@ def draw_chosen(runs, x_name, y_names, table):
         for name in [x_name, *y_names]:
             _check_name(results, name)
     points = _read_table(table, [x_name, *y_names]) if table else {}
+    for name in [x_name, *y_names]:
+        if not any(np.isfinite(values).any() for values in [*(_values(results, name) for results in runs), points.get(name, [])]):
+            raise NothingToDraw(f"{runs[0].path}: {name} has no value at any point: nothing to draw")
     scales = {name: _common_scale(runs, name, points) for name in [x_name, *y_names]}
     figure, panels = _make_panels(len(y_names))
     title, names = _split_titles(runs)
@@ -110,7 +113,7 @@ def _check_name(results, name):
         if not any(axis.values.size > 1 for axis in results.axes):
             raise NothingToDraw(f"{results.path}: one point: nothing to draw")
         return
-    if name in RENAMED:
+    if RENAMED.get(name) in known:
         raise BadFile(f"{results.path}: {name} is called {RENAMED[name]} now")
     if name in results.states or name == "status":
         raise BadFile(f"{results.path}: {name} is a state, not a number")

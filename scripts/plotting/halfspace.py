@@ -172,7 +172,7 @@ def draw_half_axes(results):
     for panel in figure.axes:
         if radius.values.max() < 0:
             # a concave radius: logarithmic, too
-            panel.set_xscale("symlog", linthresh=-radius.values.max())
+            panel.set_xscale("symlog", linthresh=-radius.values.max(), subs=range(2, 10))
     return figure
 
 

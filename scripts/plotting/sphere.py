@@ -150,6 +150,9 @@ def draw_shear_traction(results):
     """Shear traction along the radius, a curve for each tangential force (J Fig. 6)."""
     r, shear, b = results.profile_axes[-1].values, results.profiles["shear_stress"], results.fields["friction_radius"].values
     factor, unit = scale_of(shear.values, shear.unit)
+    label = axis_label("shear_traction", unit)
+    if shear.unit == "-" and "shear_strength" in results.constants:
+        factor, label = 1 / results.constants["shear_strength"].values, axis_label("relative_shear_traction", "")
     forces = results.axes[results.axis_names.index("tangential_force")].values
     figure, axes = plt.subplots(figsize=(5.2, 3.4))
     norm = norm_of(forces)
@@ -163,7 +166,7 @@ def draw_shear_traction(results):
     axes.set_xlim(0, 1)
     axes.set_ylim(bottom=0)
     axes.set_xlabel("Radius $r/b$")
-    axes.set_ylabel("Shear stress $q$" + (f" ({unit})" if unit else ""))
+    axes.set_ylabel(label)
     axes.legend(loc="center left", bbox_to_anchor=(1.02, 0.5), title=r"$T/(\pi b^2 \tau_0)$", title_fontsize="small")
     return figure
 
@@ -174,6 +177,7 @@ def draw_pull_off(results):
     axes = figure.axes[0]
     if results.fields["pull_off_load"].unit != "-":
         return figure
+    axes.set_ylabel(axis_label("relative_pull_off_load", ""))
     given = "load" if np.ptp(results.fields["load"].values) == 0 else "approach"
     for name, limit in LIMITS[given].items():
         axes.axhline(limit, color="0.6", linewidth=0.6, linestyle=DASHES[0], zorder=0)

@@ -43,6 +43,37 @@ class PlotChoiceTest(PlotCase):
         self.assertIn("friction_area", fields)
         self.assertNotIn("contact_area", fields)
 
+    def test_old_names_of_other_models(self):
+        make_file(self.file, [("load", [0.0, 0.5, 1.0])], model="sphere")
+        self.assert_refused("did you mean friction_area?", "--y", "area_fraction")
+        make_file(self.file, [("mean_pressure", [0.0, 0.5, 1.0])], model="wave_1d")
+        self.assert_refused("area_fraction is called contact_fraction now", "--y", "area_fraction")
+
+    def test_nothing_but_gaps(self):
+        make_file(self.file, [("load", [0.0, 0.5, 1.0])])
+        with h5py.File(self.file, "r+") as file:
+            file["contact_width"][...] = np.nan
+        self.assert_refused("contact_width has no value at any point", "--y", "friction_force", "contact_width", expected=3)
+        self.assert_refused("contact_width has no value at any point", "--x", "contact_width", expected=3)
+
+    def test_reduced_units_have_names(self):
+        make_file(self.file, [("lambda", [0.1, 1.0, 10.0])], model="sphere")
+        results = Results(self.file)
+        self.assertIn(r"$P_c/(\pi w R)$", figures.sphere.draw_pull_off(results).axes[0].get_ylabel())
+        make_file(self.file, [("tangential_force", [0.2, 0.5, 0.8])], [("r", [0.0, 0.5, 1.0])], model="sphere")
+        with h5py.File(self.file, "r+") as file:
+            file["shear_strength"] = 4.0
+            file["status"].attrs["coordinates"] = "shear_strength"
+        results = Results(self.file)
+        panel = figures.sphere.draw_shear_traction(results).axes[0]
+        self.assertIn(r"$q/\tau_0$", panel.get_ylabel())
+        np.testing.assert_allclose(panel.lines[0].get_ydata(), results.profiles["shear_stress"].values[0] / 4.0)
+
+    def test_concave_radii_have_ticks_within_decades(self):
+        make_file(self.file, [("radius_2y", [-1.0, -0.1, -0.02])], model="hertz")
+        for panel in figures.halfspace.draw_half_axes(Results(self.file)).axes:
+            self.assertGreater(np.sum(panel.xaxis.get_minorticklocs() < -0.1), 5)
+
     def drawn(self, *options, other=None):
         """The figure of several files, or of chosen names."""
         runs = [Results(path) for path in [self.file, *([other] if other else [])]]
@@ -77,7 +108,6 @@ class PlotChoiceTest(PlotCase):
         make_file(self.file, [("load", [-1.0, 0.0, 1.0])], model="sphere")
         self.assert_refused("given frction_force; did you mean friction_force?", "--y", "frction_force")
         self.assert_refused("given zzz, allowed: load, ", "--x", "zzz")
-        self.assert_refused("area_fraction is called contact_fraction now", "--y", "area_fraction")
         self.assert_refused("stable is a state", "--y", "stable")
         make_file(self.file, [], model="sphere")
         self.assert_refused("one point", "--y", "friction_force", expected=3)
