@@ -136,7 +136,7 @@ contains
                call add_units(entries, model%variables(k)%unit, model%variables(k)%name)
             end do
             do k = 1, size(model%results)
-               call entries%add(model%results(k)%unit, model%results(k)%name)
+               call add_units(entries, model%results(k)%unit, model%results(k)%name)
             end do
             do k = 1, size(model%profiles)
                call entries%add(model%profiles(k)%unit, model%profiles(k)%name)
@@ -147,13 +147,13 @@ contains
          //'Units'//newline//entries%show_table(12, .true.)
    end function show_units
 
-   !> The units that a variable may have, such as `N; N/m for wave_2d`.
+   !> The units that a variable or a result may have, such as `N; N/m for wave_2d`.
    pure subroutine add_units(entries, units, name)
       !> Entries by unit; receives the variable for each unit that it may have.
       type(entries_t), intent(inout) :: entries
       !> Units with the case that each is for, separated by a semicolon; empty if the variable has none.
       character(*), intent(in) :: units
-      !> Name of the variable.
+      !> Name of the variable or result.
       character(*), intent(in) :: name
       integer :: first, last
 

@@ -11,8 +11,8 @@ module adfric_command_help_names
    private
    public :: describe_model, describe_outputs, describe_name, describe_common, list_names
 
-   !> Width of the column of names.
-   integer, parameter :: name_width = 34
+   !> Width of the column of names, and of a line.
+   integer, parameter :: name_width = 40, line_width = 110
 
 contains
 
@@ -143,7 +143,7 @@ contains
                if (.not. has_word(result%flag_meanings, name)) cycle
             end if
             text = text//pad('  '//result%name//' ['//result%unit//']', name_width)//result%long_name//newline
-            if (has_state) text = text//repeat(' ', name_width)//'  '//list_states(result%flag_meanings)//newline
+            if (has_state) text = text//list_states(result%flag_meanings)
          end associate
       end do
    end function describe_results
@@ -166,20 +166,27 @@ contains
       end do
    end function describe_profiles
 
-   !> States with their numbers.
+   !> States with their numbers, on lines that begin behind the column of names.
    pure function list_states(meanings) result(text)
       !> Meanings of the states 0, 1, 2, ..., separated by a blank.
       character(*), intent(in) :: meanings
-      character(:), allocatable :: text
+      character(:), allocatable :: text, line, state
       character(4) :: number
       integer :: i
 
       text = ''
+      line = repeat(' ', name_width + 1)
       do i = 1, count_words(meanings)
          write (number, '(i0)') i - 1
-         if (i > 1) text = text//', '
-         text = text//trim(number)//' '//get_word(meanings, i)
+         state = ' '//trim(number)//' '//get_word(meanings, i)
+         if (i < count_words(meanings)) state = state//','
+         if (len(line//state) > line_width) then
+            text = text//line//newline
+            line = repeat(' ', name_width + 1)
+         end if
+         line = line//state
       end do
+      text = text//line//newline
    end function list_states
 
    !> Every name that a model has something to say of, and those of every run, separated by a blank.

@@ -60,8 +60,11 @@ module adfric_command_help_pages
       'is not written again. Every dataset has units and long_name, every enumerated one flag_values and'//newline// &
       'flag_meanings; -1 is an enumerated result without a value.'//newline// &
       newline// &
-      '  attributes of the file          title, model, adfric_version, git_revision, compiler, created,'//newline// &
-      '                                  wall_seconds, case_hash, input (the whole text); datasets, and dataset_NAME'//newline// &
-      '                                  and checksum_NAME (64-bit FNV-1a of the values) for each that the input names'//newline
+      'Every variable that is not swept, and what follows from it, is a scalar dataset of its own.'//newline// &
+      newline// &
+      '  attributes of the file                title, Conventions, source, history, references, model,'//newline// &
+      '                                        adfric_version, git_revision, compiler, created, wall_seconds,'//newline// &
+      '                                        case_hash, input (the whole text); datasets, and dataset_NAME and'//newline// &
+      '                                        checksum_NAME (64-bit FNV-1a) for each that the input names'//newline
 
 end module adfric_command_help_pages

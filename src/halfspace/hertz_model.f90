@@ -58,29 +58,35 @@ contains
       v(v_approach) = number('operating', 'approach', 'm', 'of distant points, instead of the load; not for a line')
       v(v_approach)%lower = 0
       call self%set_tables('hertz', 'smooth elastic bodies in contact along a line, on a circle or an ellipse', v, &
-         & get_results(.false.), contact_profiles(), 'y x', .false.)
+         & get_results(), contact_profiles(), 'y x', .false.)
       self%solids = [v_contact_modulus, v_second_poisson_ratio]
    end subroutine new_hertz_model
 
    !> The table of results.
    function get_results(is_line) result(r)
-      !> Is the contact one along a line, so that load and area are per length?
-      logical, intent(in) :: is_line
+      !> Is the contact one along a line, so that load and area are per length? Absent before it is known: then the units are
+      !> those of either.
+      logical, intent(in), optional :: is_line
       type(result_t) :: r(n_results)
+      character(:), allocatable :: force, area
 
-      r(r_load) = result_t('load', 'N', 'load', '', .true.)
+      force = 'N; N/m for line'
+      area = 'm^2; m for line'
+      if (present(is_line)) then
+         force = trim(merge('N/m', 'N  ', is_line))
+         area = trim(merge('m  ', 'm^2', is_line))
+      end if
+      r(r_load) = result_t('load', force, 'load', '', .true.)
       r(r_approach) = result_t('approach', 'm', 'approach of distant points; a line contact has none', '', .true.)
       r(r_half_width) = result_t('contact_half_width', 'm', 'half-width a of contact, along the major axis x', '', .true.)
       r(r_minor) = result_t('minor_half_width', 'm', 'half-width b along the minor axis y', '')
       r(r_peak_pressure) = result_t('peak_pressure', 'Pa', 'largest pressure', '', .true.)
       r(r_mean_pressure) = result_t('mean_pressure', 'Pa', 'load over area of contact', '')
-      r(r_contact_area) = result_t('contact_area', 'm^2', 'area of contact', '')
+      r(r_contact_area) = result_t('contact_area', area, 'area of contact', '')
       r(r_direction) = result_t('major_axis_angle', 'rad', 'from the first principal direction of body 1 to the major axis', '')
       r(r_shear) = result_t('largest_shear_stress', 'Pa', 'largest shear stress in the solid', '')
       r(r_shear_depth) = result_t('largest_shear_depth', 'm', 'its depth', '')
       r(r_violation) = result_t('contact_violation', '-', 'largest violation of g >= 0, p >= 0, g p = 0', '')
-      if (is_line) r(r_load)%unit = 'N/m'
-      if (is_line) r(r_contact_area)%unit = 'm'
    end function get_results
 
    !> See `model_t`.

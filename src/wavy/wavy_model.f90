@@ -6,6 +6,7 @@ module adfric_wavy_model
    use adfric_base_model, only: model_t, result_t, attribute_t, status_solved, status_no_equilibrium
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
@@ -53,7 +54,7 @@ contains
       self%summary = 'a rigid wavy surface sliding on a viscoelastic foundation, with adhesion'
       self%references = 'I. Goryacheva, Yu. Makhovskaya, acta mechanica et automatica 5(4) (2011)'
       self%variables = get_wavy_variables()
-      self%results = get_wavy_results(.false.)
+      self%results = get_wavy_results()
       self%profiles = get_wavy_profiles()
       self%profile_axes = 'y x'
    end subroutine new_wavy_model
@@ -81,7 +82,7 @@ contains
       type(result_t), allocatable :: results(:)
 
       results = self%results
-      if (nint(values(v_kind)) == kind_3d) results = get_wavy_results(.true.)
+      if (is_set(values(v_kind))) results = get_wavy_results(nint(values(v_kind)) == kind_3d)
    end function describe_results
 
    !> SI unit of a variable: the load of a 2-D wave is one per width.

@@ -81,15 +81,17 @@ contains
 
    !> The table of results.
    function get_wavy_results(is_3d) result(r)
-      !> Is the surface a 3-D wave? Then forces are in N and areas in m^2, else in N/m and m.
-      logical, intent(in) :: is_3d
+      !> Waves in both directions, whose forces are not per width? Absent before it is known: then the units are those of either.
+      logical, intent(in), optional :: is_3d
       type(result_t), allocatable :: r(:)
       character(:), allocatable :: force, area
 
-      force = 'N/m'
-      area = 'm'
-      if (is_3d) force = 'N'
-      if (is_3d) area = 'm^2'
+      force = 'N; N/m for wave_2d'
+      area = 'm^2; m for wave_2d'
+      if (present(is_3d)) then
+         force = trim(merge('N  ', 'N/m', is_3d))
+         area = trim(merge('m^2', 'm  ', is_3d))
+      end if
       allocate (r(n_wavy_results))
       r(r_load) = result_t('load', force, 'load on one period', '', .true.)
       r(r_penetration) = result_t('penetration', 'm', 'penetration of the crests', '', .true.)
