@@ -12,8 +12,8 @@ set -euo pipefail
 usage='usage: scripts/slurm_array.sh INPUT.nml N [OUTPUT.h5]
 
 Submits a job array that solves INPUT.nml in N parts, and a job after it that merges them into OUTPUT.h5 (default: the name
-of the input with .h5, in this folder). N is at most 10000. Say it again when some tasks have failed, or have run out of time: only parts that are
-not complete are submitted, and each goes on where it was.
+of the input with .h5, in this folder). N is at most 10000. Give the command again when some tasks
+have failed, or have run out of time: only parts that are not complete are submitted, and each goes on where it was.
 
 The lines #SBATCH of this script are defaults. The variables of sbatch change them for both jobs, such as SBATCH_PARTITION,
 SBATCH_ACCOUNT, SBATCH_TIMELIMIT; further options of sbatch for the array stand in ADFRIC_SBATCH, such as

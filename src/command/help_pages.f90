@@ -19,7 +19,7 @@ module adfric_command_help_pages
       '      put the parts together to the file that one run would have written;'//newline// &
       '      --virtual leaves the results in the parts and refers to them'//newline// &
       '  adfric check INPUT.nml'//newline// &
-      '      read and validate only; print the resolved case, the number of points, how long a run takes,'//newline// &
+      '      read and validate, write nothing; print the resolved case, the number of points, how long a run takes,'//newline// &
       '      and what looks like a slip in the units'//newline// &
       '  adfric help [TOPIC]'//newline// &
       '      topics: models, groups, variables, results, units, input, outputs, and any name of these:'//newline// &
