@@ -1,18 +1,15 @@
 !> A namelist file in memory: its whole text, its groups and its assignments.
 module adfric_input_namelist_file
    use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_base_kinds, only: i8
    use adfric_base_problems, only: problems_t
    use adfric_input_assignment_scan, only: assignment_t, scan_assignments
    use adfric_input_group_scan, only: group_t, scan_groups
    use adfric_input_source_text, only: source_t, new_source, find_control_character
    use adfric_input_text, only: show_count
+   use adfric_input_whole_file, only: read_whole_file
    implicit none (type, external)
    private
    public :: namelist_file_t, open_namelist_file, new_namelist_file
-
-   !> More than anybody writes: something else was given by mistake [bytes].
-   integer, parameter :: largest_file = 100*1024**2
 
    !> A namelist file.
    type :: namelist_file_t
@@ -82,71 +79,6 @@ contains
       call report_repeated_groups(self, problems)
       call report_repeated_variables(self, problems)
    end subroutine new_namelist_file
-
-   !> Read a file byte by byte.
-   subroutine read_whole_file(path, text, error)
-      !> Name of the file, as the user gave it.
-      character(*), intent(in) :: path
-      !> Every byte of the file; not to be used if there is an error.
-      character(:), allocatable, intent(out) :: text
-      !> Not allocated if all went well.
-      type(error_t), allocatable, intent(out) :: error
-      character(256) :: message
-      integer(i8) :: length
-      integer :: unit, status
-      logical :: exists
-
-      inquire (file=path, exist=exists)
-      if (.not. exists) then
-         call set_error(error, input_failure, path//': cannot open the input, there is no such file')
-         return
-      end if
-      open (newunit=unit, file=path, status='old', action='read', access='stream', form='unformatted', &
-         iostat=status, iomsg=message)
-      if (status /= 0) then
-         call set_error(error, input_failure, path//': cannot open the input, '//trim(message))
-         return
-      end if
-      inquire (unit=unit, size=length)
-      if (length < 1) then
-         call read_stream(unit, text, status, message)
-         length = len(text)
-      else if (length <= largest_file) then
-         allocate (character(length) :: text)
-         read (unit, iostat=status, iomsg=message) text
-      end if
-      close (unit)
-      if (length > largest_file) then
-         call set_error(error, input_failure, path//': cannot be an input, it is larger than 100 MiB')
-      else if (status /= 0) then
-         call set_error(error, input_failure, path//': cannot read the input, '//trim(message))
-      end if
-   end subroutine read_whole_file
-
-   !> Read what has no known length, such as a pipe: to its end, or one byte more than is allowed.
-   subroutine read_stream(unit, text, status, message)
-      !> Unit that is open for stream access.
-      integer, intent(in) :: unit
-      !> What could be read; longer than is allowed by one byte if there is too much.
-      character(:), allocatable, intent(out) :: text
-      !> 0 if everything has been read.
-      integer, intent(out) :: status
-      !> Receives what went wrong, where something did; means nothing if `status` is 0.
-      character(*), intent(inout) :: message
-      integer :: n
-
-      allocate (character(4096) :: text)
-      n = 0
-      do
-         if (n == len(text)) text = text//repeat(' ', n)
-         read (unit, iostat=status, iomsg=message) text(n + 1:n + 1)
-         if (status /= 0) exit
-         n = n + 1
-         if (n > largest_file) exit
-      end do
-      if (is_iostat_end(status)) status = 0
-      text = text(:n)
-   end subroutine read_stream
 
    !> Report groups that stand twice.
    subroutine report_repeated_groups(self, problems)

@@ -40,7 +40,11 @@ contains
          if (n > most_values) flaw = 'too many values, given '//show_count(n)
       end if
       if (len(flaw) > 0) n_kept = 0
-      values = kept(:n_kept)
+      if (n_kept == size(kept, kind=i8)) then
+         call move_alloc(kept, values)
+      else
+         values = kept(:n_kept)
+      end if
    end subroutine read_list
 
    !> Examine, keep and count the values of a list.

@@ -128,6 +128,28 @@ int adfric_read_words(const char *path, int64_t place, int64_t n, int64_t *words
    return number;
 }
 
+/* Open a file, or anything that can be read, at its beginning. Its number, or the negative of an error number. */
+int adfric_open_to_read(const char *path)
+{
+   const int file = open(path, O_RDONLY | O_CLOEXEC);
+   return file < 0 ? -errno : file;
+}
+
+/* Read the next bytes of an open file, n at most. How many there were: 0 at its end; or the negative of an error number. */
+int64_t adfric_read_next(int file, unsigned char *bytes, int64_t n)
+{
+   ssize_t n_read;
+   do {
+      n_read = read(file, bytes, (size_t)n);
+   } while (n_read < 0 && errno == EINTR);
+   return n_read < 0 ? -errno : (int64_t)n_read;
+}
+
+void adfric_close_file(int file)
+{
+   close(file);
+}
+
 /* Size of a file [bytes]; negative if it cannot be said. */
 int64_t adfric_size_of_file(const char *path)
 {

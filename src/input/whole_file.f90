@@ -1,0 +1,117 @@
+!> A file as a text, byte by byte: a regular file, or what has no known length, such as a pipe.
+module adfric_input_whole_file
+   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t, c_null_char
+   use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_kinds, only: i8
+   use adfric_output_operating_system, only: kind_of_path, path_free, error_text
+   use adfric_system_file_bytes, only: size_of_file
+   implicit none (type, external)
+   private
+   public :: read_whole_file
+
+   !> More than anybody writes: something else was given by mistake [bytes].
+   integer, parameter :: largest_file = 100*1024**2
+   !> Room at first for what has no known length [bytes].
+   integer, parameter :: first_room = 65536
+
+   !> See `file_bytes.c`.
+   interface
+
+      integer(c_int) function c_open(path) bind(c, name='adfric_open_to_read')
+         import :: c_char, c_int
+         implicit none (type, external)
+         !> Name of the file, ends with a null character.
+         character(kind=c_char), intent(in) :: path(*)
+      end function c_open
+
+      integer(c_int64_t) function c_read(file, bytes, n) bind(c, name='adfric_read_next')
+         import :: c_char, c_int, c_int64_t
+         implicit none (type, external)
+         !> Number of the open file.
+         integer(c_int), intent(in), value :: file
+         !> What is read.
+         character(kind=c_char), intent(inout) :: bytes(*)
+         !> Room in it [bytes].
+         integer(c_int64_t), intent(in), value :: n
+      end function c_read
+
+      subroutine c_close(file) bind(c, name='adfric_close_file')
+         import :: c_int
+         implicit none (type, external)
+         !> Number of the open file.
+         integer(c_int), intent(in), value :: file
+      end subroutine c_close
+
+   end interface
+
+contains
+
+   !> Read a file.
+   subroutine read_whole_file(path, text, error)
+      !> Name of the file, as the user gave it.
+      character(*), intent(in) :: path
+      !> All of its bytes.
+      character(:), allocatable, intent(out) :: text
+      !> It cannot be read, or is too large.
+      type(error_t), allocatable, intent(out) :: error
+      integer(c_int) :: file, number
+
+      if (kind_of_path(path) == path_free) then
+         call set_error(error, input_failure, path//': cannot open the input, there is no such file')
+         return
+      end if
+      file = c_open(path//c_null_char)
+      if (file < 0) then
+         call set_error(error, input_failure, path//': cannot open the input, '//error_text(-file))
+         return
+      end if
+      ! one byte more than there should be, to meet the end
+      allocate (character(room_for(size_of_file(path))) :: text)
+      call read_to_end(file, text, number)
+      call c_close(file)
+      if (number /= 0) then
+         call set_error(error, input_failure, path//': cannot read the input, '//error_text(number))
+      else if (len(text) > largest_file) then
+         call set_error(error, input_failure, path//': cannot be an input, it is larger than 100 MiB')
+      end if
+   end subroutine read_whole_file
+
+   !> Room for a file of such a size and one byte more [bytes], but no more than is read.
+   pure integer function room_for(size)
+      !> [bytes]; less than 1 if it is not known.
+      integer(i8), intent(in) :: size
+
+      room_for = first_room
+      if (size > 0) room_for = int(min(size, int(largest_file, i8))) + 1
+   end function room_for
+
+   !> Read to the end of a file, or one byte more than is allowed.
+   subroutine read_to_end(file, text, number)
+      !> Number of the open file.
+      integer(c_int), intent(in) :: file
+      !> Room that grows as it is needed; then what has been read.
+      character(:), allocatable, intent(inout) :: text
+      !> 0 or an error number.
+      integer(c_int), intent(out) :: number
+      character(:), allocatable :: larger
+      integer(c_int64_t) :: n_read
+      integer :: n
+
+      n = 0
+      number = 0
+      do
+         if (n == len(text)) then
+            if (n > largest_file) exit
+            allocate (character(min(2*n, largest_file + 1)) :: larger)
+            larger(:n) = text
+            call move_alloc(larger, text)
+         end if
+         n_read = c_read(file, text(n + 1:len(text)), int(len(text) - n, c_int64_t))
+         if (n_read < 0) number = int(-n_read, c_int)
+         if (n_read <= 0) exit
+         n = n + int(n_read)
+      end do
+      text = text(:n)
+   end subroutine read_to_end
+
+end module adfric_input_whole_file
