@@ -234,6 +234,9 @@ contains
             call set_error(error, input_failure, 'adfric: unknown command, given '''//text//''', allowed: ' &
                //known_commands//did_you_mean(text, known_commands))
          end if
+      else if (len_trim(text) == 0 .and. command%name /= 'help') then
+         ! passed over, the next name would take its place, and the results that of a part
+         call set_error(error, input_failure, 'adfric: '//command%name//': the name of a file is missing, given '''//text//'''')
       else if (len(command%subject) == 0) then
          command%subject = text
       else if (command%name == 'merge') then
