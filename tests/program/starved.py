@@ -45,6 +45,7 @@ class Starved(Runs):
         process = subprocess.run([PROGRAM, *command], cwd=self.folder, env=dict(os.environ, **dict(environment)),
                                  capture_output=True, text=True, preexec_fn=preexec_fn, timeout=120)
         status, errors = process.returncode, process.stderr
+        self.errors = errors
         self.assertEqual(process.stdout, "")
         if status in IN_ORDER:
             self.assertEqual(errors, "")
@@ -87,8 +88,13 @@ class Starved(Runs):
     @unittest.skipIf(IS_SANITIZED, "a sanitizer keeps an account of each thread")
     def test_very_many_threads(self):
         whole = self.begin(CHECKED)
-        # more than a process may have on any machine
+        # more than all processes of any machine may have
         self.assertIn(self.try_run(whole, {"OMP_NUM_THREADS": "10000000"}), (2, 3))
+        # one more than all of this one may have: none is tried, which would keep others from starting theirs
+        most = min(int(Path(f"/proc/sys/kernel/{name}").read_text()) for name in ("pid_max", "threads-max"))
+        self.assertEqual(self.try_run(whole, {"OMP_NUM_THREADS": str(most + 1)}), 3)
+        self.assertEqual(self.errors, f"run.nml: cannot start {most + 1} threads, the system has no more than {most} for all; "
+                                      "OMP_NUM_THREADS sets how many there are\n")
         # 8 MB each
         self.assertIn(self.try_run(whole, {"OMP_NUM_THREADS": "1000", "OMP_STACKSIZE": "8M"},
                                    limits(**{"as": 2_000_000*KILOBYTE})), (2, 3))
