@@ -10,10 +10,10 @@ module adfric_base_printable
 
    character(*), parameter :: newline = achar(10)
    character(*), parameter :: hexadecimal = '0123456789abcdef'
-   !> Most letters that a byte is shown by, as in `\x1b`; a code point of two or three bytes is shown by six.
+   !> Most letters that a byte is shown by, as in `\x1b`; a code point of several bytes is shown by seven at most.
    integer, parameter :: longest_shown = 4
    !> Ranges of code points that are not shown as they are.
-   integer, parameter :: unseen(2, 10) = reshape([ &
+   integer, parameter :: unseen(2, 12) = reshape([ &
       int(z'00'), int(z'1f'), &        ! controls
       int(z'7f'), int(z'9f'), &
       int(z'ad'), int(z'ad'), &        ! a hyphen that is not always seen
@@ -23,7 +23,9 @@ module adfric_base_printable
       int(z'2060'), int(z'206f'), &    ! of no width, and marks of direction
       int(z'd800'), int(z'dfff'), &    ! no characters
       int(z'feff'), int(z'feff'), &    ! of no width
-      int(z'fff9'), int(z'fffb')], [2, 10])   ! notes between the lines
+      int(z'fff9'), int(z'fffb'), &    ! notes between the lines
+      int(z'180e'), int(z'180e'), &    ! of no width
+      int(z'e0000'), int(z'e0fff')], [2, 12])   ! tags and variants, which are not seen
 
 contains
 
