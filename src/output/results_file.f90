@@ -273,6 +273,8 @@ contains
       call ignore_file_size_signal()
       self%path = path
       self%path_now = partial_name(path)
+      ! the other process may have found it, damaged in places
+      self%is_resumed = .true.
       call new_layout(self%layout, model, plan, part)
    end subroutine join
 

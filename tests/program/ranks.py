@@ -11,6 +11,8 @@ import time
 import unittest
 from pathlib import Path
 
+import h5py
+
 sys.path.insert(0, str(Path(__file__).parent))
 from runs import IN_ORDER, LOADS, PROFILES, PROGRAM, Runs  # noqa: E402
 
@@ -176,6 +178,21 @@ class Ranks(Runs):
 
     def test_sigterm_of_one(self):
         self.check_sigterm(lambda process: children(process)[-1:], 143)
+
+    def test_damaged_profiles(self):
+        """Whichever process solves a point again that has no solution, what stands in the place of its profiles goes."""
+        self.run_whole(PROFILES.format(strips=16, count=200))
+        shutil.copy(self.folder / "whole.h5", self.folder / "run.h5.partial")
+        with h5py.File(self.folder / "run.h5.partial", "r+") as file:
+            status = file["status"][()]
+            self.assertGreater((status > 0).sum(), 100)
+            for name in [name for name, item in file.items() if isinstance(item, h5py.Dataset) and item.ndim > status.ndim]:
+                values = file[name][()]
+                values[status > 0] = 1.0
+                file[name][...] = values
+            file["status"][...] = -1
+        self.run_ranks(3, "run", "--quiet", "--resume", "run.nml")
+        self.assert_same(self.snapshot("whole.h5"), self.snapshot("run.h5"))
 
     def test_bad_input(self):
         self.write(LOADS.format(strips=16, count=20).replace("period", "perid"))
