@@ -171,6 +171,7 @@ contains
       if (number /= 0) return
       associate (n => size(words))
          if (words(n) /= mix_integers(0_i8, n - 1, words)) number = is_short
+         if (words(5) < 0 .or. words(5) > (n - n_words_before - 1)/2) number = is_short
       end associate
    end subroutine read_seal
 
