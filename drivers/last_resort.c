@@ -5,6 +5,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -32,6 +33,11 @@ int adfric_write_text(int file, const char *text, size_t n)
    while (n > 0) {
       const ssize_t written = write(file, text, n);
       if (written < 0 && errno == EINTR) continue;
+      if (written < 0 && errno == EAGAIN) {
+         /* a pipe that somebody else has told not to wait */
+         struct pollfd place = {file, POLLOUT, 0};
+         if (poll(&place, 1, -1) > 0 || errno == EINTR) continue;
+      }
       if (written < 0) return errno;
       text += written;
       n -= (size_t)written;

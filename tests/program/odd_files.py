@@ -1,5 +1,7 @@
 """Files that are no common files: pipes, links, names with percent signs, outputs that are full, terminals that are gone."""
 
+import contextlib
+import fcntl
 import os
 import shutil
 import signal
@@ -138,6 +140,23 @@ class OddFiles(Runs):
         process = subprocess.run(["sh", "-c", '"$0" run --quiet --force run.nml >&- 2>&- <&-', PROGRAM], cwd=self.folder)
         self.assertEqual(process.returncode, 0)
         self.assert_same(self.snapshot("whole.h5"), self.snapshot("run.h5"))
+
+    def test_output_that_does_not_wait(self):
+        """A pipe with little room, whose writer is told to come again."""
+        whole = subprocess.run([PROGRAM, "help", "outputs"], capture_output=True, check=True).stdout
+        for_reader, for_writer = os.pipe()
+        room = fcntl.fcntl(for_writer, fcntl.F_SETPIPE_SZ, 4096)
+        self.assertGreater(len(whole), room)
+        os.set_blocking(for_writer, False)
+        process = subprocess.Popen([PROGRAM, "help", "outputs"], stdout=for_writer, stderr=subprocess.PIPE)
+        os.close(for_writer)
+        with open(for_reader, "rb") as reader:
+            # what it does when there is no more room it does soon, or later
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                process.wait(0.5)
+            self.assertEqual(reader.read(), whole)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, errors), (0, b""))
 
     def test_terminal_is_gone(self):
         count = self.count_of_lasting(LOADS)
