@@ -21,6 +21,9 @@ ADFRIC_SBATCH="--cpus-per-task=16 --mem=8G". ADFRIC is the program (default: bui
 
 Two minutes before its time is over a task is told to end, and keeps what it has.'
 
+# A name as the shell would be told it: nothing in it is obeyed by a terminal.
+shown() { LC_ALL=C printf '%q' "$1"; }
+
 fail() {
    printf 'slurm_array: %s\n' "$*" >&2
    exit 2
@@ -49,7 +52,7 @@ run_program() {
    done
    if [ "$status" -gt 1 ]; then return "$status"; fi
    if [ ! -f "$file" ]; then
-      printf 'slurm_array: %s is missing, though the program has ended with status %s\n' "$file" "$status" >&2
+      printf 'slurm_array: %s is missing, though the program has ended with status %s\n' "$(shown "$file")" "$status" >&2
       return 3
    fi
 }
@@ -69,7 +72,7 @@ merge() {
       set_part "$output" "$k" "$n"
       if [ -e "$part" ]; then parts+=("$part"); fi
    done
-   [ ${#parts[@]} -gt 0 ] || fail "no part of $output is complete"
+   [ ${#parts[@]} -gt 0 ] || fail "no part of $(shown "$output") is complete"
    run_program "$output" "$program" merge "$output" "${parts[@]}"
 }
 
@@ -77,7 +80,7 @@ merge() {
 submit() {
    local input=$1 n=$2 output=$3 here root program k part job missing=() options=()
    case $n in
-   '' | *[!0-9]* | 0*) fail "no number of parts: $n" ;;
+   '' | *[!0-9]* | 0*) fail "no number of parts: $(shown "$n")" ;;
    esac
    # compared by their lengths first: a number may have more digits than the shell can count with
    if [ ${#n} -gt ${#most_parts} ] || [ "$n" -gt "$most_parts" ]; then
@@ -86,8 +89,8 @@ submit() {
    here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
    root=$(dirname "$here")
    program=${ADFRIC:-$root/build/release/adfric}
-   [ -x "$program" ] || fail "no such program: $program; scripts/build makes it"
-   [ ! -e "$output" ] || fail "$output exists: the sweep is done"
+   [ -x "$program" ] || fail "no such program: $(shown "$program"); scripts/build makes it"
+   [ ! -e "$output" ] || fail "$(shown "$output") exists: the sweep is done"
    "$program" check --quiet "$input"
    for ((k = 1; k <= n; k++)); do
       set_part "$output" "$k" "$n"
@@ -104,7 +107,7 @@ submit() {
    fi
    job=$(sbatch --parsable --cpus-per-task=1 --output='%x-%j.log' "${options[@]}" \
       "$here/slurm_array.sh" --merge "$program" "$n" "$output")
-   printf 'slurm_array: job %s merges them into %s\n' "${job%%;*}" "$output"
+   printf 'slurm_array: job %s merges them into %s\n' "${job%%;*}" "$(shown "$output")"
 }
 
 # Rising numbers as ranges: 1 2 3 7 is 1-3,7.
@@ -142,7 +145,7 @@ case ${1-} in
       printf '%s\n' "$usage" >&2
       exit 2
    fi
-   name=$(basename "$1")
+   name=$(basename -- "$1")
    submit "$1" "$2" "${3:-${name%.nml}.h5}"
    ;;
 esac

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -20,8 +21,8 @@ class Names(unittest.TestCase):
         self.assertEqual(printable(os.fsdecode(ODD)), "\\x1b[2J\\u009b\\u202e\\xff.h5")
         self.assertEqual(printable("a\nb"), "a\\x0ab")
 
-    def run_script(self, *command):
-        done = subprocess.run(command, capture_output=True, env=dict(os.environ, LC_ALL="C.UTF-8"))
+    def run_script(self, *command, cwd=None, **environment):
+        done = subprocess.run(command, capture_output=True, cwd=cwd, env=dict(os.environ, LC_ALL="C.UTF-8", **environment))
         for stream in (done.stdout, done.stderr):
             self.assertNotIn(b"\x1b", stream)
             self.assertNotIn(b"\xc2\x9b", stream)
@@ -40,6 +41,14 @@ class Names(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn(b"no such file", done.stderr)
         self.assertEqual(done.stderr.count(b"\n"), 1)
+
+    def test_slurm_array(self):
+        for arguments in ([ODD], [b"a.nml", ODD], [b"a.nml", b"1", ODD]):
+            with tempfile.TemporaryDirectory() as folder:
+                (Path(folder) / os.fsdecode(ODD)).touch()
+                done = self.run_script(SCRIPTS / "slurm_array.sh", *arguments, cwd=folder, ADFRIC="/bin/true")
+                self.assertEqual(done.returncode, 2)
+        self.assertIn(b"exists: the sweep is done", done.stderr)
 
 
 if __name__ == "__main__":
