@@ -120,7 +120,10 @@ contains
       text = show_duration(estimate%seconds)//' on '//show_count(estimate%n_threads)//' thread'
       if (estimate%n_threads > 1) text = text//'s'
       if (.not. estimate%is_complete) then
-         text = 'more than '//text//', a trial point took too long'
+         ! less than a second is no news of a run that takes longer
+         text = 'more than '//text
+         if (index(text, 'less') > 0) text = 'not known'
+         text = text//', a trial point took too long'
       else if (index(text, 'less') == 1) then
          text = text//', from trial points'
       else

@@ -16,8 +16,8 @@ module adfric_sweep_time_estimate
 
    !> Time after which no trial is begun, and after which one that has been begun is given up [s].
    real(dp), parameter :: time_for_trials = 0.3_dp, longest_trial = 0.6_dp
-   !> The other process ends after this time even if this one is gone [s].
-   integer, parameter :: end_of_process = 2
+   !> The other process ends so long after the last trial should have, even if this one is gone [s].
+   real(dp), parameter :: time_to_end = 1.0_dp
    !> A trial that takes longer has enough points [s].
    real(dp), parameter :: long_trial = 0.02_dp
 
@@ -41,23 +41,27 @@ module adfric_sweep_time_estimate
 
 contains
 
-   !> Estimate the time of a run. It takes no longer than `longest_trial`, whatever becomes of the trials.
-   subroutine estimate_time(model, plan, estimate)
+   !> Estimate the time of a run. It takes no longer than `patience`, whatever becomes of the trials.
+   subroutine estimate_time(model, plan, estimate, patience)
       !> The model that solves the points.
       class(model_t), intent(in) :: model
       !> Every point of the run: the base values and the swept axes.
       type(plan_t), intent(in) :: plan
       !> Receives the time, or that it is not known.
       type(time_estimate_t), intent(out) :: estimate
+      !> Time after which a trial is given up [s]; `longest_trial` if absent.
+      real(dp), intent(in), optional :: patience
       type(blocks_t) :: blocks
       type(child_process_t) :: child
-      real(dp) :: start, trial(2), points, seconds, seconds_of_all, waited
+      real(dp) :: start, trial(2), points, seconds, seconds_of_all, waited, longest
       logical :: is_there
 
+      longest = longest_trial
+      if (present(patience)) longest = patience
       call new_blocks(blocks, plan%n_points(), most=model%largest_block)
       estimate%n_threads = omp_get_max_threads()
       start = wall_clock()
-      call start_child(child, end_of_process, is_there)
+      call start_child(child, ceiling(longest + time_to_end), is_there)
       if (child%is_child) then
          call try_points(model, plan, blocks, child)
          call child%end_child()
@@ -66,7 +70,7 @@ contains
       points = 0
       seconds = 0
       do
-         call child%receive(trial, start + longest_trial - wall_clock(), is_there)
+         call child%receive(trial, start + longest - wall_clock(), is_there)
          if (.not. is_there) exit
          points = points + trial(1)
          seconds = seconds + trial(2)
@@ -75,7 +79,7 @@ contains
       call child%stop(seconds_of_all)
       call conclude(points, seconds, seconds_of_all, blocks, estimate)
       ! one point takes longer than all the time there was; or the trial was no success
-      estimate%is_known = estimate%is_complete .or. waited >= longest_trial
+      estimate%is_known = estimate%is_complete .or. waited >= longest
    end subroutine estimate_time
 
    !> The time of all points from that of some.
@@ -101,7 +105,8 @@ contains
    end subroutine conclude
 
    !> In the other process: solve neighbouring points here and there in the run, more of them at once as long as that is quick, and
-   !> tell how long it takes once there are as many as there will be: the first point of a block takes longer than the others.
+   !> tell how long it takes once there are as many as there will be: the first point of a block takes longer than the others. Where
+   !> the time is over before, the last trial has to do.
    subroutine try_points(model, plan, blocks, child)
       !> The model that solves the points.
       class(model_t), intent(in) :: model
@@ -114,12 +119,16 @@ contains
       real(dp) :: start, seconds
       integer(i8) :: n_done
       integer :: k, n, n_solved, largest
+      logical :: is_told
 
       start = wall_clock()
       largest = int(min(int(blocks%size, i8), blocks%n_points_of_run))
       n = 1
       n_done = 0
       k = 0
+      n_solved = 0
+      seconds = 0
+      is_told = .false.
       do while (wall_clock() - start < time_for_trials .and. n_done < 2*blocks%n_points_of_run)
          k = k + 1
          call try_block(model, plan, blocks, block_of_trial(blocks, k), n, seconds, n_solved)
@@ -128,8 +137,10 @@ contains
             n = min(2*n, largest)
          else
             call child%send([real(n_solved, dp), seconds])
+            is_told = .true.
          end if
       end do
+      if (.not. is_told) call child%send([real(n_solved, dp), seconds])
    end subroutine try_points
 
    !> The block of a trial: the first one in the middle, the others where the run is tried least so far.
