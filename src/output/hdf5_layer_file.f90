@@ -3,11 +3,11 @@ module adfric_output_hdf5_layer_file
    use, intrinsic :: iso_c_binding, only: c_size_t
    use hdf5, only: hid_t, h5fcreate_f, h5fopen_f, h5fflush_f, h5fclose_f, h5pcreate_f, h5pset_fclose_degree_f, &
       h5pset_sieve_buf_size_f, H5F_ACC_EXCL_F, H5F_ACC_RDONLY_F, H5F_ACC_RDWR_F, H5F_SCOPE_GLOBAL_F, H5F_CLOSE_SEMI_F, &
-      H5P_FILE_ACCESS_F
+      H5F_CLOSE_WEAK_F, H5P_FILE_ACCESS_F
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    implicit none (type, external)
    private
-   public :: create_file, open_file, flush_file, close_file, create_access
+   public :: create_file, open_file, open_source, flush_file, close_file, create_access
 
 contains
 
@@ -48,6 +48,24 @@ contains
       end if
       if (.not. present(access)) call calls%close_id(list)
    end subroutine open_file
+
+   !> Open a file to read datasets that may be virtual, in the way in which HDF5 opens the files of their sources: where one of them is
+   !> this file by another name, HDF5 would give fill values otherwise.
+   subroutine open_source(calls, path, file)
+      !> The chain of calls that this is a part of.
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Name of the file.
+      character(*), intent(in) :: path
+      !> Its id.
+      integer(hid_t), intent(out) :: file
+      integer(hid_t) :: list
+
+      call create_access(calls, list)
+      if (calls%is_good()) call h5pset_fclose_degree_f(list, H5F_CLOSE_WEAK_F, calls%status)
+      call calls%check()
+      call open_file(calls, path, .false., file, access=list)
+      call calls%close_id(list)
+   end subroutine open_source
 
    !> Make the library ready, and a list of properties: closing a file fails as long as anything in it is open, and values
    !> go straight to the operating system (HDF5 would first read what stands where they go).

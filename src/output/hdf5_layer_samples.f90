@@ -8,7 +8,7 @@ module adfric_output_hdf5_layer_samples
    use adfric_base_kinds, only: dp, i8
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
    use adfric_output_hdf5_layer_datasets, only: close_dataset
-   use adfric_output_hdf5_layer_file, only: open_file, close_file
+   use adfric_output_hdf5_layer_file, only: open_source, close_file
    use adfric_output_hdf5_layer_labels, only: read_label
    use adfric_output_hdf5_layer_sources, only: check_sources
    use adfric_output_operating_system, only: kind_of_path, path_free, path_file
@@ -92,7 +92,7 @@ contains
             flaw = 'the file is no HDF5 file'
             return
          end if
-         call open_file(calls, file, .false., file_id)
+         call open_source(calls, file, file_id)
       case default
          flaw = 'this is no regular file'
       end select

@@ -8,7 +8,7 @@ module adfric_output_hdf5_layer_sources
    use adfric_base_kinds, only: i8
    use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
    use adfric_output_hdf5_layer_datasets, only: close_dataset
-   use adfric_output_hdf5_layer_file, only: open_file, close_file
+   use adfric_output_hdf5_layer_file, only: open_source, close_file
    use adfric_output_hdf5_layer_reading, only: open_dataset
    use adfric_output_hdf5_layer_virtual, only: select_nothing
    use adfric_output_operating_system, only: folder_of, kind_of_path, path_file
@@ -123,7 +123,7 @@ contains
          source = folder_of(path)//'/'//source
       end if
       if (kind_of_path(source) == path_file) then
-         call open_file(trial, source, .false., file)
+         call open_source(trial, source, file)
          call open_dataset(trial, file, without_format(trim(name)), dataset)
          if (trial%is_good()) call check_sources(calls, source, dataset, level + 1, flaw)
          call close_dataset(calls, dataset)

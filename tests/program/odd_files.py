@@ -214,10 +214,15 @@ class OddFiles(Runs):
         gap[:7] = h5py.VirtualSource(".", "real", (8, 16))[:7]
         own = h5py.VirtualLayout((8, 16), "f8")
         own[:] = h5py.VirtualSource(".", "real", (8, 16))
+        # the same file by other names, of which HDF5 may make nothing
+        named = h5py.VirtualLayout((8, 16), "f8")
+        named[:4] = h5py.VirtualSource("./data.h5", "real", (8, 16))[:4]
+        named[4:] = h5py.VirtualSource(f"{self.folder}/./data.h5", "real", (8, 16))[4:]
         with h5py.File(self.folder / "data.h5", "w") as file:
             file["real"] = heights
             file.create_virtual_dataset("halves", layout, fillvalue=0.0)
             file.create_virtual_dataset("own", own)
+            file.create_virtual_dataset("named", named, fillvalue=0.0)
             file.create_virtual_dataset("gap", gap, fillvalue=0.0)
         through = h5py.VirtualLayout((8, 16), "f8")
         through[:] = h5py.VirtualSource("data.h5", "halves", (8, 16))
@@ -225,7 +230,7 @@ class OddFiles(Runs):
             file.create_virtual_dataset("h", through)
         self.check_surface("data.h5:/real", 0)
         real = self.snapshot("run.h5")
-        for name in ("data.h5:/own", "data.h5:/halves", "through.h5:/h"):
+        for name in ("data.h5:/own", "data.h5:/named", "data.h5:/halves", "through.h5:/h"):
             with self.subTest(name=name):
                 self.check_surface(name, 0)
                 found = self.snapshot("run.h5")
