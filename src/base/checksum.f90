@@ -22,19 +22,27 @@ module adfric_base_checksum
    end type checksum_t
 
    interface
+      !> FNV-1a of what came before and of bytes, in C.
       integer(c_int64_t) function c_add(before, bytes, n) bind(c, name='adfric_add_to_checksum')
          import :: c_int64_t, c_ptr, c_size_t
          implicit none (type, external)
+         !> Checksum of what came before.
          integer(c_int64_t), intent(in), value :: before
+         !> Address of the first byte that is added.
          type(c_ptr), intent(in), value :: bytes
+         !> How many bytes are added.
          integer(c_size_t), intent(in), value :: n
       end function c_add
 
+      !> The fast sum of what came before and of bytes, in C.
       integer(c_int64_t) function c_mix(before, bytes, n) bind(c, name='adfric_mix')
          import :: c_int64_t, c_ptr, c_size_t
          implicit none (type, external)
+         !> Sum of what came before.
          integer(c_int64_t), intent(in), value :: before
+         !> Address of the first byte that is added.
          type(c_ptr), intent(in), value :: bytes
+         !> How many bytes are added.
          integer(c_size_t), intent(in), value :: n
       end function c_mix
    end interface
@@ -43,7 +51,9 @@ contains
 
    !> Add a text. Its end counts: 'ab' and 'c' are not 'a' and 'bc'.
    subroutine add_text(self, text)
+      !> The checksum so far; the text is added to it.
       class(checksum_t), intent(inout) :: self
+      !> The text; blanks at its end count, too.
       character(*), intent(in) :: text
       character(:), allocatable, target :: buffer
 
@@ -53,7 +63,9 @@ contains
 
    !> Add numbers, each as its eight bytes, the lowest first.
    subroutine add_reals(self, numbers)
+      !> The checksum so far; the numbers are added to it.
       class(checksum_t), intent(inout) :: self
+      !> The numbers in their order; may be none.
       real(dp), intent(in), contiguous, target :: numbers(:)
       integer, parameter :: bytes = 8
 
@@ -64,8 +76,9 @@ contains
    integer(c_int64_t) function mix_reals(before, n, numbers) result(sum)
       !> Sum of what came before.
       integer(c_int64_t), intent(in) :: before
-      !> How many numbers there are.
+      !> How many numbers are added.
       integer, intent(in) :: n
+      !> The numbers; shape `(n)`.
       real(dp), intent(in), target :: numbers(*)
       integer(c_size_t), parameter :: bytes = 8
 
@@ -77,8 +90,9 @@ contains
    integer(c_int64_t) function mix_integers(before, n, numbers) result(sum)
       !> Sum of what came before.
       integer(c_int64_t), intent(in) :: before
-      !> How many numbers there are.
+      !> How many numbers are added.
       integer, intent(in) :: n
+      !> The numbers; shape `(n)`.
       integer(c_int64_t), intent(in), target :: numbers(*)
       integer(c_size_t), parameter :: bytes = 8
 
@@ -88,6 +102,7 @@ contains
 
    !> Hexadecimal digits.
    pure function to_text(self) result(text)
+      !> The checksum of all that has been added.
       class(checksum_t), intent(in) :: self
       character(checksum_length) :: text
       integer, parameter :: to_small = iachar('a') - iachar('A')

@@ -26,11 +26,17 @@ contains
 
    !> Add a quantity to a list.
    subroutine add_derived(list, name, unit, long_name, value, sources)
+      !> The list, which grows by one; it need not be allocated before.
       type(derived_t), allocatable, intent(inout) :: list(:)
-      !> See `derived_t`.
-      character(*), intent(in) :: name, unit, long_name
+      !> Name of the quantity in the results file.
+      character(*), intent(in) :: name
+      !> SI unit, `-` for a pure number.
+      character(*), intent(in) :: unit
+      !> What the quantity is, in a few words.
+      character(*), intent(in) :: long_name
+      !> Value of the quantity, in this unit.
       real(dp), intent(in) :: value
-      !> It follows from all variables if this is absent.
+      !> Names of the variables from which the quantity follows, separated by a blank; if absent, it follows from all of them.
       character(*), intent(in), optional :: sources
       type(derived_t) :: quantity
 
@@ -45,6 +51,7 @@ contains
 
    !> Does it follow from a variable?
    pure logical function follows_from(self, variable)
+      !> The quantity, whose `sources` are searched.
       class(derived_t), intent(in) :: self
       !> Name of the variable.
       character(*), intent(in) :: variable

@@ -24,9 +24,11 @@ contains
 
    !> Raise an error.
    pure subroutine set_error(error, code, message)
+      !> Receives the code and the message; it is always allocated at the end.
       type(error_t), allocatable, intent(out) :: error
       !> `input_failure` or `file_failure`.
       integer, intent(in) :: code
+      !> One line: where, what, what was given, what is allowed.
       character(*), intent(in) :: message
 
       allocate (error)

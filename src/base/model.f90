@@ -124,11 +124,13 @@ module adfric_base_model
       subroutine check_values_i(self, values, is_swept, problems)
          import :: model_t, dp, problems_t
          implicit none (type, external)
+         !> The model, whose table of variables is read.
          class(model_t), intent(in) :: self
-         !> Shape `(n_variables)`. Of a swept variable one of its values stands here.
+         !> Values of the variables; shape `(n_variables)`. Of a swept variable one of its values stands here.
          real(dp), intent(in) :: values(:)
          !> Is the variable swept? Shape `(n_variables)`.
          logical, intent(in) :: is_swept(:)
+         !> Receives what is wrong with the input; nothing is removed.
          type(problems_t), intent(inout) :: problems
       end subroutine check_values_i
 
@@ -136,7 +138,9 @@ module adfric_base_model
       pure logical function wants_profiles_i(self, values)
          import :: model_t, dp
          implicit none (type, external)
+         !> The model, whose `profiles` may be empty.
          class(model_t), intent(in) :: self
+         !> Values of the variables; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
       end function wants_profiles_i
 
@@ -144,9 +148,11 @@ module adfric_base_model
       function get_profile_axis_i(self, values, axis) result(coordinate)
          import :: model_t, dp
          implicit none (type, external)
+         !> The model, whose `profile_axes` are read.
          class(model_t), intent(in) :: self
+         !> Values of the variables; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> Place in `profile_axes`, from 1.
+         !> Place of the axis in `profile_axes`, from 1.
          integer, intent(in) :: axis
          real(dp), allocatable :: coordinate(:)
       end function get_profile_axis_i
@@ -155,17 +161,18 @@ module adfric_base_model
       subroutine solve_block_i(self, values, results, error_estimate, status, attributes)
          import :: model_t, dp, attribute_t
          implicit none (type, external)
+         !> The model; all threads solve with the same one.
          class(model_t), intent(in) :: self
-         !> Shape `(n_variables, n_points)`.
+         !> Values of the variables for each point; shape `(n_variables, n_points)`.
          real(dp), intent(in) :: values(:, :)
-         !> Shape `(n_results, n_points)`; NaN where there is no value.
+         !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
          real(dp), intent(out) :: results(:, :)
-         !> Relative, of the main result; shape `(n_points)`.
+         !> Relative error of the main result, estimated; shape `(n_points)`.
          real(dp), intent(out) :: error_estimate(:)
-         !> One of `status_...`; shape `(n_points)`.
+         !> One of `status_...` for each point; shape `(n_points)`.
          integer, intent(out) :: status(:)
-         !> Counts that are summed over all blocks and stand in the file divided by the number of points: the same names for
-         !> every block, even for one of no points.
+         !> Counts that are summed over all blocks and stand in the file divided by the number of points: the same names for every
+         !> block, even for one of no points.
          type(attribute_t), allocatable, intent(out) :: attributes(:)
       end subroutine solve_block_i
 
@@ -173,11 +180,13 @@ module adfric_base_model
       subroutine solve_profiles_i(self, values, results, profiles)
          import :: model_t, dp
          implicit none (type, external)
+         !> The model; all threads solve with the same one.
          class(model_t), intent(in) :: self
+         !> Values of the variables; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> What `solve_block` found for this point; shape `(n_results)`.
+         !> Results that `solve_block` found for this point; shape `(n_results)`.
          real(dp), intent(in) :: results(:)
-         !> Shape `(n_last_axis, n_first_axis, n_profiles)`: x runs fastest; a missing axis has size 1.
+         !> Receives the profiles; shape `(n_last_axis, n_first_axis, n_profiles)`: x runs fastest; a missing axis has size 1.
          real(dp), intent(out) :: profiles(:, :, :)
       end subroutine solve_profiles_i
 
@@ -217,7 +226,14 @@ contains
 
    !> A real variable > 0 without default.
    function positive_variable(group, name, unit, meaning) result(variable)
-      character(*), intent(in) :: group, name, unit, meaning
+      !> Group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable.
+      character(*), intent(in) :: name
+      !> SI unit, `-` for a pure number.
+      character(*), intent(in) :: unit
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
       type(variable_t) :: variable
 
       variable = variable_t(group, name, kind_real, unit, meaning, '', unset, 0.0_dp, lower_open=.true.)
@@ -226,8 +242,9 @@ contains
    !> Find out what all points of a run have in common, once, before the first block is solved. It saves time and changes no
    !> bit of the results. Here there is nothing; a model with something costly of that kind overrides it.
    subroutine prepare(self, values, is_swept)
+      !> The model, which may keep what it finds out.
       class(model_t), intent(inout) :: self
-      !> Of the first point; shape `(n_variables)`.
+      !> Values of the variables at the first point; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
@@ -239,15 +256,21 @@ contains
    !> Solve neighbouring points as `solve_block` does, to the same bits, and hand over the profiles of those that are solved. A
    !> model whose points would be solved once more for their profiles overrides it.
    subroutine solve_block_and_profiles(self, values, results, error_estimate, status, attributes, profiles, receiver)
+      !> The model; all threads solve with the same one.
       class(model_t), intent(in) :: self
-      !> These are as for `solve_block`.
+      !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
+      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
       real(dp), intent(out) :: results(:, :)
+      !> Relative error of the main result, estimated; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
+      !> One of `status_...` for each point; shape `(n_points)`.
       integer, intent(out) :: status(:)
+      !> Counts that are summed over all blocks, as those of `solve_block`.
       type(attribute_t), allocatable, intent(out) :: attributes(:)
-      !> Room for the profiles of one point, of the shape that they have; left undefined.
+      !> Room for the profiles of one point, of their shape; what stands in it at the end has no meaning.
       real(dp), intent(inout) :: profiles(:, :, :)
+      !> Takes the profiles of one solved point after the other, and says whether more are wanted.
       class(profile_receiver_t), intent(inout) :: receiver
       integer :: i
       logical :: goes_on
@@ -264,13 +287,14 @@ contains
    !> Take over the values of a dataset; called for every one that is given, in the order of the table, before the values are
    !> checked. They are finite and within the table's bounds. A model with such variables overrides it; here nothing is kept.
    subroutine take_dataset(self, place, values, problems)
+      !> The model, which may keep the values.
       class(model_t), intent(inout) :: self
-      !> Place in `variables`.
+      !> Place of the dataset in `variables`.
       integer, intent(in) :: place
-      !> Shape `(n_last, n_first)`, the dimensions of the file in reverse: what h5py shows as `(ny, nx)` is `(nx, ny)` here.
-      !> One dimension is `(n, 1)`.
+      !> Values of the dataset; shape `(n_last, n_first)`, the dimensions of the file in reverse: what h5py shows as `(ny, nx)` is
+      !> `(nx, ny)` here. A dataset of one dimension is `(n, 1)`.
       real(dp), intent(in) :: values(:, :)
-      !> What makes no sense in them is added here.
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       associate (unused => self, unused_place => place, unused_values => values, unused_problems => problems)
@@ -280,7 +304,9 @@ contains
    !> The results with their units for this case (forces per width in N/m or forces in N); here those of the table. A model whose
    !> units depend on the case overrides it.
    function describe_results(self, values) result(results)
+      !> The model, whose table of results is read.
       class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(result_t), allocatable :: results(:)
 
@@ -292,7 +318,9 @@ contains
    !> Quantities that follow from the values, which have been checked, for `adfric check` and the results file: none here. A
    !> model that has some overrides it.
    function derive_quantities(self, values) result(derived)
+      !> The model; nothing of it is read here.
       class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
 
@@ -303,7 +331,9 @@ contains
 
    !> The derived quantities but for those that the user has given by a variable of the same name.
    function get_derived(self, values) result(derived)
+      !> The model, whose table of variables and derived quantities are read.
       class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
       logical, allocatable :: is_given(:)
@@ -321,7 +351,9 @@ contains
 
    !> What else there is to say of the resolved case, a line each, for `adfric check`: nothing here.
    function describe_case(self, values) result(text)
+      !> The model; nothing of it is read here.
       class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
@@ -333,7 +365,9 @@ contains
    !> What in the case may not be what the user means, a line each, for `adfric check` and the summary of a run. Here nothing is
    !> doubted.
    function describe_doubts(self, values) result(text)
+      !> The model; nothing of it is read here.
       class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
@@ -344,6 +378,7 @@ contains
 
    !> Number of states of an enumerated result; 0 for a number.
    pure integer function n_states(self)
+      !> The result, whose `flag_meanings` are counted.
       class(result_t), intent(in) :: self
 
       n_states = 0
@@ -353,7 +388,9 @@ contains
    !> The profiles with their units for this case: those of the table. A model whose units depend on the case
    !> (reduced units) overrides it.
    function describe_profiles(self, values) result(profiles)
+      !> The model, whose table of profiles is read.
       class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(profile_t), allocatable :: profiles(:)
 
@@ -364,9 +401,11 @@ contains
 
    !> A profile axis with its unit for this case: a coordinate [m]. A model may override it.
    function describe_profile_axis(self, values, axis) result(profile)
+      !> The model, whose `profile_axes` are read.
       class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place in `profile_axes`, from 1.
+      !> Place of the axis in `profile_axes`, from 1.
       integer, intent(in) :: axis
       type(profile_t) :: profile
 
@@ -379,9 +418,11 @@ contains
 
    !> Unit of a variable for this case: that of the table. A model whose units depend on the case overrides it.
    function unit_of(self, values, place) result(unit)
+      !> The model, whose table of variables is read.
       class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place in `variables`.
+      !> Place of the variable in `variables`.
       integer, intent(in) :: place
       character(:), allocatable :: unit
 
@@ -392,8 +433,11 @@ contains
 
    !> Place of a variable in `variables`; 0 if there is none of that name.
    pure integer function index_of(self, group, name)
+      !> The model, whose table of variables is searched.
       class(model_t), intent(in) :: self
+      !> Group of the variable, without `&`.
       character(*), intent(in) :: group
+      !> Name of the variable.
       character(*), intent(in) :: name
 
       do index_of = size(self%variables), 1, -1

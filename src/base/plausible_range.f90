@@ -33,10 +33,11 @@ contains
 
    !> The range of the sizes that a variable usually has: that of its row in the table of the model, else that of its unit.
    pure subroutine find_plausible_range(variable, unit, lower, upper)
+      !> Row of the variable in the table of its model; its kind and its usual sizes are read.
       type(variable_t), intent(in) :: variable
-      !> Of this case; the first one counts where there are several.
+      !> Unit of the variable in this case; the first one counts where several are separated by `;`.
       character(*), intent(in) :: unit
-      !> No bounds at all where nothing is known: 0 and the largest number.
+      !> Ends of the range, in the SI unit; 0 and the largest number where nothing is known.
       real(dp), intent(out) :: lower, upper
       integer :: k
 
@@ -54,7 +55,9 @@ contains
 
    !> Is a value 0, or of a size within a range?
    elemental logical function is_plausible(value, lower, upper)
+      !> The value, in the unit of the range; its sign has no part in it.
       real(dp), intent(in) :: value
+      !> Ends of the range, >= 0.
       real(dp), intent(in) :: lower, upper
 
       is_plausible = .not. abs(value) > 0 .or. (abs(value) >= lower .and. abs(value) <= upper)

@@ -31,8 +31,9 @@ contains
 
    !> The text with everything in it to be seen.
    pure function printable(text, has_lines) result(shown)
+      !> Text from outside: any bytes, UTF-8 or not.
       character(*), intent(in) :: text
-      !> Are its line ends meant as such? If absent, no: what is shown is one line.
+      !> Are the line ends of the text meant as such? If absent, no: what is shown is one line.
       logical, intent(in), optional :: has_lines
       character(:), allocatable :: shown
       integer :: i, n, length
@@ -63,7 +64,9 @@ contains
 
    !> Is there nothing but letters, digits and signs of the English alphabet, so that the text can be shown as it is?
    pure logical function is_plain(text, keeps_lines)
+      !> Text from outside: any bytes, UTF-8 or not.
       character(*), intent(in) :: text
+      !> Is a line end plain, too?
       logical, intent(in) :: keeps_lines
       integer :: i
 
@@ -77,9 +80,11 @@ contains
 
    !> Append to a text that has the room.
    pure subroutine append(part, text, n)
+      !> What is appended.
       character(*), intent(in) :: part
+      !> The text, with room for the part behind its first `n` bytes.
       character(*), intent(inout) :: text
-      !> Length so far.
+      !> Length of the text so far, in bytes; it grows by that of the part.
       integer, intent(inout) :: n
 
       text(n + 1:n + len(part)) = part
@@ -88,9 +93,9 @@ contains
 
    !> Is a letter shown as it is?
    pure logical function is_seen(letter, length)
-      !> Its bytes.
+      !> Bytes of the letter in UTF-8.
       character(*), intent(in) :: letter
-      !> Their number; 0 if they are none.
+      !> Number of these bytes; 0 if they are no letter.
       integer, intent(in) :: length
       integer :: code
 
@@ -102,7 +107,9 @@ contains
 
    !> Bytes of the UTF-8 letter at a position; 0 if there is none.
    pure integer function length_of_letter(text, first)
+      !> Text from outside: any bytes, UTF-8 or not.
       character(*), intent(in) :: text
+      !> Place of the first byte of the letter, within the text.
       integer, intent(in) :: first
       !> Least code point of a letter of so many bytes: a shorter form is the only one allowed.
       integer, parameter :: least(4) = [0, int(z'80'), int(z'800'), int(z'10000')]
@@ -130,8 +137,9 @@ contains
 
    !> Are bytes those behind the first of a letter?
    pure function are_followers(bytes, n) result(are)
+      !> The bytes, `n` or more.
       character(*), intent(in) :: bytes
-      !> Their number.
+      !> How many of them are looked at.
       integer, intent(in) :: n
       logical :: are(n)
       integer :: i
@@ -141,7 +149,7 @@ contains
 
    !> Number of a letter.
    pure integer function code_point(letter)
-      !> Its bytes in UTF-8.
+      !> Bytes of the letter in UTF-8, one to four.
       character(*), intent(in) :: letter
       !> What the first byte of a letter of so many bytes says of its length.
       integer, parameter :: mark(4) = [0, 192, 224, 240]
@@ -155,8 +163,9 @@ contains
 
    !> A number in hexadecimal digits.
    pure function digits_of(number, n) result(digits)
+      !> The number, >= 0.
       integer, intent(in) :: number
-      !> How many digits; larger numbers have more.
+      !> Least number of digits; a shorter number has zeros before it.
       integer, intent(in) :: n
       character(:), allocatable :: digits
       integer :: rest, k
@@ -172,7 +181,9 @@ contains
 
    !> The first letters of a text, of so many bytes at most: no letter is cut.
    pure function whole_letters(text, most) result(letters)
+      !> Text from outside: any bytes, UTF-8 or not.
       character(*), intent(in) :: text
+      !> Most bytes that the result may have, >= 0.
       integer, intent(in) :: most
       character(:), allocatable :: letters
       integer :: last, back
@@ -190,6 +201,7 @@ contains
 
    !> The name of a file as it is typed: quoted where the shell needs that, and never to be taken for an option.
    pure function shell_word(name) result(word)
+      !> Name of the file, without any quotes.
       character(*), intent(in) :: name
       character(:), allocatable :: word
       character(*), parameter :: harmless = 'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+=:,@%'

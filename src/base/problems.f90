@@ -37,12 +37,17 @@ contains
 
    !> Add a problem to the list.
    pure subroutine add(self, group, variable, text, index, line)
+      !> The list, which grows by one.
       class(problems_t), intent(inout) :: self
+      !> Namelist group, without `&`; empty if there is none.
       character(*), intent(in) :: group
+      !> Variable of the group; empty if there is none.
       character(*), intent(in) :: variable
       !> What is wrong, what was given, what is allowed.
       character(*), intent(in) :: text
+      !> Which group of that name, from 1; absent where the group may stand only once.
       integer, intent(in), optional :: index
+      !> Line of the file, from 1; absent if it is not known.
       integer, intent(in), optional :: line
       type(problem_t) :: item
 
@@ -57,6 +62,7 @@ contains
 
    !> Is it time to stop looking for more?
    pure logical function is_enough(self)
+      !> The problems found so far.
       class(problems_t), intent(in) :: self
 
       is_enough = self%is_given_up .or. self%count() >= most_problems
@@ -64,6 +70,7 @@ contains
 
    !> Number of problems.
    pure integer function count_problems(self)
+      !> The problems found so far.
       class(problems_t), intent(in) :: self
 
       count_problems = 0
@@ -72,8 +79,9 @@ contains
 
    !> The line that is printed for a problem: `FILE.nml: &group[index] variable: text (line 7)`.
    pure function line_of(self, i, file) result(line)
+      !> The problems found so far.
       class(problems_t), intent(in) :: self
-      !> Which problem, from 1.
+      !> Place of the problem in the list, from 1.
       integer, intent(in) :: i
       !> Name of the input file.
       character(*), intent(in) :: file

@@ -17,12 +17,13 @@ module adfric_base_profile_receiver
       subroutine take_i(self, place, profiles, goes_on)
          import :: profile_receiver_t, dp
          implicit none (type, external)
+         !> The receiver, which may keep or write what it takes.
          class(profile_receiver_t), intent(inout) :: self
          !> Place of the point in its block, from 1.
          integer, intent(in) :: place
-         !> Shape `(n_last_axis, n_first_axis, n_profiles)`.
+         !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
          real(dp), intent(in) :: profiles(:, :, :)
-         !> False: nothing more of this block is wanted, its results neither.
+         !> False if nothing more of this block is wanted, not even its results.
          logical, intent(out) :: goes_on
       end subroutine take_i
 

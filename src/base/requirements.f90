@@ -12,10 +12,13 @@ contains
 
    !> Each of a list has to be given.
    subroutine need(variables, values, list, problems)
+      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Places.
+      !> Places of the variables of the list in their table.
       integer, intent(in) :: list(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
@@ -33,11 +36,15 @@ contains
 
    !> Of a list not more than one may be given, and one has to be if it is needed.
    subroutine need_one(variables, values, list, is_needed, problems)
+      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Places.
+      !> Places of the variables of the list in their table.
       integer, intent(in) :: list(:)
+      !> Has one of the list to be given?
       logical, intent(in) :: is_needed
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: first, last
 
@@ -56,10 +63,13 @@ contains
 
    !> Of a list none may be swept, since the axis of the profiles depends on them and all points share it.
    subroutine refuse_swept_axes(variables, is_swept, list, problems)
+      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
+      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Places.
+      !> Places of the variables of the list in their table.
       integer, intent(in) :: list(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
@@ -73,7 +83,9 @@ contains
 
    !> Names as in `a, b or c`.
    pure function list_names(variables, list) result(text)
+      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
+      !> Places of the variables of the list in their table, one or more.
       integer, intent(in) :: list(:)
       character(:), allocatable :: text
       integer :: k

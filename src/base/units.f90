@@ -65,9 +65,11 @@ contains
 
    !> Understand a unit: factors between blanks, `*`, `.` or `/`, each with a power, such as `m`, `N/m^2`, `mJ m-2` or `kg.s**-2`.
    pure subroutine read_unit(text, unit, is_known)
+      !> The unit as people write it.
       character(*), intent(in) :: text
+      !> Receives the unit, if it is known.
       type(unit_t), intent(out) :: unit
-      !> False if it is not understood, or too far from SI for an exact conversion.
+      !> False if the unit is not understood, or too far from SI for an exact conversion.
       logical, intent(out) :: is_known
       character(:), allocatable :: plain
       integer :: position, sign
@@ -87,6 +89,7 @@ contains
 
    !> Are both units of the same quantity?
    pure logical function is_same_quantity(a, b)
+      !> The two units; their sizes have no part in it.
       type(unit_t), intent(in) :: a, b
 
       is_same_quantity = all(a%powers == b%powers)
@@ -94,7 +97,9 @@ contains
 
    !> A number of a unit in SI units.
    elemental real(dp) function to_si(number, unit)
+      !> The number, in the unit.
       real(dp), intent(in) :: number
+      !> The unit of the number, from `read_unit`.
       type(unit_t), intent(in) :: unit
 
       if (unit%exponent >= 0) then
@@ -106,6 +111,7 @@ contains
 
    !> The text with the signs of the table replaced, without blanks at its ends.
    pure function in_plain_letters(text) result(plain)
+      !> The text, in UTF-8 or Latin-1.
       character(*), intent(in) :: text
       character(:), allocatable :: plain
       integer :: i, k, length
@@ -131,13 +137,15 @@ contains
 
    !> Read a factor with its power.
    pure subroutine read_factor(text, position, sign, unit, is_known)
+      !> The whole unit, in plain letters.
       character(*), intent(in) :: text
-      !> Where it begins, then the place behind it.
+      !> In: the place where the factor begins. Out: the place behind it.
       integer, intent(inout) :: position
-      !> -1: the unit is divided by it.
+      !> 1, or -1 if the unit is divided by the factor.
       integer, intent(in) :: sign
-      !> The unit so far.
+      !> The unit so far, which is multiplied or divided by the factor.
       type(unit_t), intent(inout) :: unit
+      !> False if the factor is not understood; the unit is unchanged then.
       logical, intent(out) :: is_known
       type(unit_t) :: factor
       integer :: length, power
@@ -161,11 +169,13 @@ contains
 
    !> Read a power, `^2`, `**-1` or `2`; 1 if there is none.
    pure subroutine read_power(text, position, power, is_known)
+      !> The whole unit, in plain letters.
       character(*), intent(in) :: text
-      !> Where it may begin, then the place behind it.
+      !> In: the place where the power may begin. Out: the place behind it.
       integer, intent(inout) :: position
+      !> Receives the power; 1 if there is none.
       integer, intent(out) :: power
-      !> False if it is not understood.
+      !> False if the power is not understood.
       logical, intent(out) :: is_known
       logical :: is_needed
       integer :: first
@@ -190,10 +200,11 @@ contains
 
    !> Read what stands between two factors.
    pure subroutine read_operator(text, position, sign)
+      !> The whole unit, in plain letters.
       character(*), intent(in) :: text
-      !> Where it begins, then the place behind it.
+      !> In: the place behind a factor. Out: the place where the next factor begins.
       integer, intent(inout) :: position
-      !> -1: the unit is divided by the factor that follows.
+      !> 1, or -1 if the unit is divided by the factor that follows.
       integer, intent(out) :: sign
       integer :: n_blanks
 
@@ -208,8 +219,11 @@ contains
 
    !> Look up a unit, with a prefix or without.
    pure subroutine look_up(name, unit, is_known)
+      !> Symbol or name of the unit, with a prefix or without.
       character(*), intent(in) :: name
+      !> Receives the unit, if it is known.
       type(unit_t), intent(out) :: unit
+      !> False if the table does not have the unit.
       logical, intent(out) :: is_known
       integer :: i, k, n
 
@@ -238,6 +252,7 @@ contains
 
    !> Is a word in a list?
    pure logical function is_listed(word, list)
+      !> The word; an empty one is in no list.
       character(*), intent(in) :: word
       !> Words, separated by a blank.
       character(*), intent(in) :: list

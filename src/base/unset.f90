@@ -14,6 +14,7 @@ contains
 
    !> Has the value been given?
    elemental logical function is_set(value)
+      !> Value of a variable, or `unset`.
       real(dp), intent(in) :: value
 
       is_set = value < unset

@@ -8,6 +8,7 @@ contains
 
    !> Number of words.
    pure integer function count_words(list)
+      !> Words, separated by one blank or more.
       character(*), intent(in) :: list
       integer :: i
 
@@ -24,8 +25,9 @@ contains
 
    !> A word; empty if there are fewer.
    pure function get_word(list, number) result(word)
+      !> Words, separated by one blank or more.
       character(*), intent(in) :: list
-      !> From 1.
+      !> Which word of the list, from 1.
       integer, intent(in) :: number
       character(:), allocatable :: word
       integer :: k
@@ -39,7 +41,9 @@ contains
 
    !> A text with blanks to a width, and at least one.
    pure function pad(text, width) result(padded)
+      !> The text, which is never cut.
       character(*), intent(in) :: text
+      !> Length up to which blanks are added; a longer text gets one blank all the same.
       integer, intent(in) :: width
       character(:), allocatable :: padded
 
