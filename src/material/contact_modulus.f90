@@ -30,9 +30,9 @@ contains
 
    !> The rows of the contact modulus and of the bodies.
    subroutine set_modulus_rows(first, rows)
-      !> Group, unit and range of the contact modulus, and with them those of Young's moduli.
+      !> Row that gives the group, unit and range of the contact modulus and of Young's moduli.
       type(variable_t), intent(in) :: first
-      !> Shape `(n_one_body)` or `(n_two_bodies)`.
+      !> Receives the rows; shape `(n_one_body)`, or `(n_two_bodies)` where both bodies may be elastic.
       type(variable_t), intent(out) :: rows(:)
 
       rows(:) = first
@@ -52,7 +52,12 @@ contains
 
    !> A row of Poisson's ratio.
    function poisson_row(group, name, meaning) result(row)
-      character(*), intent(in) :: group, name, meaning
+      !> Group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable.
+      character(*), intent(in) :: name
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
       type(variable_t) :: row
 
       row = variable_t(group, name, kind_real, '-', meaning, '', unset, -1.0_dp, 0.5_dp, .true.)
@@ -60,7 +65,7 @@ contains
 
    !> E* [Pa] of values that have been checked.
    pure real(dp) function contact_modulus_of(values) result(modulus)
-      !> Of the rows.
+      !> Values of the rows; shape `(n_one_body)` or `(n_two_bodies)`.
       real(dp), intent(in) :: values(:)
       real(dp) :: other
 
@@ -86,7 +91,7 @@ contains
 
    !> Do the values say what E* is?
    pure logical function has_contact_modulus(values)
-      !> Of the rows.
+      !> Values of the rows; shape `(n_one_body)` or `(n_two_bodies)`.
       real(dp), intent(in) :: values(:)
 
       has_contact_modulus = is_set(values(contact)) .or. all(is_set(values([young, poisson])))
@@ -96,9 +101,11 @@ contains
 
    !> Add to `problems` what is missing or stands beside another.
    subroutine check_contact_modulus(rows, values, problems, has_own_poisson_ratio)
+      !> The rows of `set_modulus_rows`; their names are part of the messages.
       type(variable_t), intent(in) :: rows(:)
-      !> Of the rows.
+      !> Values of the rows; shape `(n_one_body)` or `(n_two_bodies)`.
       real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       !> Has Poisson's ratio of the first body a use of its own beside the contact modulus?
       logical, intent(in) :: has_own_poisson_ratio
@@ -126,8 +133,11 @@ contains
 
    contains
 
+      !> Add a problem of one row to the list.
       subroutine add(place, text)
+         !> Place of the variable among the rows, such as `young`.
          integer, intent(in) :: place
+         !> What is wrong, what was given, what is allowed.
          character(*), intent(in) :: text
 
          call problems%add(rows(place)%group, rows(place)%name, text)
@@ -137,8 +147,9 @@ contains
 
    !> The contact modulus where it follows from the moduli of the bodies; nothing where it is given itself.
    function derive_contact_modulus(rows, values) result(list)
+      !> The rows of `set_modulus_rows`; the first one describes the contact modulus.
       type(variable_t), intent(in) :: rows(:)
-      !> Of the rows.
+      !> Values of the rows; shape `(n_one_body)` or `(n_two_bodies)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: list(:)
 

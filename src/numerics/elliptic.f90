@@ -11,6 +11,7 @@ contains
 
    !> R_F = (1/2) int_0^inf dt/sqrt((t + x)(t + y)(t + z)), x, y, z >= 0, at most one of them 0.
    elemental real(dp) function carlson_f(x, y, z)
+      !> Arguments of the integral, >= 0, at most one of them 0.
       real(dp), intent(in) :: x, y, z
 
       carlson_f = gsl_sf_ellint_rf(x, y, z, gsl_prec_double)
@@ -18,7 +19,10 @@ contains
 
    !> R_D = (3/2) int_0^inf dt/(sqrt((t + x)(t + y)) (t + z)^(3/2)), x, y >= 0, at most one of them 0, z > 0.
    elemental real(dp) function carlson_d(x, y, z)
-      real(dp), intent(in) :: x, y, z
+      !> Arguments of the integral, >= 0, at most one of them 0.
+      real(dp), intent(in) :: x, y
+      !> Third argument of the integral, > 0.
+      real(dp), intent(in) :: z
 
       carlson_d = gsl_sf_ellint_rd(x, y, z, gsl_prec_double)
    end function carlson_d

@@ -18,16 +18,35 @@ module adfric_numerics_fftw_bindings
       type(c_ptr) function fftw_plan_r2r_2d(n0, n1, in, out, kind0, kind1, flags) bind(c, name='fftw_plan_r2r_2d')
          import :: c_double, c_int, c_ptr
          implicit none (type, external)
-         integer(c_int), intent(in), value :: n0, n1, kind0, kind1, flags
-         real(c_double), intent(inout) :: in(*), out(*)
+         !> Number of points along the second dimension of the Fortran array.
+         integer(c_int), intent(in), value :: n0
+         !> Number of points along the first dimension of the Fortran array.
+         integer(c_int), intent(in), value :: n1
+         !> Transform along the second dimension of the Fortran array, `fftw_redft10` or `fftw_redft01`.
+         integer(c_int), intent(in), value :: kind0
+         !> Transform along the first dimension of the Fortran array, `fftw_redft10` or `fftw_redft01`.
+         integer(c_int), intent(in), value :: kind1
+         !> `fftw_measure` or `fftw_estimate`.
+         integer(c_int), intent(in), value :: flags
+         !> Array that will be transformed, shape `(n1, n0)`; trials overwrite it.
+         real(c_double), intent(inout) :: in(*)
+         !> Array that will receive the transform, shape `(n1, n0)`; it may be the same one.
+         real(c_double), intent(inout) :: out(*)
       end function fftw_plan_r2r_2d
 
       !> Plan a real-to-complex transform; null if there is none.
       type(c_ptr) function fftw_plan_dft_r2c_2d(n0, n1, in, out, flags) bind(c, name='fftw_plan_dft_r2c_2d')
          import :: c_double, c_double_complex, c_int, c_ptr
          implicit none (type, external)
-         integer(c_int), intent(in), value :: n0, n1, flags
+         !> Number of points along the second dimension of the Fortran array.
+         integer(c_int), intent(in), value :: n0
+         !> Number of points along the first dimension of the Fortran array.
+         integer(c_int), intent(in), value :: n1
+         !> `fftw_measure` or `fftw_estimate`.
+         integer(c_int), intent(in), value :: flags
+         !> Array that will be transformed, shape `(n1, n0)`; trials overwrite it.
          real(c_double), intent(inout) :: in(*)
+         !> Array that will receive the modes, shape `(n1/2 + 1, n0)`; trials overwrite it.
          complex(c_double_complex), intent(inout) :: out(*)
       end function fftw_plan_dft_r2c_2d
 
@@ -35,8 +54,15 @@ module adfric_numerics_fftw_bindings
       type(c_ptr) function fftw_plan_dft_c2r_2d(n0, n1, in, out, flags) bind(c, name='fftw_plan_dft_c2r_2d')
          import :: c_double, c_double_complex, c_int, c_ptr
          implicit none (type, external)
-         integer(c_int), intent(in), value :: n0, n1, flags
+         !> Number of points along the second dimension of the Fortran array.
+         integer(c_int), intent(in), value :: n0
+         !> Number of points along the first dimension of the Fortran array.
+         integer(c_int), intent(in), value :: n1
+         !> `fftw_measure` or `fftw_estimate`.
+         integer(c_int), intent(in), value :: flags
+         !> Modes that will be transformed, shape `(n1/2 + 1, n0)`; trials overwrite them.
          complex(c_double_complex), intent(inout) :: in(*)
+         !> Array that will receive the transform, shape `(n1, n0)`; trials overwrite it.
          real(c_double), intent(inout) :: out(*)
       end function fftw_plan_dft_c2r_2d
 
@@ -44,6 +70,7 @@ module adfric_numerics_fftw_bindings
       subroutine fftw_execute(plan) bind(c, name='fftw_execute')
          import :: c_ptr
          implicit none (type, external)
+         !> The plan, which remembers its arrays.
          type(c_ptr), intent(in), value :: plan
       end subroutine fftw_execute
 
@@ -51,6 +78,7 @@ module adfric_numerics_fftw_bindings
       subroutine fftw_destroy_plan(plan) bind(c, name='fftw_destroy_plan')
          import :: c_ptr
          implicit none (type, external)
+         !> The plan, which must not be used any more.
          type(c_ptr), intent(in), value :: plan
       end subroutine fftw_destroy_plan
 
@@ -58,13 +86,15 @@ module adfric_numerics_fftw_bindings
       type(c_ptr) function fftw_malloc(n) bind(c, name='fftw_malloc')
          import :: c_ptr, c_size_t
          implicit none (type, external)
+         !> Number of bytes.
          integer(c_size_t), intent(in), value :: n
       end function fftw_malloc
 
-      !> Free such memory.
+      !> Free the memory that `fftw_malloc` gave.
       subroutine fftw_free(memory) bind(c, name='fftw_free')
          import :: c_ptr
          implicit none (type, external)
+         !> Address that `fftw_malloc` gave; it must not be used any more.
          type(c_ptr), intent(in), value :: memory
       end subroutine fftw_free
    end interface

@@ -19,7 +19,9 @@ module adfric_numerics_gsl_bindings
       pure real(c_double) function gsl_sf_ellint_rf(x, y, z, mode) bind(c, name='gsl_sf_ellint_RF')
          import :: c_double, c_int
          implicit none (type, external)
+         !> Arguments of the integral, >= 0, at most one of them 0.
          real(c_double), intent(in), value :: x, y, z
+         !> Precision, `gsl_prec_double`.
          integer(c_int), intent(in), value :: mode
       end function gsl_sf_ellint_rf
 
@@ -27,7 +29,11 @@ module adfric_numerics_gsl_bindings
       pure real(c_double) function gsl_sf_ellint_rd(x, y, z, mode) bind(c, name='gsl_sf_ellint_RD')
          import :: c_double, c_int
          implicit none (type, external)
-         real(c_double), intent(in), value :: x, y, z
+         !> Arguments of the integral, >= 0, at most one of them 0.
+         real(c_double), intent(in), value :: x, y
+         !> Third argument of the integral, > 0.
+         real(c_double), intent(in), value :: z
+         !> Precision, `gsl_prec_double`.
          integer(c_int), intent(in), value :: mode
       end function gsl_sf_ellint_rd
    end interface

@@ -9,6 +9,7 @@ contains
 
    !> sinh x - x for x >= 0.
    elemental real(dp) function sinh_minus_argument(x)
+      !> Argument of the function [-], >= 0.
       real(dp), intent(in) :: x
       integer :: k
       real(dp) :: y, term

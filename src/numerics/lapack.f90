@@ -10,9 +10,22 @@ module adfric_numerics_lapack
       pure subroutine dgesv(n, nrhs, a, lda, ipiv, b, ldb, info)
          import :: dp
          implicit none (type, external)
-         integer, intent(in) :: n, nrhs, lda, ldb
-         real(dp), intent(inout) :: a(lda, *), b(ldb, *)
-         integer, intent(out) :: ipiv(*), info
+         !> Number of equations and of unknowns.
+         integer, intent(in) :: n
+         !> Number of right-hand sides.
+         integer, intent(in) :: nrhs
+         !> First dimension of `a`, `n` or more.
+         integer, intent(in) :: lda
+         !> First dimension of `b`, `n` or more.
+         integer, intent(in) :: ldb
+         !> In: the matrix, shape `(n, n)`. Out: its factors L and U.
+         real(dp), intent(inout) :: a(lda, *)
+         !> In: the right-hand sides, shape `(n, nrhs)`. Out: the solutions, if `info` is 0.
+         real(dp), intent(inout) :: b(ldb, *)
+         !> Receives for each row the one that it was exchanged with; shape `(n)`.
+         integer, intent(out) :: ipiv(*)
+         !> 0 if all went well; > 0 if the matrix is singular, < 0 if an argument is impossible.
+         integer, intent(out) :: info
       end subroutine dgesv
    end interface
 

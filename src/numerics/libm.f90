@@ -10,6 +10,7 @@ module adfric_numerics_libm
       pure real(c_double) function expm1(x) bind(c, name='expm1')
          import :: c_double
          implicit none (type, external)
+         !> Argument of the function [-].
          real(c_double), intent(in), value :: x
       end function expm1
    end interface

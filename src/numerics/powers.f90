@@ -9,6 +9,7 @@ contains
 
    !> Cube root of x >= 0, to round-off.
    elemental real(dp) function cube_root(x)
+      !> Number whose root is taken, >= 0.
       real(dp), intent(in) :: x
 
       cube_root = x**(1.0_dp/3)

@@ -22,9 +22,13 @@ module adfric_numerics_scalar_root
       pure subroutine evaluate_i(self, x, value, slope)
          import :: equation_t, dp
          implicit none (type, external)
+         !> The equation with its parameters.
          class(equation_t), intent(in) :: self
+         !> The unknown, at a place within the bracket.
          real(dp), intent(in) :: x
+         !> Value of the equation at x, 0 at the root; NaN ends the search.
          real(dp), intent(out) :: value
+         !> Derivative of the value by x, which steers the search.
          real(dp), intent(out) :: slope
       end subroutine evaluate_i
    end interface
@@ -34,6 +38,7 @@ contains
    !> Newton's method, with bisection wherever it would leave the bracket or does not at least halve its steps. Where the value is
    !> not a number there is no convergence.
    pure subroutine find_root(equation, low, high, rises, x, is_converged, small_step)
+      !> The equation, whose value and slope are asked for again and again.
       class(equation_t), intent(in) :: equation
       !> Ends of the bracket; the value changes its sign once between them. They are not evaluated.
       real(dp), intent(in) :: low, high
@@ -41,8 +46,9 @@ contains
       logical, intent(in) :: rises
       !> In: a first guess, or anything outside the bracket. Out: the root.
       real(dp), intent(inout) :: x
+      !> Was the root found to round-off, or to `small_step`?
       logical, intent(out) :: is_converged
-      !> A step of this size leaves nothing to do, whatever the bracket.
+      !> Size of a Newton step that ends the search; if absent, a size that follows from the bracket.
       real(dp), intent(in), optional :: small_step
       real(dp) :: left, right, value, slope, step, last_step, enough
       integer :: iteration

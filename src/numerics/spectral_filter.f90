@@ -35,6 +35,7 @@ contains
 
    !> Make the plans of a size.
    subroutine new_spectral_filter(self, nx, ny, is_even, is_measured, error)
+      !> Receives the plans and buffers; of no use after an error.
       type(spectral_filter_t), intent(out) :: self
       !> Number of points in each direction, 1 or more.
       integer, intent(in) :: nx, ny
@@ -42,6 +43,7 @@ contains
       logical, intent(in) :: is_even
       !> Shall trials tell the fastest plan? That takes as long as some hundred transforms, once for each size in a run.
       logical, intent(in) :: is_measured
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       integer(c_int) :: flag
 
@@ -63,8 +65,12 @@ contains
 
    !> Buffers and plans; what fails stays null.
    subroutine make_plans(self, nx, ny, flag)
+      !> In: `is_even` is set. Out: with buffers and plans; what failed is null.
       type(spectral_filter_t), intent(inout) :: self
-      integer(c_int), intent(in) :: nx, ny, flag
+      !> Number of points in each direction, 1 or more.
+      integer(c_int), intent(in) :: nx, ny
+      !> `fftw_measure` or `fftw_estimate`.
+      integer(c_int), intent(in) :: flag
       integer(c_size_t), parameter :: n_bytes = storage_size(1.0_dp)/8
 
       self%field_memory = fftw_malloc(n_bytes*nx*ny)
@@ -84,11 +90,13 @@ contains
 
    !> Multiply the modes of a field.
    subroutine apply(self, symbol, x, y)
+      !> The filter, whose buffers are overwritten.
       class(spectral_filter_t), intent(inout) :: self
-      !> Shape `(n_modes(1), n_modes(2))`; it has to contain the division by `gain`.
+      !> Factor of each mode; shape `(n_modes(1), n_modes(2))`; it has to contain the division by `gain`.
       real(dp), intent(in) :: symbol(:, :)
-      !> Shape `(nx, ny)`.
+      !> The field; shape `(nx, ny)`.
       real(dp), intent(in) :: x(:, :)
+      !> Receives the field with its modes multiplied; shape `(nx, ny)`.
       real(dp), intent(out) :: y(:, :)
 
       self%field(:, :) = x
@@ -104,6 +112,7 @@ contains
 
    !> Give back plans and buffers.
    impure elemental subroutine free(self)
+      !> The filter, which holds nothing at the end.
       type(spectral_filter_t), intent(inout) :: self
 
       !$omp critical (adfric_fftw)

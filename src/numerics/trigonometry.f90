@@ -13,6 +13,7 @@ contains
 
    !> sin(x)/x - cos x for 0 <= x <= pi.
    elemental real(dp) function sinc_minus_cos(x)
+      !> Angle [rad], 0 to pi.
       real(dp), intent(in) :: x
 
       if (x >= 1) then
@@ -24,6 +25,7 @@ contains
 
    !> x - sin x for x >= 0.
    elemental real(dp) function angle_minus_sine(x)
+      !> Angle [rad], >= 0.
       real(dp), intent(in) :: x
 
       if (x >= 1) then
@@ -35,7 +37,10 @@ contains
 
    !> A polynomial of nine coefficients.
    pure real(dp) function series(c, y)
-      real(dp), intent(in) :: c(9), y
+      !> Coefficients of y^0 to y^8.
+      real(dp), intent(in) :: c(9)
+      !> Argument of the polynomial: the square of an angle below 1.
+      real(dp), intent(in) :: y
       real(dp) :: z
 
       ! two chains, which the machine works on at the same time
