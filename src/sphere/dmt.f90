@@ -21,8 +21,11 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_radius(self, value, contact)
+      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
+      !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
+      !> Receives the contact; what stood there before is not used.
       type(contact_t), intent(inout) :: contact
 
       contact = contact_t()
@@ -37,9 +40,13 @@ contains
 
    !> See `theory_t`. There is one branch, to a point contact at pull-off.
    pure subroutine of_load(self, value, branch, contact)
+      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
+      !> Load P of the contact, reduced; tension is negative.
       real(dp), intent(in) :: value
+      !> One of `branch_...`; there is no unstable state.
       integer, intent(in) :: branch
+      !> Receives the contact, with `is_found`; what stood there before is not used.
       type(contact_t), intent(inout) :: contact
 
       contact = contact_t()
@@ -50,9 +57,13 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_approach(self, value, branch, contact)
+      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
+      !> Approach delta of the contact, reduced; without contact it is negative.
       real(dp), intent(in) :: value
+      !> One of `branch_...`; there is no unstable state.
       integer, intent(in) :: branch
+      !> Receives the contact, with `is_found`; what stood there before is not used.
       type(contact_t), intent(inout) :: contact
 
       contact = contact_t()
@@ -63,8 +74,11 @@ contains
 
    !> See `theory_t`: the point contact, under every control.
    pure subroutine pull_off(self, control, contact)
+      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
+      !> One of `control_...`; it has no part in the result.
       integer, intent(in) :: control
+      !> Receives the contact at the end of stability.
       type(contact_t), intent(out) :: contact
 
       call self%of_radius(0.0_dp, contact)
@@ -74,6 +88,7 @@ contains
 
    !> Force of adhesion.
    pure real(dp) function pull(self)
+      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
 
       pull = 2*self%ratio

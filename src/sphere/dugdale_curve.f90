@@ -32,9 +32,13 @@ contains
 
    !> The point at a place.
    elemental subroutine get_point(lambda, ratio, place, point)
-      !> > 0 and >= 0.
-      real(dp), intent(in) :: lambda, ratio
+      !> Maugis's parameter [-], > 0.
+      real(dp), intent(in) :: lambda
+      !> X, the share of adhesion that is left [-], >= 0.
+      real(dp), intent(in) :: ratio
+      !> Place y = ln tan th on the curve.
       real(dp), intent(in) :: place
+      !> Receives radii, load and approach, reduced, and their slopes.
       type(point_t), intent(out) :: point
       real(dp) :: t, th, s, c, s_c, cos_2, f, k, aa, bb, root, c_slope, total, pull
 
@@ -75,7 +79,10 @@ contains
 
    !> Radius of adhesion at a = 0, where the curve ends.
    elemental real(dp) function get_disc_radius(lambda, ratio) result(radius)
-      real(dp), intent(in) :: lambda, ratio
+      !> Maugis's parameter [-], > 0.
+      real(dp), intent(in) :: lambda
+      !> X, the share of adhesion that is left [-], >= 0.
+      real(dp), intent(in) :: ratio
       real(dp) :: bb
 
       bb = 4*ratio*lambda**2*(pi/2 - 1)/3
@@ -84,8 +91,16 @@ contains
 
    !> Load and approach without contact, of an adhesive disc of radius c.
    elemental subroutine get_disc(lambda, ratio, radius, load, approach)
-      real(dp), intent(in) :: lambda, ratio, radius
-      real(dp), intent(out) :: load, approach
+      !> Maugis's parameter [-], > 0.
+      real(dp), intent(in) :: lambda
+      !> X, the share of adhesion that is left [-], >= 0.
+      real(dp), intent(in) :: ratio
+      !> Radius c of adhesion, reduced, >= 0.
+      real(dp), intent(in) :: radius
+      !> Load P of the disc, reduced; tension is negative.
+      real(dp), intent(out) :: load
+      !> Approach delta of the disc, reduced; separation is negative.
+      real(dp), intent(out) :: approach
 
       load = -pi*ratio*lambda*radius**2/2
       approach = radius**2/2 - 8*ratio*lambda*radius/(3*pi) - 2/(pi*lambda)
@@ -93,7 +108,12 @@ contains
 
    !> About where a contact of a radius is, from the leading terms of A c^2 + B c = 1 at both ends.
    elemental real(dp) function guess_place(lambda, ratio, radius) result(place)
-      real(dp), intent(in) :: lambda, ratio, radius
+      !> Maugis's parameter [-], > 0.
+      real(dp), intent(in) :: lambda
+      !> X, the share of adhesion that is left [-], >= 0.
+      real(dp), intent(in) :: ratio
+      !> Radius a of the contact, reduced, > 0.
+      real(dp), intent(in) :: radius
       real(dp) :: inverse
 
       ! (2/3) lambda th^3 a^2 + (2/3) X lambda^2 th^2 a = 1, by the harmonic sum of what each alone gives

@@ -15,6 +15,7 @@ contains
 
    !> No force, whatever is left of adhesion.
    pure real(dp) function pull(self)
+      !> The theory; its X has no part in the result.
       class(hertz_t), intent(in) :: self
 
       pull = 0

@@ -18,15 +18,20 @@ contains
 
    !> Is X real and not negative?
    elemental logical function is_valid_interaction(slip_energy, interaction)
-      !> g >= 0 and alpha >= 0.
-      real(dp), intent(in) :: slip_energy, interaction
+      !> Slip energy g [-]; not valid below 0.
+      real(dp), intent(in) :: slip_energy
+      !> Share alpha of the work of slip that comes out of adhesion [-]; not valid below 0.
+      real(dp), intent(in) :: interaction
 
       is_valid_interaction = slip_energy >= 0 .and. interaction >= 0 .and. slip_energy <= largest_slip_energy(interaction)
    end function is_valid_interaction
 
    !> X of g and alpha (J 4.7); 0 beyond its validity. An endless g gives 1 - alpha.
    elemental real(dp) function adhesion_ratio(slip_energy, interaction) result(ratio)
-      real(dp), intent(in) :: slip_energy, interaction
+      !> Slip energy g [-], >= 0.
+      real(dp), intent(in) :: slip_energy
+      !> Share alpha of the work of slip that comes out of adhesion [-], >= 0.
+      real(dp), intent(in) :: interaction
       real(dp) :: excess
 
       ! X = (S^2 - g^2)/(S + g): no difference of large terms
@@ -41,8 +46,14 @@ contains
 
    !> X and dX/dg.
    elemental subroutine get_adhesion_ratio(slip_energy, interaction, ratio, slope)
-      real(dp), intent(in) :: slip_energy, interaction
-      real(dp), intent(out) :: ratio, slope
+      !> Slip energy g [-], >= 0.
+      real(dp), intent(in) :: slip_energy
+      !> Share alpha of the work of slip that comes out of adhesion [-], >= 0.
+      real(dp), intent(in) :: interaction
+      !> X, the share of adhesion that is left [-].
+      real(dp), intent(out) :: ratio
+      !> dX/dg [-].
+      real(dp), intent(out) :: slope
       real(dp) :: root, rest
 
       ratio = adhesion_ratio(slip_energy, interaction)
@@ -60,13 +71,17 @@ contains
    !> g of X, J 4.7 solved for it: (1 - X)(1 + X)/(2 (alpha - 1 + X)). For 0 <= X <= 1, X >= 1 - alpha; enormous where g has
    !> no end.
    elemental real(dp) function slip_energy_of_ratio(ratio, interaction) result(slip_energy)
-      real(dp), intent(in) :: ratio, interaction
+      !> X, the share of adhesion that is left [-], from max(0, 1 - alpha) to 1.
+      real(dp), intent(in) :: ratio
+      !> Share alpha of the work of slip that comes out of adhesion [-], >= 0.
+      real(dp), intent(in) :: interaction
 
       slip_energy = (1 - ratio)*(1 + ratio)/max(2*(interaction - (1 - ratio)), tiny(ratio))
    end function slip_energy_of_ratio
 
    !> alpha = 1 + g/2 of Savkoor and Briggs, with which nothing is dissipated: X = 1 - g.
    elemental real(dp) function reversible_interaction(slip_energy) result(interaction)
+      !> Slip energy g [-], >= 0.
       real(dp), intent(in) :: slip_energy
 
       interaction = 1 + slip_energy/2
@@ -74,13 +89,17 @@ contains
 
    !> The largest alpha for which X of g is not below a given ratio, 0 <= ratio <= 1; g > 0.
    elemental real(dp) function largest_interaction(slip_energy, ratio) result(interaction)
-      real(dp), intent(in) :: slip_energy, ratio
+      !> Slip energy g [-], > 0.
+      real(dp), intent(in) :: slip_energy
+      !> The least X that is allowed [-], 0 to 1.
+      real(dp), intent(in) :: ratio
 
       interaction = (1 - ratio)*(1 + (1 + ratio)/slip_energy/2)
    end function largest_interaction
 
    !> The largest g for which X is not negative; the largest number if there is none.
    elemental real(dp) function largest_slip_energy(interaction) result(slip_energy)
+      !> Share alpha of the work of slip that comes out of adhesion [-], >= 0.
       real(dp), intent(in) :: interaction
 
       slip_energy = huge(slip_energy)
@@ -90,6 +109,7 @@ contains
    !> JKR: the least X with which a contact carries a load (J 4.10). With `largest_interaction` of g0 it gives the largest
    !> alpha for which sliding contact exists, if it is not above 1.
    elemental real(dp) function jkr_ratio_of_load(load) result(ratio)
+      !> Load P, reduced; only tension, P < 0, needs adhesion.
       real(dp), intent(in) :: load
 
       ratio = max(-2*load/3, 0.0_dp)
@@ -97,6 +117,7 @@ contains
 
    !> JKR: the least X with which a contact has an approach, -3 (X/6)^(2/3).
    elemental real(dp) function jkr_ratio_of_approach(approach) result(ratio)
+      !> Approach delta, reduced; only separation, delta < 0, needs adhesion.
       real(dp), intent(in) :: approach
 
       ratio = max(-approach, 0.0_dp)/3

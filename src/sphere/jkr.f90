@@ -28,8 +28,11 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_radius(self, value, contact)
+      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
+      !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
+      !> Receives the contact; what stood there before is not used.
       type(contact_t), intent(inout) :: contact
       real(dp) :: tension
 
@@ -45,9 +48,13 @@ contains
 
    !> See `theory_t`. P is quadratic in a^(3/2).
    pure subroutine of_load(self, value, branch, contact)
+      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
+      !> Load P of the contact, reduced; tension is negative.
       real(dp), intent(in) :: value
+      !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
+      !> Receives the contact, with `is_found`; what stood there before is not used.
       type(contact_t), intent(inout) :: contact
       real(dp) :: tension, discriminant, root
 
@@ -68,9 +75,13 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_approach(self, value, branch, contact)
+      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
+      !> Approach delta of the contact, reduced; separation is negative.
       real(dp), intent(in) :: value
+      !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
+      !> Receives the contact, with `is_found` and `is_converged`; what stood there before is not used.
       type(contact_t), intent(inout) :: contact
       type(approach_equation_t) :: equation
       real(dp) :: fold, root, rest
@@ -105,8 +116,11 @@ contains
 
    !> See `theory_t`: a^3 = 3 X/2 under load, X/6 under approach.
    pure subroutine pull_off(self, control, contact)
+      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
+      !> One of `control_...`: what is held. A given radius counts as a given load.
       integer, intent(in) :: control
+      !> Receives the contact at the end of stability.
       type(contact_t), intent(out) :: contact
 
       call self%of_radius(cube_root(self%ratio*merge(1/6.0_dp, 1.5_dp, control == control_approach)), contact)
@@ -115,9 +129,13 @@ contains
 
    !> Value and slope of the equation of the approach.
    pure subroutine evaluate(self, x, value, slope)
+      !> The equation, with its tension and the given approach.
       class(approach_equation_t), intent(in) :: self
+      !> Root q of the radius, reduced, >= 0.
       real(dp), intent(in) :: x
+      !> Approach at q less the given one, reduced.
       real(dp), intent(out) :: value
+      !> Derivative of the value by q.
       real(dp), intent(out) :: slope
 
       value = (x**3 - self%tension)*x - self%approach

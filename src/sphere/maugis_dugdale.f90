@@ -51,8 +51,11 @@ contains
 
    !> See `theory_t`. At radius 0 the surfaces are about to touch.
    pure subroutine of_radius(self, value, contact)
+      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
+      !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
+      !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
       type(contact_t), intent(inout) :: contact
 
       if (value > 0) then
@@ -66,9 +69,13 @@ contains
 
    !> See `theory_t`. Where a state that is stable is met right away, it is the one: there is no other.
    pure subroutine of_load(self, value, branch, contact)
+      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
+      !> Load P of the contact, reduced; tension is negative.
       real(dp), intent(in) :: value
+      !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
+      !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
       type(contact_t), intent(inout) :: contact
       type(contact_t) :: fold
 
@@ -99,9 +106,13 @@ contains
 
    !> See `theory_t`. Held at a distance, the surfaces may part without a jump, through a = 0 to a smaller disc.
    pure subroutine of_approach(self, value, branch, contact)
+      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
+      !> Approach delta of the contact, reduced; separation is negative.
       real(dp), intent(in) :: value
+      !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
+      !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
       type(contact_t), intent(inout) :: contact
       type(contact_t) :: fold
       real(dp) :: largest, mean, half, touching
@@ -141,8 +152,11 @@ contains
 
    !> See `theory_t`.
    pure subroutine pull_off(self, control, contact)
+      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
+      !> One of `control_...`: what is held. A given radius counts as a given load.
       integer, intent(in) :: control
+      !> Receives the contact at the end of stability.
       type(contact_t), intent(out) :: contact
       type(curve_equation_t) :: equation
       type(point_t) :: point
@@ -171,8 +185,9 @@ contains
    !> About where pull-off in intimate contact is, to 0.001 under load and to 0.01 under approach: rational functions fitted to
    !> places that were found for X = 1, with the limits of small and large lambda.
    pure real(dp) function guess_pull_off(control, lambda) result(place)
+      !> One of `control_...`: what is held. A given radius counts as a given load.
       integer, intent(in) :: control
-      !> X^(2/3) lambda; under approach beyond where separation begins in intimate contact.
+      !> Parameter X^(2/3) lambda [-]; under approach above `first_intimate`, where separation begins in intimate contact.
       real(dp), intent(in) :: lambda
       real(dp) :: v
 
@@ -189,17 +204,19 @@ contains
 
    !> Go along the curve to where a quantity has a value.
    pure subroutine go_to(self, quantity, value, high, is_alone, contact, rises_from)
+      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
-      !> One of `..._along`.
+      !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
+      !> The value to be met, reduced.
       real(dp), intent(in) :: value
-      !> End of the part of the curve.
+      !> Place where the part of the curve ends.
       real(dp), intent(in) :: high
-      !> Does it have the value only once there? Otherwise only the neighbourhood of the start is looked at.
+      !> Does the quantity have the value only once there? Otherwise only the neighbourhood of the start is looked at.
       logical, intent(in) :: is_alone
-      !> In: a place to start from, or a neighbour. Out: the contact.
+      !> In: a neighbour, or a new one with a place to start from. Out: the contact, with `is_found` and `is_converged`.
       type(contact_t), intent(inout) :: contact
-      !> Where the part begins, if the quantity rises along it; otherwise it falls from the largest contact on.
+      !> Place where the part begins, if the quantity rises along it; if absent, it falls from the largest contact on.
       real(dp), intent(in), optional :: rises_from
       type(curve_equation_t) :: equation
       type(point_t) :: point
@@ -247,6 +264,7 @@ contains
 
    !> The place of the largest contact there is.
    pure real(dp) function start_of(self)
+      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
 
       start_of = guess_place(self%lambda, self%ratio, largest_radius)
@@ -254,10 +272,13 @@ contains
 
    !> The contact a small step from a point of the curve.
    pure subroutine read_point(point, step, contact, quantity)
+      !> Point of the curve, with its slopes.
       type(point_t), intent(in) :: point
+      !> Change of the place from this point, so small that the curve is straight.
       real(dp), intent(in) :: step
+      !> Receives the radii, load, approach and stability of the state; the rest stays.
       type(contact_t), intent(inout) :: contact
-      !> What is held: the contact is stable where load or approach fall along the curve.
+      !> One of `..._along`: what is held. The contact is stable where load or approach fall along the curve.
       integer, intent(in) :: quantity
 
       contact%is_found = .true.
@@ -270,8 +291,11 @@ contains
 
    !> The state without contact whose adhesion reaches a radius.
    pure subroutine go_apart(self, radius, contact)
+      !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
+      !> Radius c of adhesion, reduced, >= 0.
       real(dp), intent(in) :: radius
+      !> Receives the state, with contact radius 0.
       type(contact_t), intent(inout) :: contact
 
       contact = contact_t()
@@ -282,9 +306,13 @@ contains
 
    !> Value and slope of the equation. Radii are compared by their logarithms, along which the curve is nearly straight.
    pure subroutine evaluate(self, x, value, slope)
+      !> The equation, with lambda, X, the quantity and its given value.
       class(curve_equation_t), intent(in) :: self
+      !> Place on the curve.
       real(dp), intent(in) :: x
+      !> Quantity less its given value, or the slope of the quantity.
       real(dp), intent(out) :: value
+      !> Derivative of the value by the place.
       real(dp), intent(out) :: slope
       type(point_t) :: point, next
 
@@ -301,9 +329,13 @@ contains
    !> A quantity at a point less the given value, and its slope. Radii are compared by their logarithms, along which the
    !> curve is nearly straight.
    pure subroutine compare(self, point, value, slope)
+      !> The equation, with the quantity and its given value.
       class(curve_equation_t), intent(in) :: self
+      !> Point of the curve, with its slopes.
       type(point_t), intent(in) :: point
+      !> Quantity at the point less its given value.
       real(dp), intent(out) :: value
+      !> Derivative of the value by the place.
       real(dp), intent(out) :: slope
 
       value = self%excess_of(point%radius, point%load, point%approach)
@@ -319,8 +351,14 @@ contains
 
    !> One of three quantities less the given value.
    pure real(dp) function excess_of(self, radius, load, approach) result(excess)
+      !> The equation, with the quantity and its given value.
       class(curve_equation_t), intent(in) :: self
-      real(dp), intent(in) :: radius, load, approach
+      !> Radius a of the contact, reduced; > 0 where radii are compared.
+      real(dp), intent(in) :: radius
+      !> Load P of the contact, reduced.
+      real(dp), intent(in) :: load
+      !> Approach delta of the contact, reduced.
+      real(dp), intent(in) :: approach
 
       select case (self%quantity)
       case (radius_along)

@@ -62,9 +62,11 @@ contains
 
    !> Profile of a contact that a theory has found.
    pure subroutine new_profile(self, theory, contact)
+      !> Receives all that pressure and gap need.
       type(contact_profile_t), intent(out) :: self
+      !> Theory that has found the contact, one of the four.
       class(theory_t), intent(in) :: theory
-      !> As `theory` gives it; if it is none, all values are NaN.
+      !> The contact as the theory gives it; where it is not found all values of the profile are NaN.
       type(contact_t), intent(in) :: contact
 
       self%is_found = contact%is_found
@@ -91,7 +93,9 @@ contains
 
    !> Pressure at a distance r >= 0 from the axis; at r = c that of the inner side. NaN for JKR at r = a.
    elemental real(dp) function pressure(self, r)
+      !> The profile of a contact; where that is not found the pressure is NaN.
       class(contact_profile_t), intent(in) :: self
+      !> Distance from the axis, reduced; the pressure is NaN below 0.
       real(dp), intent(in) :: r
       real(dp) :: root
 
@@ -111,7 +115,9 @@ contains
 
    !> Gap at a distance r >= 0 from the axis; 0 in contact.
    elemental real(dp) function gap(self, r)
+      !> The profile of a contact; where that is not found the gap is NaN.
       class(contact_profile_t), intent(in) :: self
+      !> Distance from the axis, reduced; the gap is NaN below 0.
       real(dp), intent(in) :: r
       real(dp) :: e, beta, f
 
@@ -143,8 +149,14 @@ contains
    !>
    !> and for r > c, with a = c cos th: I/s0 = (kappa/3) sin th/sqrt(rho) R_D(kappa cos^2 th, 1, kappa).
    elemental real(dp) function opening(a, s0, e, beta)
-      !> a >= 0, s0 > 0, e > 0, beta in (0, pi/2].
-      real(dp), intent(in) :: a, s0, e, beta
+      !> Radius a of the contact, reduced, >= 0.
+      real(dp), intent(in) :: a
+      !> sqrt(c^2 - a^2) of the radii of contact and adhesion, reduced, > 0.
+      real(dp), intent(in) :: s0
+      !> sqrt(r^2 - a^2) at a distance r from the axis, reduced, > 0.
+      real(dp), intent(in) :: e
+      !> Angle with cos beta = a/r [rad], > 0, up to pi/2.
+      real(dp), intent(in) :: beta
       real(dp) :: rho, kappa, q, c
 
       rho = (e/s0)**2
@@ -168,7 +180,10 @@ contains
    !>
    !>     g/s0 = int_0^beta y/(1 + sqrt(1 - y)) d psi,  y = rho (1 - sin^2 psi/sin^2 beta)
    pure real(dp) function opening_near_contact(rho, beta) result(opening)
-      real(dp), intent(in) :: rho, beta
+      !> Share e^2/s0^2 [-], >= 0, up to `near_contact`.
+      real(dp), intent(in) :: rho
+      !> Angle with cos beta = a/r [rad], > 0, up to pi/2.
+      real(dp), intent(in) :: beta
       real(dp) :: psi(size(gauss_nodes)), y(size(gauss_nodes))
 
       psi = (1 + gauss_nodes)*beta/2
@@ -178,6 +193,7 @@ contains
 
    !> a^2/(a^2 + e^2).
    elemental real(dp) function cos_squared(a, e)
+      !> Legs of a right triangle, >= 0; the angle lies between `a` and the hypotenuse.
       real(dp), intent(in) :: a, e
 
       cos_squared = a**2/(a**2 + e**2)
@@ -186,7 +202,12 @@ contains
    !> Gap at the axis of an adhesive disc of radius c without contact: 2/(pi lambda), the range of adhesion, at r = c
    !> less what the gap rises up to there.
    elemental real(dp) function axial_gap(lambda, tension, c)
-      real(dp), intent(in) :: lambda, tension, c
+      !> Maugis's parameter [-], > 0.
+      real(dp), intent(in) :: lambda
+      !> Tension X lambda of Dugdale's law, reduced, >= 0.
+      real(dp), intent(in) :: tension
+      !> Radius c of adhesion, reduced, >= 0.
+      real(dp), intent(in) :: c
 
       ! at a = 0 the terms cancel; surfaces do not overlap
       axial_gap = max(0.0_dp, 2/(pi*lambda) - c**2/2 - 8*tension*c*(pi/2 - 1)/(3*pi))

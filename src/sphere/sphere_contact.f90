@@ -52,9 +52,11 @@ module adfric_sphere_contact
       pure subroutine find_i(self, value, contact)
          import :: theory_t, contact_t, dp
          implicit none (type, external)
+         !> The theory, for the X that its `ratio` holds.
          class(theory_t), intent(in) :: self
+         !> Radius a of the contact, reduced, >= 0.
          real(dp), intent(in) :: value
-         !> In: a neighbour or a new one. Out: the contact; `is_found` and `is_converged` tell.
+         !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
          type(contact_t), intent(inout) :: contact
       end subroutine find_i
 
@@ -62,11 +64,13 @@ module adfric_sphere_contact
       pure subroutine find_branch_i(self, value, branch, contact)
          import :: theory_t, contact_t, dp
          implicit none (type, external)
+         !> The theory, for the X that its `ratio` holds.
          class(theory_t), intent(in) :: self
+         !> Load P or approach delta of the contact, reduced; tension and separation are negative.
          real(dp), intent(in) :: value
-         !> One of `branch_...`.
+         !> One of `branch_...`: which state is meant where there are two.
          integer, intent(in) :: branch
-         !> In: a neighbour or a new one. Out: the contact; `is_found` and `is_converged` tell.
+         !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
          type(contact_t), intent(inout) :: contact
       end subroutine find_branch_i
 
@@ -74,9 +78,11 @@ module adfric_sphere_contact
       pure subroutine pull_off_i(self, control, contact)
          import :: theory_t, contact_t
          implicit none (type, external)
+         !> The theory, for the X that its `ratio` holds.
          class(theory_t), intent(in) :: self
-         !> One of `control_...`; a given radius counts as a given load.
+         !> One of `control_...`: what is held. A given radius counts as a given load.
          integer, intent(in) :: control
+         !> Receives the contact at the end of stability.
          type(contact_t), intent(out) :: contact
       end subroutine pull_off_i
 
@@ -86,13 +92,15 @@ contains
 
    !> The contact for what is held.
    pure subroutine find_contact(theory, control, value, branch, contact)
+      !> Theory of adhesion, for the X that its `ratio` holds.
       class(theory_t), intent(in) :: theory
-      !> One of `control_...`.
+      !> One of `control_...`: what is held.
       integer, intent(in) :: control
+      !> Value of the load, approach or radius that is held, reduced.
       real(dp), intent(in) :: value
-      !> One of `branch_...`; a radius belongs to one contact only.
+      !> One of `branch_...`: which state is meant where there are two; a radius belongs to one contact only.
       integer, intent(in) :: branch
-      !> In: a neighbour or a new one.
+      !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
       type(contact_t), intent(inout) :: contact
 
       select case (control)
@@ -108,8 +116,9 @@ contains
    !> Radius b of the circle that bears friction, between those of intimate contact and of adhesion (J 3.8); at radius 0
    !> the limit of a contact that shrinks, for without intimate contact there is no friction.
    elemental real(dp) function friction_radius(contact, edge_fraction)
+      !> The contact, whose radii a and c are read.
       type(contact_t), intent(in) :: contact
-      !> x, 0 to 1.
+      !> Place x of b between a and c [-], 0 to 1.
       real(dp), intent(in) :: edge_fraction
 
       friction_radius = contact%radius + edge_fraction*(contact%adhesion_radius - contact%radius)
