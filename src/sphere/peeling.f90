@@ -58,6 +58,7 @@ contains
 
    !> Are the parameters within their limits?
    elemental logical function is_valid_friction(friction)
+      !> Parameters of the law of friction, reduced.
       type(friction_t), intent(in) :: friction
 
       is_valid_friction = friction%strength > 0 .and. friction%poisson > -1 .and. friction%poisson <= 0.5_dp &
@@ -67,17 +68,21 @@ contains
 
    !> The static state of a gamma, a tangential force or a tangential displacement.
    pure subroutine find_static_state(theory, friction, control, held, branch, given, value, state)
-      !> The theory of adhesion; its ratio is of no account.
+      !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
+      !> Parameters of the law of friction, reduced; where they are impossible nothing is found.
       type(friction_t), intent(in) :: friction
-      !> One of `control_...`, the value that is held, and one of `branch_...`.
+      !> One of `control_...`: what is held.
       integer, intent(in) :: control
+      !> Value of the load, approach or radius that is held, reduced.
       real(dp), intent(in) :: held
+      !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
-      !> One of `given_...`, and its value: gamma from 0 to 1, the others >= 0.
+      !> One of `given_...`: what is given of the static phase.
       integer, intent(in) :: given
+      !> Value of what is given, reduced: gamma from 0 to 1, the others >= 0.
       real(dp), intent(in) :: value
-      !> Not found where parameters are impossible, too.
+      !> Receives the state; not found where parameters are impossible, too.
       type(friction_state_t), intent(out) :: state
       type(path_t) :: path
       type(waypoint_t) :: waypoint
@@ -100,8 +105,11 @@ contains
 
    !> All that is known of a state of the way.
    pure subroutine describe(path, waypoint, state)
+      !> The way from rest to sliding, with its friction.
       type(path_t), intent(in) :: path
+      !> State on the way, which has been found.
       type(waypoint_t), intent(in) :: waypoint
+      !> In: whether the search converged. Out: all that is known of the state.
       type(friction_state_t), intent(inout) :: state
 
       state%is_found = .true.
@@ -122,6 +130,7 @@ contains
 
    !> gamma of a state.
    pure real(dp) function gamma_of(waypoint) result(gamma)
+      !> State on the way, whose angle is read.
       type(waypoint_t), intent(in) :: waypoint
 
       gamma = 0
@@ -130,11 +139,17 @@ contains
 
    !> The state of sliding, gamma = 0 and g = g0; not found if adhesion that is left does not hold the contact.
    pure subroutine find_sliding_state(theory, friction, control, held, branch, state)
+      !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
+      !> Parameters of the law of friction, reduced; where they are impossible nothing is found.
       type(friction_t), intent(in) :: friction
+      !> One of `control_...`: what is held.
       integer, intent(in) :: control
+      !> Value of the load, approach or radius that is held, reduced.
       real(dp), intent(in) :: held
+      !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
+      !> Receives the state; not found where parameters are impossible, too.
       type(friction_state_t), intent(out) :: state
       type(path_t) :: path
 
@@ -145,7 +160,9 @@ contains
 
    !> The state of sliding of a way.
    pure subroutine slide(path, state)
+      !> The way from rest to sliding, with its friction.
       type(path_t), intent(in) :: path
+      !> In: a new one. Out: the state of sliding, if there is one.
       type(friction_state_t), intent(inout) :: state
       type(waypoint_t) :: waypoint, sliding
 
@@ -161,11 +178,17 @@ contains
 
    !> What happens between rest and sliding.
    pure subroutine find_friction_events(theory, friction, control, held, branch, events)
+      !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
+      !> Parameters of the law of friction, reduced; where they are impossible nothing is found.
       type(friction_t), intent(in) :: friction
+      !> One of `control_...`: what is held.
       integer, intent(in) :: control
+      !> Value of the load, approach or radius that is held, reduced.
       real(dp), intent(in) :: held
+      !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
+      !> Receives the events; what does not happen is NaN.
       type(friction_events_t), intent(out) :: events
       type(path_t) :: path
       type(waypoint_t) :: onset, peak
@@ -199,7 +222,9 @@ contains
 
    !> Force of sliding, and drop.
    pure subroutine add_sliding(sliding, events)
+      !> State of sliding; where it is not found nothing is added.
       type(friction_state_t), intent(in) :: sliding
+      !> In: with the largest force. Out: with the force of sliding and the drop, too.
       type(friction_events_t), intent(inout) :: events
 
       if (.not. sliding%is_found) return
@@ -209,6 +234,7 @@ contains
 
    !> Nothing is known to happen.
    pure subroutine forget_events(events)
+      !> Events, whose numbers all become NaN; the rest stays.
       type(friction_events_t), intent(inout) :: events
       real(dp) :: none
 

@@ -84,15 +84,17 @@ contains
 
    !> A way; its start is not found if there is no contact at rest.
    pure subroutine new_path(self, theory, friction, control, held, branch)
-      !> A new one.
+      !> In: a new way. Out: the way with its parameters and its start.
       type(path_t), intent(inout) :: self
-      !> Its ratio is of no account.
+      !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
+      !> Parameters of the law of friction, reduced.
       type(friction_t), intent(in) :: friction
-      !> One of `control_...`, and the value that is held.
+      !> One of `control_...`: what is held.
       integer, intent(in) :: control
+      !> Value of the load, approach or radius that is held, reduced.
       real(dp), intent(in) :: held
-      !> One of `branch_...`.
+      !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
 
       allocate (self%theory, source=theory)
@@ -108,11 +110,13 @@ contains
 
    !> The state of a slip energy.
    pure subroutine get_waypoint(self, slip_energy, neighbour, waypoint)
+      !> The way, with its theory, its friction and what is held.
       class(path_t), intent(in) :: self
-      !> g, up to the limit.
+      !> Slip energy g [-], from 0 to the limit of the way.
       real(dp), intent(in) :: slip_energy
-      !> A contact nearby, or a new one.
+      !> A contact nearby, which helps the search, or a new one.
       type(contact_t), intent(in) :: neighbour
+      !> Receives the state; not found without intimate contact.
       type(waypoint_t), intent(out) :: waypoint
       class(theory_t), allocatable :: theory
 
@@ -129,7 +133,9 @@ contains
 
    !> b, slip core and angle of a contact and its g.
    pure subroutine complete_waypoint(self, waypoint)
+      !> The way, with its friction.
       class(path_t), intent(in) :: self
+      !> In: with its contact and g. Out: with b, slip core and angle, too.
       type(waypoint_t), intent(inout) :: waypoint
       real(dp) :: enough
 
@@ -142,9 +148,11 @@ contains
 
    !> A quantity of a state: root of the slip core, force in pi w R, or displacement, reduced.
    pure real(dp) function quantity_of(self, quantity, waypoint) result(value)
+      !> The way, with its friction.
       class(path_t), intent(in) :: self
-      !> One of `..._along`.
+      !> One of `..._along`: the quantity that is asked for.
       integer, intent(in) :: quantity
+      !> State on the way, which has been found.
       type(waypoint_t), intent(in) :: waypoint
 
       select case (quantity)
@@ -159,12 +167,15 @@ contains
 
    !> d ln(quantity)/d ln g at a state, d core being th cos th d th.
    pure real(dp) function rate_of(self, quantity, waypoint, step, is_central) result(rate)
+      !> The way, with its theory, its friction and what is held.
       class(path_t), intent(in) :: self
+      !> One of `..._along`: the quantity that is asked for.
       integer, intent(in) :: quantity
+      !> State on the way, which has been found.
       type(waypoint_t), intent(in) :: waypoint
-      !> Of ln g.
+      !> Step of ln g for differences, > 0, much below 1.
       real(dp), intent(in) :: step
-      !> Shall the difference be central?
+      !> Shall the difference be central? Otherwise it is one upwards, if there is contact.
       logical, intent(in) :: is_central
       real(dp) :: shrinkage, turn
 
@@ -185,9 +196,13 @@ contains
 
    !> d ln b/d ln g at a state, from differences on the sides where there is contact.
    pure real(dp) function radius_rate(self, waypoint, step, is_central) result(rate)
+      !> The way, with its theory, its friction and what is held.
       class(path_t), intent(in) :: self
+      !> State on the way, which has been found.
       type(waypoint_t), intent(in) :: waypoint
+      !> Step of ln g for differences, > 0, much below 1.
       real(dp), intent(in) :: step
+      !> Shall the difference be central? Otherwise it is one upwards, if there is contact.
       logical, intent(in) :: is_central
       type(waypoint_t) :: before, after
       real(dp) :: width
@@ -215,9 +230,13 @@ contains
    !> A quantity less the given value, or its rate, and the slope of that. Beyond the last contact both are as if the
    !> root had been passed.
    pure subroutine evaluate(self, x, value, slope)
+      !> The way; its `quantity`, `given` and `is_rate` say what is evaluated.
       class(path_t), intent(in) :: self
+      !> Place z = sqrt(g) on the way, > 0.
       real(dp), intent(in) :: x
+      !> Quantity less its given value, or the rate of the quantity.
       real(dp), intent(out) :: value
+      !> Derivative of the value by z.
       real(dp), intent(out) :: slope
       type(waypoint_t) :: waypoint, near
       real(dp) :: quantity

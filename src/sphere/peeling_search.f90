@@ -34,12 +34,15 @@ contains
 
    !> The state with a value of a quantity, the first on the way; not found if there is none before sliding.
    pure subroutine find_state(self, quantity, value, waypoint, is_converged)
+      !> The way; where its end is needed it receives that, too.
       type(path_t), intent(inout) :: self
-      !> One of `..._along`.
+      !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
-      !> >= 0.
+      !> Value of the quantity, reduced, >= 0.
       real(dp), intent(in) :: value
+      !> Receives the state; not found if the value is not reached before sliding.
       type(waypoint_t), intent(out) :: waypoint
+      !> Did all searches converge?
       logical, intent(out) :: is_converged
       type(waypoint_t) :: last
 
@@ -74,10 +77,15 @@ contains
 
    !> The same, on the whole way, whose end is known.
    pure subroutine find_before_end(self, quantity, value, waypoint, is_converged)
+      !> The way, whose end is known; it serves as the equation of searches.
       type(path_t), intent(inout) :: self
+      !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
+      !> Value of the quantity, reduced, > 0.
       real(dp), intent(in) :: value
+      !> Receives the state; not found if the value is not reached before sliding.
       type(waypoint_t), intent(out) :: waypoint
+      !> Did all searches converge?
       logical, intent(out) :: is_converged
       type(waypoint_t) :: peak
 
@@ -99,10 +107,15 @@ contains
 
    !> The state of an unchanged contact with a value of a quantity; not found if that is beyond gamma = 0.
    pure subroutine turn(self, from, quantity, value, waypoint)
+      !> The way, with its friction.
       type(path_t), intent(in) :: self
+      !> State whose contact is kept.
       type(waypoint_t), intent(in) :: from
+      !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
+      !> Value of the quantity, reduced, >= 0.
       real(dp), intent(in) :: value
+      !> Receives the state; not found if the value is beyond gamma = 0.
       type(waypoint_t), intent(out) :: waypoint
       real(dp) :: largest
 
@@ -123,8 +136,11 @@ contains
 
    !> The state of an unchanged contact with another angle.
    pure subroutine get_capped(from, angle, waypoint)
+      !> State whose contact is kept.
       type(waypoint_t), intent(in) :: from
+      !> Angle arccos gamma of the new state [rad], 0 to pi/2.
       real(dp), intent(in) :: angle
+      !> Receives the state with this angle and its slip core.
       type(waypoint_t), intent(out) :: waypoint
 
       waypoint = from
@@ -135,7 +151,9 @@ contains
 
    !> Find where the way ends, and how.
    pure subroutine find_end(self, is_converged)
+      !> The way, which receives its end in `finish` and `ending`.
       type(path_t), intent(inout) :: self
+      !> Did all searches converge?
       logical, intent(out) :: is_converged
       type(waypoint_t) :: last
       real(dp) :: cap, expected
@@ -169,6 +187,7 @@ contains
    !> Does the area shrink all the way, so that gamma falls all the way? Not on the other branch, and not with a radius
    !> held, where the reach of adhesion widens.
    pure logical function is_shrinking(self)
+      !> The way; its control and branch are read.
       type(path_t), intent(in) :: self
 
       is_shrinking = self%branch == branch_stable .and. (self%control == control_load .or. self%control == control_approach)
@@ -176,6 +195,7 @@ contains
 
    !> Where the area may grow: go step by step to where contact is lost or gamma falls below 0 for the first time.
    pure subroutine march(self, last)
+      !> The way; its `ending` is set where contact is lost.
       type(path_t), intent(inout) :: self
       !> In: a state at or beyond the end. Out: the last state with contact, or the first one with gamma < 0.
       type(waypoint_t), intent(inout) :: last
@@ -209,9 +229,11 @@ contains
 
    !> The last contact on the way to a state without contact.
    pure subroutine find_snap_off(self, last, is_converged)
+      !> The way, whose `ending` is set.
       type(path_t), intent(inout) :: self
-      !> In: a state without contact. Out: the last one with it.
+      !> In: a state without contact. Out: the last one with contact.
       type(waypoint_t), intent(inout) :: last
+      !> Did all searches converge?
       logical, intent(out) :: is_converged
       type(last_contact_t) :: equation
       real(dp) :: ratio
@@ -232,8 +254,11 @@ contains
 
    !> The last intimate contact of a theory: pull-off, or, where the surfaces part without a jump, the radius 0.
    pure subroutine get_last_contact(theory, control, contact)
+      !> Theory of adhesion, for the X that its `ratio` holds.
       class(theory_t), intent(in) :: theory
+      !> One of `control_...`: what is held.
       integer, intent(in) :: control
+      !> Receives the last intimate contact.
       type(contact_t), intent(out) :: contact
 
       call theory%pull_off(control, contact)
@@ -242,9 +267,13 @@ contains
 
    !> The last contact less what is held.
    pure subroutine evaluate(self, x, value, slope)
+      !> The equation, with its theory, control and the value that is held.
       class(last_contact_t), intent(in) :: self
+      !> X, the share of adhesion that is left [-], > 0.
       real(dp), intent(in) :: x
+      !> Load or approach of the last contact less the one that is held, reduced.
       real(dp), intent(out) :: value
+      !> Derivative of the value by X, from a difference.
       real(dp), intent(out) :: slope
       class(theory_t), allocatable :: theory
       type(contact_t) :: here, near
@@ -265,9 +294,13 @@ contains
 
    !> The largest value of a quantity before the end of the way; not found if it still rises there.
    pure subroutine find_peak(self, quantity, waypoint, is_converged)
+      !> The way, whose end is known; it serves as the equation of the search.
       type(path_t), intent(inout) :: self
+      !> One of `..._along`: the quantity whose largest value is wanted.
       integer, intent(in) :: quantity
+      !> Receives the state of the largest value; not found if the quantity still rises at the end.
       type(waypoint_t), intent(out) :: waypoint
+      !> Did all searches converge?
       logical, intent(out) :: is_converged
       real(dp) :: z, high
 
@@ -284,11 +317,17 @@ contains
 
    !> The state with a value of a quantity, 0 < value <= that of a state which lies after it.
    pure subroutine find_crossing(self, quantity, value, last, waypoint, is_converged)
+      !> The way, which serves as the equation of the search.
       type(path_t), intent(inout) :: self
+      !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
+      !> Value of the quantity, reduced, > 0, at most that of the state `last`.
       real(dp), intent(in) :: value
+      !> State on the way that lies after the one with the value, or is that one.
       type(waypoint_t), intent(in) :: last
+      !> Receives the state with the value.
       type(waypoint_t), intent(inout) :: waypoint
+      !> Did all searches converge?
       logical, intent(out) :: is_converged
       real(dp) :: z, high
 

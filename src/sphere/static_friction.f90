@@ -34,6 +34,7 @@ contains
 
    !> arccos gamma, 0 <= gamma <= 1, to full relative precision.
    elemental real(dp) function angle_of_gamma(gamma) result(angle)
+      !> gamma = e/b [-], 0 to 1.
       real(dp), intent(in) :: gamma
 
       angle = atan2(displacement_core(gamma), gamma)
@@ -41,6 +42,7 @@ contains
 
    !> T/T_s of gamma (J 3.4).
    elemental real(dp) function force_ratio(gamma)
+      !> gamma = e/b [-], 0 to 1.
       real(dp), intent(in) :: gamma
 
       force_ratio = 2*(angle_of_gamma(gamma) + gamma*displacement_core(gamma))/pi
@@ -48,6 +50,7 @@ contains
 
    !> sqrt(1 - gamma^2) (J 3.5).
    elemental real(dp) function displacement_core(gamma)
+      !> gamma = e/b [-], 0 to 1.
       real(dp), intent(in) :: gamma
 
       displacement_core = sqrt((1 - gamma)*(1 + gamma))
@@ -55,6 +58,7 @@ contains
 
    !> sqrt(1 - gamma^2) arccos gamma + gamma - 1 (J 3.7 corrected).
    elemental real(dp) function slip_core(gamma)
+      !> gamma = e/b [-], 0 to 1.
       real(dp), intent(in) :: gamma
       real(dp) :: sine
 
@@ -65,6 +69,7 @@ contains
 
    !> (1 - gamma^3)/3, the part of the slip that goes around with cos 2t (J 3.6 corrected).
    elemental real(dp) function angular_core(gamma)
+      !> gamma = e/b [-], 0 to 1.
       real(dp), intent(in) :: gamma
 
       angular_core = (1 - gamma)*(1 + gamma*(1 + gamma))/3
@@ -72,6 +77,7 @@ contains
 
    !> T/T_s of the angle (J 3.4).
    elemental real(dp) function force_of_angle(angle)
+      !> Angle arccos gamma [rad], 0 to pi/2.
       real(dp), intent(in) :: angle
 
       force_of_angle = 2*(angle + sin(angle)*cos(angle))/pi
@@ -79,6 +85,7 @@ contains
 
    !> The slip core of the angle (J 3.7 corrected).
    elemental real(dp) function slip_of_angle(angle)
+      !> Angle arccos gamma [rad], 0 to pi/2.
       real(dp), intent(in) :: angle
 
       slip_of_angle = sin(angle)*(angle - tan(angle/2))
@@ -86,6 +93,7 @@ contains
 
    !> gamma of T/T_s, 0 to 1; near 1 with the digits that 1 - T/T_s has.
    elemental real(dp) function gamma_of_force(ratio) result(gamma)
+      !> Force over that of sliding, T/T_s [-], 0 to 1.
       real(dp), intent(in) :: ratio
 
       if (ratio > near_sliding) then
@@ -97,6 +105,7 @@ contains
 
    !> gamma of the displacement core, 0 to 1.
    elemental real(dp) function gamma_of_displacement(core) result(gamma)
+      !> Displacement core sqrt(1 - gamma^2) [-], 0 to 1.
       real(dp), intent(in) :: core
 
       gamma = displacement_core(core)
@@ -104,6 +113,7 @@ contains
 
    !> The angle of T/T_s, 0 to 1: x + sin x = pi T/T_s, x = 2 th, which is nearly straight.
    elemental real(dp) function angle_of_force(ratio) result(angle)
+      !> Force over that of sliding, T/T_s [-], 0 to 1.
       real(dp), intent(in) :: ratio
       real(dp) :: x, step
       integer :: k
@@ -123,6 +133,7 @@ contains
 
    !> pi/2 less the angle: y - sin y = pi (1 - T/T_s), of whose left-hand side the cube root is nearly straight.
    elemental real(dp) function complement_of_force(ratio) result(complement)
+      !> Force over that of sliding, T/T_s [-], 0 to 1.
       real(dp), intent(in) :: ratio
       real(dp) :: target, y, root, step
       integer :: k
@@ -142,6 +153,7 @@ contains
 
    !> The angle of a slip core; pi/2 for the largest one and beyond.
    elemental real(dp) function angle_of_slip(core) result(angle)
+      !> Slip core [-], >= 0.
       real(dp), intent(in) :: core
       real(dp) :: target, root, step
       integer :: k
@@ -165,6 +177,7 @@ contains
    !> pi/2 less the angle, ph: (pi/2)(1 - cos ph) - (sin ph - ph cos ph) is what the core lacks; its root is nearly
    !> straight.
    elemental real(dp) function complement_of_slip(core) result(complement)
+      !> Slip core [-], >= 0.
       real(dp), intent(in) :: core
       real(dp) :: target, root, step
       integer :: k
@@ -182,9 +195,11 @@ contains
 
    !> Shear stress over the strength at a radius >= 0 (J 3.3, there with e and b interchanged).
    elemental real(dp) function shear_traction(radius, friction_radius, gamma) result(traction)
+      !> Distance from the axis, reduced, >= 0.
       real(dp), intent(in) :: radius
-      !> b >= 0; a point has no shear stress.
+      !> Radius b of the circle that bears friction, reduced, >= 0; a point has no shear stress.
       real(dp), intent(in) :: friction_radius
+      !> gamma = e/b [-], 0 to 1.
       real(dp), intent(in) :: gamma
       real(dp) :: r
 
@@ -201,6 +216,7 @@ contains
 
    !> k = (2 - nu)/(1 - nu).
    elemental real(dp) function slip_factor(poisson)
+      !> Poisson's ratio nu [-], above -1, up to 1/2.
       real(dp), intent(in) :: poisson
 
       slip_factor = (2 - poisson)/(1 - poisson)
@@ -208,17 +224,29 @@ contains
 
    !> Slip at the edge r = b, mean around it (J 3.7 corrected), reduced.
    elemental real(dp) function mean_slip(strength, poisson, friction_radius, angle) result(slip)
-      !> tau.
+      !> Shear strength tau, in the scale of lambda, > 0.
       real(dp), intent(in) :: strength
-      real(dp), intent(in) :: poisson, friction_radius, angle
+      !> Poisson's ratio nu [-], above -1, up to 1/2.
+      real(dp), intent(in) :: poisson
+      !> Radius b of the circle that bears friction, reduced, >= 0.
+      real(dp), intent(in) :: friction_radius
+      !> Angle arccos gamma [rad], 0 to pi/2.
+      real(dp), intent(in) :: angle
 
       slip = 4*slip_factor(poisson)*strength*friction_radius*slip_of_angle(angle)/(3*pi)
    end function mean_slip
 
    !> Slip at the edge in a direction t from that of the force (J 3.6 corrected), reduced.
    elemental real(dp) function slip_at_angle(strength, poisson, friction_radius, angle, direction) result(slip)
-      real(dp), intent(in) :: strength, poisson, friction_radius, angle
-      !> t [rad].
+      !> Shear strength tau, in the scale of lambda, > 0.
+      real(dp), intent(in) :: strength
+      !> Poisson's ratio nu [-], above -1, up to 1/2.
+      real(dp), intent(in) :: poisson
+      !> Radius b of the circle that bears friction, reduced, >= 0.
+      real(dp), intent(in) :: friction_radius
+      !> Angle arccos gamma [rad], 0 to pi/2.
+      real(dp), intent(in) :: angle
+      !> Direction t from that of the force [rad].
       real(dp), intent(in) :: direction
 
       slip = mean_slip(strength, poisson, friction_radius, angle) &
@@ -227,7 +255,14 @@ contains
 
    !> The largest slip at the edge, across the force where nu > 0, reduced.
    elemental real(dp) function largest_slip(strength, poisson, friction_radius, angle) result(slip)
-      real(dp), intent(in) :: strength, poisson, friction_radius, angle
+      !> Shear strength tau, in the scale of lambda, > 0.
+      real(dp), intent(in) :: strength
+      !> Poisson's ratio nu [-], above -1, up to 1/2.
+      real(dp), intent(in) :: poisson
+      !> Radius b of the circle that bears friction, reduced, >= 0.
+      real(dp), intent(in) :: friction_radius
+      !> Angle arccos gamma [rad], 0 to pi/2.
+      real(dp), intent(in) :: angle
 
       slip = mean_slip(strength, poisson, friction_radius, angle) &
          & + abs(around(strength, poisson, friction_radius, angle))
@@ -235,7 +270,14 @@ contains
 
    !> How much the slip varies around the edge.
    elemental real(dp) function around(strength, poisson, friction_radius, angle)
-      real(dp), intent(in) :: strength, poisson, friction_radius, angle
+      !> Shear strength tau, in the scale of lambda, > 0.
+      real(dp), intent(in) :: strength
+      !> Poisson's ratio nu [-], above -1, up to 1/2.
+      real(dp), intent(in) :: poisson
+      !> Radius b of the circle that bears friction, reduced, >= 0.
+      real(dp), intent(in) :: friction_radius
+      !> Angle arccos gamma [rad], 0 to pi/2.
+      real(dp), intent(in) :: angle
       real(dp) :: gamma, core
 
       gamma = cos(angle)
