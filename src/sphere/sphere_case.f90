@@ -38,8 +38,9 @@ contains
 
    !> The point that the values describe; they have been checked.
    pure subroutine resolve_case(values, self)
-      !> In the order of `adfric_sphere_variables`.
+      !> Values of the variables, in the order of `adfric_sphere_variables`.
       real(dp), intent(in) :: values(:)
+      !> Receives the point in reduced variables, with its units.
       type(sphere_case_t), intent(out) :: self
 
       self%theory = nint(values(v_theory)) - 2
@@ -52,7 +53,9 @@ contains
 
    !> Units, and what adhesion is in them. Without adhesion the units are those of w = E* R.
    pure subroutine resolve_units(values, self)
+      !> Values of the variables, in the order of `adfric_sphere_variables`.
       real(dp), intent(in) :: values(:)
+      !> In: with theory and lambda as they are given. Out: with the units, and what follows for theory and lambda.
       type(sphere_case_t), intent(inout) :: self
       real(dp) :: work, e
 
@@ -73,6 +76,7 @@ contains
 
    !> The work of adhesion; 0 where none is given.
    pure real(dp) function get_work(values) result(work)
+      !> Values of the variables, in the order of `adfric_sphere_variables`.
       real(dp), intent(in) :: values(:)
 
       work = 0
@@ -81,7 +85,9 @@ contains
 
    !> What is held.
    pure subroutine resolve_operation(values, self)
+      !> Values of the variables, in the order of `adfric_sphere_variables`.
       real(dp), intent(in) :: values(:)
+      !> In: with its units. Out: with what is held, too.
       type(sphere_case_t), intent(inout) :: self
 
       self%branch = nint(values(v_branch))
@@ -99,7 +105,9 @@ contains
 
    !> Friction.
    pure subroutine resolve_friction(values, self)
+      !> Values of the variables, in the order of `adfric_sphere_variables`.
       real(dp), intent(in) :: values(:)
+      !> In: with its units. Out: with its friction, too.
       type(sphere_case_t), intent(inout) :: self
 
       self%edge_fraction = values(v_edge_fraction)

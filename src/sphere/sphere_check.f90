@@ -21,8 +21,11 @@ contains
 
    !> Add to `problems` what is wrong with the values together.
    subroutine check_sphere_values(variables, values, problems)
+      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
@@ -35,13 +38,17 @@ contains
 
    contains
 
+      !> Add a problem of one variable to the list.
       subroutine add(v, text)
+         !> Place of the variable, one of `v_...`.
          integer, intent(in) :: v
+         !> What is wrong, what was given, what is allowed.
          character(*), intent(in) :: text
 
          call problems%add(variables(v)%group, variables(v)%name, text)
       end subroutine add
 
+      !> Radius, moduli and adhesion: what each theory and the reduced units need, and what they have no place for.
       subroutine check_sphere()
          integer, parameter :: si_only(*) = [v_radius, v_contact_modulus, v_young_modulus, v_body_poisson_ratio, &
             & v_second_young_modulus, v_second_poisson_ratio, v_work_of_adhesion, v_adhesion_stress, v_adhesion_range, &
@@ -71,6 +78,7 @@ contains
          end if
       end subroutine check_sphere
 
+      !> What is held: one of load, approach and radius.
       subroutine check_operation()
          call need_one(variables, values, [v_load, v_approach, v_contact_radius], .true., problems)
          if (is_set(values(v_contact_radius)) .and. nint(values(v_branch)) /= branch_stable) then
@@ -78,6 +86,7 @@ contains
          end if
       end subroutine check_operation
 
+      !> Friction: the variables that need a shear strength, and those that exclude each other.
       subroutine check_friction()
          integer, parameter :: with_strength(*) = [v_poisson_ratio, v_critical_slip, v_slip_energy_ratio, &
             & v_tangential_force, v_tangential_displacement]
@@ -149,6 +158,7 @@ contains
 
    !> Is a positive number neither enormous nor next to nothing?
    pure logical function is_plain(value)
+      !> A reduced number, or a variable in its SI unit.
       real(dp), intent(in) :: value
 
       is_plain = value < largest .and. value > 1/largest

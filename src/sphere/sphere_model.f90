@@ -38,6 +38,7 @@ contains
 
    !> The model with its tables.
    subroutine new_sphere_model(self)
+      !> Receives its names and its tables.
       type(sphere_model_t), intent(out) :: self
 
       self%name = 'sphere'
@@ -51,9 +52,13 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
+      !> The model, whose table of variables is read.
       class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call check_sphere_values(self%variables, values, problems)
@@ -62,7 +67,9 @@ contains
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
+      !> The model, whose table of results is read.
       class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(result_t), allocatable :: results(:)
 
@@ -72,7 +79,9 @@ contains
 
    !> See `model_t`.
    function describe_profiles(self, values) result(profiles)
+      !> The model, whose table of profiles is read.
       class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(profile_t), allocatable :: profiles(:)
 
@@ -82,8 +91,11 @@ contains
 
    !> See `model_t`.
    function describe_profile_axis(self, values, axis) result(profile)
+      !> The model, whose `profile_axes` are read.
       class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Place of the axis in `profile_axes`, from 1.
       integer, intent(in) :: axis
       type(profile_t) :: profile
 
@@ -96,8 +108,11 @@ contains
 
    !> See `model_t`.
    function unit_of(self, values, place) result(unit)
+      !> The model, whose table of variables is read.
       class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
       integer, intent(in) :: place
       character(:), allocatable :: unit
 
@@ -107,6 +122,7 @@ contains
 
    !> Are all quantities reduced?
    pure logical function is_reduced(values)
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       is_reduced = nint(values(v_units)) == units_reduced
@@ -114,7 +130,9 @@ contains
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
+      !> The model, whose `profiles` may be empty.
       class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       wants_profiles = size(self%profiles) > 0 .and. values(v_profiles) > 0
@@ -122,8 +140,11 @@ contains
 
    !> See `model_t`.
    function get_profile_axis(self, values, axis) result(coordinate)
+      !> The model, whose `profiles` may be empty.
       class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Place of the axis in `profile_axes`, from 1.
       integer, intent(in) :: axis
       real(dp), allocatable :: coordinate(:)
       integer :: n, k
@@ -136,11 +157,17 @@ contains
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      !> The model; all threads solve with the same one.
       class(sphere_model_t), intent(in) :: self
+      !> Values of the variables for each point; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
+      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
       real(dp), intent(out) :: results(:, :)
+      !> Relative error of the main result, estimated; shape `(n_points)`.
       real(dp), intent(out) :: error_estimate(:)
+      !> One of `status_...` for each point; shape `(n_points)`.
       integer, intent(out) :: status(:)
+      !> Receives the number of points solved by a limit theory, under its name in the file.
       type(attribute_t), allocatable, intent(out) :: attributes(:)
       type(sphere_case_t) :: case
       type(sphere_point_t) :: point
@@ -164,9 +191,13 @@ contains
 
    !> Results of a point in the units of the case.
    pure subroutine store(case, point, values, results)
+      !> The point in reduced variables, with its units.
       type(sphere_case_t), intent(in) :: case
+      !> What has been found of the point, reduced.
       type(sphere_point_t), intent(in) :: point
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Receives the results of the point in the units of the case; shape `(n_results)`; NaN where there is no value.
       real(dp), intent(out) :: results(:)
       real(dp) :: area_unit
 
@@ -210,9 +241,13 @@ contains
 
    !> See `model_t`.
    subroutine solve_profiles(self, values, results, profiles)
+      !> The model; all threads solve with the same one.
       class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Results that `solve_block` found for this point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
+      !> Receives the profiles; shape `(n_r, 1, n_profiles)`.
       real(dp), intent(out) :: profiles(:, :, :)
       type(sphere_case_t) :: case
       type(sphere_point_t) :: point
@@ -236,7 +271,9 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
+      !> The model, whose table of variables is read.
       class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
       character(*), parameter :: of_units = 'units radius work_of_adhesion theory '//modulus_names

@@ -55,11 +55,13 @@ contains
 
    !> Solve a point.
    subroutine solve_point(case, needs_events, memory, point)
+      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> Are the events of the static phase asked for?
       logical, intent(in) :: needs_events
-      !> It saves time and changes nothing.
+      !> What earlier points left; it saves time and changes no result.
       type(sphere_memory_t), intent(inout) :: memory
+      !> Receives what is found of the point, reduced.
       type(sphere_point_t), intent(out) :: point
       type(friction_state_t) :: state
 
@@ -89,6 +91,7 @@ contains
 
    !> Does static friction change the contact?
    pure logical function is_peeling(case)
+      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
 
       is_peeling = case%has_friction .and. case%interaction > 0 .and. (case%is_force_given .or. case%is_displacement_given) &
@@ -97,6 +100,7 @@ contains
 
    !> The law of friction of a case.
    pure type(friction_t) function new_friction(case) result(friction)
+      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
 
       friction = friction_t(case%strength, case%poisson, case%edge_fraction, case%interaction, case%slip_energy_ratio)
@@ -104,7 +108,9 @@ contains
 
    !> A state of the static phase.
    pure subroutine take_state(state, point)
+      !> State of the static phase.
       type(friction_state_t), intent(in) :: state
+      !> Receives the contact, X and friction of the state.
       type(sphere_point_t), intent(inout) :: point
 
       point%contact = state%contact
@@ -120,8 +126,11 @@ contains
 
    !> What happens between rest and sliding; a tangential force or displacement has no part in it.
    pure subroutine add_events(case, memory, point)
+      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
+      !> What earlier points left; it receives the events if they are new.
       type(sphere_memory_t), intent(inout) :: memory
+      !> Receives the events, and their status if they were not found to round-off.
       type(sphere_point_t), intent(inout) :: point
 
       if (.not. (memory%has_events .and. has_same_events(case, memory%events_case))) then
@@ -135,6 +144,7 @@ contains
 
    !> Have two points of one theory the same way from rest to sliding?
    pure logical function has_same_events(one, two)
+      !> Two points of one theory, in reduced variables.
       type(sphere_case_t), intent(in) :: one, two
 
       has_same_events = one%control == two%control .and. one%branch == two%branch .and. .not. any(abs( &
@@ -144,8 +154,11 @@ contains
 
    !> The theory of a number.
    subroutine take_theory(number, lambda, memory)
+      !> One of `theory_...`.
       integer, intent(in) :: number
+      !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
+      !> Receives the theory; what belongs to another theory is forgotten.
       type(sphere_memory_t), intent(inout) :: memory
 
       if (number == memory%number .and. .not. abs(lambda - memory%lambda) > 0) return
@@ -159,8 +172,11 @@ contains
 
    !> The contact of a limit theory, where it will do.
    pure subroutine try_limit(case, memory, point)
+      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
+      !> What earlier points left; it receives the choice if that is another one.
       type(sphere_memory_t), intent(inout) :: memory
+      !> In: with X. Out: with the theory that will do, its error, and its contact if that is a limit theory.
       type(sphere_point_t), intent(inout) :: point
       logical :: needs_edge
 
@@ -173,8 +189,11 @@ contains
 
    !> What follows from the contact alone.
    subroutine finish_contact(case, memory, point)
+      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
+      !> What earlier points left; it receives the pull-off load, and the contact as a neighbour.
       type(sphere_memory_t), intent(inout) :: memory
+      !> In: with theory, X and contact. Out: with status, error estimate, pull-off load and friction radius, too.
       type(sphere_point_t), intent(inout) :: point
       type(contact_t) :: fold
 
@@ -201,8 +220,11 @@ contains
 
    !> How well the contact fulfils the equations of the theory that it comes from.
    pure real(dp) function get_mismatch_of(memory, point, control) result(mismatch)
+      !> Holds the theories of which one has found the contact.
       type(sphere_memory_t), intent(in) :: memory
+      !> What is found of the point, with theory and contact.
       type(sphere_point_t), intent(in) :: point
+      !> One of `control_...`: what is held.
       integer, intent(in) :: control
 
       if (point%theory == memory%number) then
@@ -216,7 +238,9 @@ contains
 
    !> Friction that leaves the contact alone: during sliding, or without interaction.
    pure subroutine add_friction(case, point)
+      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
+      !> In: with its contact. Out: with its friction, too, or with the status of a force that it does not bear.
       type(sphere_point_t), intent(inout) :: point
       real(dp) :: largest_force, largest_displacement, angle
 
@@ -250,8 +274,11 @@ contains
 
    !> What arccos(gamma) says of the static phase.
    pure subroutine add_static_friction(case, angle, point)
+      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
+      !> Angle arccos gamma [rad], 0 to pi/2.
       real(dp), intent(in) :: angle
+      !> In: with its friction radius. Out: with force, displacement and slip, too.
       type(sphere_point_t), intent(inout) :: point
 
       point%friction_force = half_pi*case%strength*point%friction_radius**2*force_of_angle(angle)

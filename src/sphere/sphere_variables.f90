@@ -89,6 +89,7 @@ contains
 
    !> The table of results.
    function get_sphere_results(is_reduced) result(r)
+      !> Are all quantities reduced? Then their unit is `-`.
       logical, intent(in) :: is_reduced
       type(result_t), allocatable :: r(:)
       character(:), allocatable :: force, length, area
@@ -129,6 +130,7 @@ contains
 
    !> The table of profiles.
    function get_sphere_profiles(is_reduced) result(p)
+      !> Are all quantities reduced? Then their unit is `-`.
       logical, intent(in) :: is_reduced
       type(profile_t), allocatable :: p(:)
       character(:), allocatable :: stress, length

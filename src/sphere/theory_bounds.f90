@@ -43,11 +43,14 @@ contains
 
    !> The bounds of a limit theory.
    elemental subroutine new_limit(self, theory, lambda, ratio)
+      !> Receives what of the bounds does not depend on the radius.
       type(limit_t), intent(out) :: self
-      !> `theory_jkr` or `theory_dmt`.
+      !> `theory_jkr` or `theory_dmt`; for others nothing is bounded.
       integer, intent(in) :: theory
-      !> > 0.
-      real(dp), intent(in) :: lambda, ratio
+      !> Maugis's parameter [-], > 0.
+      real(dp), intent(in) :: lambda
+      !> X, the share of adhesion that is left [-], > 0.
+      real(dp), intent(in) :: ratio
       real(dp) :: widest
 
       self%theory = theory
@@ -68,10 +71,14 @@ contains
    !> Bounds of the differences of load and approach at a radius. They grow with the radius, JKR's of the approach where a is
    !> not small.
    elemental subroutine get_bounds(self, radius, load, approach)
+      !> The limit theory beside Maugis-Dugdale.
       class(limit_t), intent(in) :: self
+      !> Radius a of the contact, reduced, > 0.
       real(dp), intent(in) :: radius
-      !> Huge where nothing is proved.
-      real(dp), intent(out) :: load, approach
+      !> Bound of the difference of load, reduced; huge where nothing is proved.
+      real(dp), intent(out) :: load
+      !> Bound of the difference of approach, reduced; huge where nothing is proved.
+      real(dp), intent(out) :: approach
       real(dp) :: root, square, rest, q, bc
 
       load = huge(1.0_dp)

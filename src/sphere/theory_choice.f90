@@ -43,10 +43,11 @@ contains
 
    !> A theory by its number, for X = 1.
    subroutine new_theory(theory, number, lambda)
+      !> Receives the theory.
       class(theory_t), allocatable, intent(out) :: theory
       !> One of `theory_...`.
       integer, intent(in) :: number
-      !> Used by Maugis-Dugdale only, > 0.
+      !> Maugis's parameter [-], > 0; only Maugis-Dugdale uses it.
       real(dp), intent(in) :: lambda
 
       select case (number)
@@ -63,13 +64,17 @@ contains
 
    !> What is looked for, and over which range of what is held.
    pure subroutine new_choice(self, lambda, ratio, control, needs_edge, tolerance)
+      !> Receives the limit theory that may do, and its range of what is held.
       type(choice_t), intent(out) :: self
-      real(dp), intent(in) :: lambda, ratio
-      !> One of `control_...`.
+      !> Maugis's parameter [-], > 0.
+      real(dp), intent(in) :: lambda
+      !> X, the share of adhesion that is left [-], >= 0.
+      real(dp), intent(in) :: ratio
+      !> One of `control_...`: what is held.
       integer, intent(in) :: control
       !> Is the radius c of adhesion needed, too? Then DMT will not do.
       logical, intent(in) :: needs_edge
-      !> Relative, of radii, load and approach.
+      !> Relative error of radii, load and approach that is allowed [-].
       real(dp), intent(in) :: tolerance
 
       self%lambda = lambda
@@ -91,10 +96,17 @@ contains
 
    !> Is it that of these parameters?
    pure logical function is_choice_of(self, lambda, ratio, control, needs_edge, tolerance)
+      !> The choice, whose parameters are compared.
       type(choice_t), intent(in) :: self
-      real(dp), intent(in) :: lambda, ratio
+      !> Maugis's parameter [-], > 0.
+      real(dp), intent(in) :: lambda
+      !> X, the share of adhesion that is left [-], >= 0.
+      real(dp), intent(in) :: ratio
+      !> One of `control_...`: what is held.
       integer, intent(in) :: control
+      !> Is the radius c of adhesion needed, too?
       logical, intent(in) :: needs_edge
+      !> Relative error of radii, load and approach that is allowed [-].
       real(dp), intent(in) :: tolerance
 
       is_choice_of = .not. (abs(lambda - self%lambda) > 0 .or. abs(ratio - self%ratio) > 0 .or. control /= self%control &
@@ -104,6 +116,7 @@ contains
    !> Below a radius t^2 is too large for a proof, or c/a - 1, or what the far term of the bounds makes of load and approach, is
    !> more than the tolerance.
    pure subroutine set_range_of_jkr(self)
+      !> In: with its parameters and JKR. Out: with the range of what is held, too.
       type(choice_t), intent(inout) :: self
       type(contact_t) :: contact
       real(dp) :: least
@@ -128,6 +141,7 @@ contains
    !> Above a radius u is too large; below another one the error of radius or approach is more than the tolerance, even where the
    !> bounds are smallest.
    pure subroutine set_range_of_dmt(self)
+      !> In: with its parameters and DMT. Out: with the range of what is held, too.
       type(choice_t), intent(inout) :: self
       real(dp) :: approach
 
@@ -152,15 +166,17 @@ contains
    !> The simplest theory that is proved to be within the tolerance, and its contact. It depends on the parameters of the choice
    !> and on what is held, and on nothing else.
    pure subroutine choose_theory(self, value, branch, number, error, contact)
+      !> The choice, with its limit theory and its range.
       type(choice_t), intent(in) :: self
-      !> What is held.
+      !> Value of the load, approach or radius that is held, reduced.
       real(dp), intent(in) :: value
+      !> One of `branch_...`; a limit theory will do for the stable state only.
       integer, intent(in) :: branch
-      !> One of `theory_...`.
+      !> Receives the number of the theory, one of `theory_...`.
       integer, intent(out) :: number
-      !> What is proved; 0 for Maugis-Dugdale.
+      !> Proved bound of the relative error of that theory [-]; 0 for Maugis-Dugdale.
       real(dp), intent(out) :: error
-      !> None for Maugis-Dugdale.
+      !> Receives the contact of the limit theory; for Maugis-Dugdale none is found.
       type(contact_t), intent(out) :: contact
 
       number = theory_maugis_dugdale
@@ -192,8 +208,11 @@ contains
    !> Where an approach is held it is the same with m = 2 a^2/S; E grows downwards, too, by (1 - s)^(-1/2) or less, and upwards by
    !> 1 + s or less.
    pure subroutine prove(self, contact, error)
+      !> The choice, with its limit theory.
       type(choice_t), intent(in) :: self
+      !> Contact that the limit theory has found.
       type(contact_t), intent(in) :: contact
+      !> Bound of the relative error [-]; huge where there is none.
       real(dp), intent(out) :: error
       real(dp) :: load, approach, load_slope, approach_slope, s, z, cube, square
 
@@ -236,9 +255,13 @@ contains
    !> How well a contact is known: how far it is from fulfilling the equations of its theory at the place where it was found,
    !> and what the round-off of what is held does to the place. The largest relative error of radius, load and approach.
    pure real(dp) function get_mismatch(theory, number, control, contact) result(mismatch)
+      !> Theory that has found the contact.
       class(theory_t), intent(in) :: theory
-      !> One of `theory_...`, and of `control_...`.
-      integer, intent(in) :: number, control
+      !> Number of this theory, one of `theory_...`.
+      integer, intent(in) :: number
+      !> One of `control_...`: what is held.
+      integer, intent(in) :: control
+      !> The contact, which has been found.
       type(contact_t), intent(in) :: contact
       type(contact_t) :: again
       type(point_t) :: point
@@ -285,9 +308,16 @@ contains
 
    !> Changes of load and approach with the radius.
    pure subroutine get_slopes(number, ratio, radius, load_slope, approach_slope)
+      !> `theory_jkr`; any other number means DMT or Hertz.
       integer, intent(in) :: number
-      real(dp), intent(in) :: ratio, radius
-      real(dp), intent(out) :: load_slope, approach_slope
+      !> X, the share of adhesion that is left [-], >= 0.
+      real(dp), intent(in) :: ratio
+      !> Radius a of the contact, reduced, > 0.
+      real(dp), intent(in) :: radius
+      !> dP/da, reduced.
+      real(dp), intent(out) :: load_slope
+      !> d delta/da, reduced.
+      real(dp), intent(out) :: approach_slope
 
       load_slope = 3*radius**2
       approach_slope = 2*radius
