@@ -45,9 +45,9 @@ contains
       character(*), intent(in) :: variable
       !> What is wrong, what was given, what is allowed.
       character(*), intent(in) :: text
-      !> Which group of that name, from 1; absent where the group may stand only once.
+      !> Which group of that name, from 1; 0 or absent where the group may stand only once.
       integer, intent(in), optional :: index
-      !> Line of the file, from 1; absent if it is not known.
+      !> Line of the file, from 1; 0 or absent if it is not known.
       integer, intent(in), optional :: line
       type(problem_t) :: item
 
