@@ -8,7 +8,8 @@ module adfric_wavy_equilibrium
    use adfric_base_kinds, only: dp
    use adfric_base_model, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_wavy_crosswise, only: memory_t
-   use adfric_wavy_load_search, only: search_down, search_up, find_entry, search_found, search_empty
+   use adfric_wavy_load_search, only: search_down, search_up, search_found, search_empty
+   use adfric_wavy_load_starts, only: start_above, start_below, search_without_adhesion, highest
    use adfric_wavy_load_trial, only: trial_t, try_penetration, carries_load, get_reach, is_plain, round_off, indistinct
    use adfric_wavy_steady_state, only: branch_adhered
    use adfric_wavy_strip, only: steady_state_t
@@ -18,16 +19,8 @@ module adfric_wavy_equilibrium
    public :: equilibrium_t, neighbour_t, solve_penetration, solve_load, leads_to
 
    integer, parameter :: max_iterations = 100, max_refinements = 6
-   !> Mean level of the profile below its crest [h], in 2-D and 3-D.
-   real(dp), parameter :: mean_depth_2d = 0.5_dp, mean_depth_3d = 0.75_dp
    !> Longest step of the penetration from a neighbour's [h].
    real(dp), parameter :: longest_step = 0.05_dp
-   !> Relative tolerance of a start.
-   real(dp), parameter :: rough_tolerance = 1.0e-4_dp
-   !> A start is near enough when the next step would be this short [h].
-   real(dp), parameter :: near_enough = 1.0e-5_dp
-   !> By how much less than the load a start from below carries, as a share.
-   real(dp), parameter :: below = 1.0e-3_dp
 
    !> A point: its penetration, what it carries, and how well that is known.
    type :: equilibrium_t
@@ -125,8 +118,9 @@ contains
 
    !> Newton's method from a neighbour's state, and the proof that nothing is passed on the way.
    pure subroutine follow_neighbour(surface, load, neighbour, memory, state, is_found)
-      !> The surface in reduced units, and the load that is sought [h/K].
+      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Load that is sought [h/K].
       real(dp), intent(in) :: load
       !> Points that lead to this one, and strips found before, as first guesses.
       type(neighbour_t), intent(in) :: neighbour
@@ -183,14 +177,17 @@ contains
 
    !> The state of a load, from a neighbour or from nothing.
    pure subroutine search(surface, load, neighbour, memory, state, outcome)
-      !> The surface in reduced units, and the load that is sought [h/K].
+      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Load that is sought [h/K].
       real(dp), intent(in) :: load
-      !> Points that lead to this one, or none, and strips found before, as first guesses.
+      !> Points that lead to this one, or none.
       type(neighbour_t), intent(in) :: neighbour
+      !> Strips found before, as first guesses.
       type(memory_t), intent(inout) :: memory
-      !> The state of the load if the outcome, one of `search_...`, is `search_found`.
+      !> The state of the load if the outcome is `search_found`.
       type(trial_t), intent(out) :: state
+      !> One of `search_...`.
       integer, intent(out) :: outcome
       type(trial_t) :: low, high
       real(dp) :: start
@@ -230,124 +227,13 @@ contains
       state = high
    end subroutine search
 
-   !> The penetration of endless contact, which carries a load or more on every branch [h].
-   pure real(dp) function highest(surface, load)
-      !> The surface in reduced units, and the load [h/K].
-      type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load
-
-      highest = load + merge(mean_depth_3d, mean_depth_2d, surface%is_3d)
-   end function highest
-
-   !> Without adhesion the load is a convex function of the penetration: Newton's method from above passes nothing.
-   pure subroutine search_without_adhesion(surface, load, memory, state, outcome)
-      !> The surface in reduced units, the load that is sought [h/K], and strips found before, as first guesses.
-      type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load
-      type(memory_t), intent(inout) :: memory
-      !> The state of the load if the outcome, one of `search_...`, is `search_found`.
-      type(trial_t), intent(out) :: state
-      integer, intent(out) :: outcome
-      real(dp) :: penetration, next
-      integer :: k
-
-      outcome = merge(search_found, search_empty, load >= 0)
-      ! nothing is carried by just touching
-      if (.not. load > 0) return
-      next = highest(surface, load)
-      do k = 1, max_iterations
-         penetration = next
-         call try_penetration(surface, penetration, load, memory, state)
-         if (carries_load(surface, state) .or. .not. state%totals%is_converged .or. .not. state%excess > 0) exit
-         next = penetration - state%excess/state%totals%slope_bound
-         if (.not. next < penetration) exit
-      end do
-   end subroutine search_without_adhesion
-
-   !> A penetration above which every state carries more than a load: with adhesion in the whole gap it carries as much.
-   pure subroutine start_above(surface, load, high, outcome)
-      !> The surface in reduced units, and the load [h/K].
-      type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load
-      !> Receives the penetration; the rest is that of the surface with adhesion in the whole gap.
-      type(trial_t), intent(out) :: high
-      !> `search_empty` if every penetration carries more.
-      integer, intent(out) :: outcome
-      type(surface_t) :: attached
-
-      attached = surface
-      attached%branch = branch_adhered
-      ! more than any gap
-      attached%range = 4*(1 + surface%stress + surface%range + abs(load))
-      call descend_convex(attached, load, load, high, outcome)
-   end subroutine start_above
-
-   !> A penetration below which every state carries less than a load, and which carries less itself.
-   pure subroutine start_below(surface, load, memory, low, outcome)
-      !> The surface in reduced units, the load [h/K], and strips found before, as first guesses.
-      type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load
-      type(memory_t), intent(inout) :: memory
-      !> What that penetration carries, if the outcome, one of `search_...`, is `search_found`.
-      type(trial_t), intent(out) :: low
-      integer, intent(out) :: outcome
-      type(surface_t) :: bare
-      type(trial_t) :: high
-      real(dp) :: start
-
-      if (load > 0) then
-         bare = surface
-         bare%stress = 0
-         bare%range = 0
-         call descend_convex(bare, load*(1 - below), load, low, outcome)
-         start = low%penetration
-         call try_penetration(surface, start, load, memory, low)
-      else
-         call start_above(surface, load, high, outcome)
-         if (outcome /= search_found) return
-         ! just inside the range, where adhesion draws the crest in
-         call try_penetration(surface, -surface%range*(1 - indistinct), load, memory, low)
-         call find_entry(surface, load, high%penetration, memory, low, outcome)
-      end if
-   end subroutine start_below
-
-   !> Newton's method from above on a surface whose load is a convex function of the penetration, to where it carries no more
-   !> than `enough`, or is near a load.
-   pure subroutine descend_convex(surface, load, enough, state, outcome)
-      !> The surface in reduced units, the load [h/K], and one not below it, where the way may end [h/K].
-      type(surface_t), intent(in) :: surface
-      real(dp), intent(in) :: load, enough
-      !> The last penetration, and what it carries.
-      type(trial_t), intent(out) :: state
-      !> `search_empty` if every penetration carries more.
-      integer, intent(out) :: outcome
-      type(surface_t) :: rough
-      type(memory_t) :: memory
-      real(dp) :: penetration, step
-      integer :: k
-
-      outcome = search_found
-      rough = surface
-      rough%tolerance = max(surface%tolerance, rough_tolerance)
-      penetration = highest(surface, load)
-      do k = 1, max_iterations
-         call try_penetration(rough, penetration, load, memory, state)
-         if (.not. state%totals%is_converged .or. state%totals%load <= enough .and. enough > load) return
-         step = get_reach(state, state%totals%slope_bound)
-         if (step >= huge(step)/2) outcome = search_empty
-         if (outcome == search_empty) return
-         ! what the quadrature may be wrong by is not gone down
-         step = step*max(0.0_dp, 1 - 2*state%error(1)/max(abs(state%excess), tiny(step)))
-         if (.not. state%excess > 0 .or. (step <= near_enough .and. .not. enough > load)) return
-         penetration = penetration - step
-      end do
-   end subroutine descend_convex
-
    !> Close a bracket: Newton's method from its better end, with bisection wherever that gains too little.
    pure subroutine close_bracket(surface, load, memory, low, high)
-      !> The surface in reduced units, the load that is sought [h/K], and strips found before, as first guesses.
+      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Load that is sought [h/K].
       real(dp), intent(in) :: load
+      !> Strips found before, as first guesses.
       type(memory_t), intent(inout) :: memory
       !> The ends of the bracket, which carry less than the load and no less. Out: `high` carries the load.
       type(trial_t), intent(inout) :: low, high
