@@ -50,11 +50,15 @@ contains
 
    !> Create every dataset.
    subroutine create(self, calls, file, layout, parts)
+      !> Nothing is open in it before; all datasets are open afterwards.
       class(datasets_t), intent(inout) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Files in which the values are; if absent they are in this one.
+      !> Files in which the values are; if absent the values are in this file.
       type(virtual_parts_t), intent(in), optional :: parts
       character(:), allocatable :: coordinates
       integer :: i, n
@@ -87,9 +91,13 @@ contains
 
    !> Open every dataset of results.
    subroutine open_all(self, calls, file, layout)
+      !> Nothing is open in it before; all datasets of results are open afterwards.
       class(datasets_t), intent(inout) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
       integer :: i
 
@@ -108,8 +116,11 @@ contains
 
    !> Make room for the ids, and make the spaces.
    subroutine prepare(self, calls, layout)
+      !> Gets room for the ids, all `no_id`, and its open spaces.
       class(datasets_t), intent(inout) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
 
       allocate (self%scales(size(layout%axes) + size(layout%profile_axes)), self%fields(size(layout%fields)), &
@@ -121,16 +132,19 @@ contains
 
    !> Select the next box of a row of points in the space of the results.
    subroutine select_rows(self, calls, layout, first, n_left, memory_space, n)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> First row, from 1.
+      !> Place of the first point in the file, from 1.
       integer(i8), intent(in) :: first
-      !> Number of rows that are left.
+      !> Number of points that are left.
       integer, intent(in) :: n_left
-      !> A space of as many values, to be closed by the caller.
+      !> Space of as many values as the box has points; the caller closes it.
       integer(hid_t), intent(out) :: memory_space
-      !> How many these are.
+      !> Number of points of the box.
       integer, intent(out) :: n
       type(box_t) :: box
 
@@ -142,12 +156,17 @@ contains
 
    !> Write results of a row of points, but for their states.
    subroutine write_results(self, calls, layout, first, results, error_estimate)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
+      !> Place of the first point in the file, from 1.
       integer(i8), intent(in) :: first
-      !> Shape `(n_points, n_results)`.
+      !> Results in the units of the model, shape `(n_points, n_results)`.
       real(dp), intent(in) :: results(:, :)
+      !> Estimated relative error of each point [-].
       real(dp), intent(in) :: error_estimate(:)
       !> What is written next, contiguous.
       real(dp), allocatable :: numbers(:)
@@ -176,10 +195,15 @@ contains
 
    !> Write the states of a row of points.
    subroutine write_status(self, calls, layout, first, states)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
+      !> Place of the first point in the file, from 1.
       integer(i8), intent(in) :: first
+      !> Status of each point, one of `status_...`, as it stands in the file.
       integer(int8), intent(in) :: states(:)
       integer(hid_t) :: memory_space
       integer :: done, n
@@ -195,12 +219,17 @@ contains
 
    !> Read the results of a row of points.
    subroutine read_results(self, calls, layout, first, results, error_estimate)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
+      !> Place of the first point in the file, from 1.
       integer(i8), intent(in) :: first
-      !> Shape `(n_points, n_results)`; NaN in the columns that are not in the file.
+      !> Results in the units of the model, shape `(n_points, n_results)`; NaN in the columns that are not in the file.
       real(dp), intent(out) :: results(:, :)
+      !> Estimated relative error of each point [-].
       real(dp), intent(out) :: error_estimate(:)
       real(dp), allocatable :: numbers(:)
       integer(int8), allocatable :: states(:)
@@ -231,11 +260,15 @@ contains
 
    !> Read the states of a row of points.
    subroutine read_status(self, calls, layout, first, status)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
+      !> Place of the first point in the file, from 1.
       integer(i8), intent(in) :: first
-      !> One of `status_...`, or `no_state`.
+      !> Status of each point, one of `status_...`, or `no_state`.
       integer, intent(out) :: status(:)
       integer(int8), allocatable :: states(:)
       integer(hid_t) :: memory_space
@@ -256,11 +289,15 @@ contains
 
    !> Write the profiles of a point.
    subroutine write_profiles(self, calls, layout, row, profiles)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
+      !> Place of the point in the file, from 1.
       integer(i8), intent(in) :: row
-      !> Shape `(n_last_axis, n_first_axis, n_profiles)`.
+      !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(in) :: profiles(:, :, :)
       integer(hid_t) :: memory_space
       integer :: i, n
@@ -275,11 +312,15 @@ contains
 
    !> Read the profiles of a point.
    subroutine read_profiles(self, calls, layout, row, profiles)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
+      !> Place of the point in the file, from 1.
       integer(i8), intent(in) :: row
-      !> Shape `(n_last_axis, n_first_axis, n_profiles)`.
+      !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(out) :: profiles(:, :, :)
       real(dp), allocatable :: numbers(:)
       integer(hid_t) :: memory_space
@@ -297,13 +338,17 @@ contains
 
    !> Select a profile of a point in the space of the profiles.
    subroutine select_profile(self, calls, layout, row, n, memory_space)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
+      !> Place of the point in the file, from 1.
       integer(i8), intent(in) :: row
-      !> Number of its values.
+      !> Number of values of a profile.
       integer, intent(in) :: n
-      !> A space of as many values, to be closed by the caller.
+      !> Space of as many values, which the caller closes.
       integer(hid_t), intent(out) :: memory_space
       type(box_t) :: box
 
@@ -316,11 +361,13 @@ contains
 
    !> Write what the model counted in neighbouring blocks.
    subroutine write_counts(self, calls, place, counts)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Place of the first block in the file, from 1.
       integer(i8), intent(in) :: place
-      !> Shape `(n_blocks, n_counts)`.
+      !> What the model counted in each block; shape `(n_blocks, n_counts)`.
       real(dp), intent(in) :: counts(:, :)
       real(dp), allocatable :: numbers(:)
       integer(hid_t) :: memory_space
@@ -337,10 +384,13 @@ contains
 
    !> Read what the model counted in neighbouring blocks.
    subroutine read_counts(self, calls, place, counts)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Place of the first block in the file, from 1.
       integer(i8), intent(in) :: place
-      !> Shape `(n_blocks, n_counts)`.
+      !> What the model counted in each block; shape `(n_blocks, n_counts)`.
       real(dp), intent(out) :: counts(:, :)
       real(dp), allocatable :: numbers(:)
       integer(hid_t) :: memory_space
@@ -358,9 +408,11 @@ contains
 
    !> Where in the file values stand that are written while a run goes on; of size 0 for those that are elsewhere.
    subroutine get_extents(self, calls, extents)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> First byte, from 0, and number of bytes of each; shape `(2, n)`.
+      !> First byte in the file, from 0, and number of bytes of each dataset; shape `(2, n)`.
       integer(i8), allocatable, intent(out) :: extents(:, :)
       integer :: i
 
@@ -374,11 +426,15 @@ contains
 
    !> Select neighbouring blocks in the space of the counts.
    subroutine select_blocks(self, calls, place, n, memory_space)
+      !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Place of the first block in the file, from 1.
       integer(i8), intent(in) :: place
+      !> Number of blocks.
       integer, intent(in) :: n
-      !> A space of as many values, to be closed by the caller.
+      !> Space of as many values, which the caller closes.
       integer(hid_t), intent(out) :: memory_space
 
       call create_space(calls, [int(n, i8)], memory_space)
@@ -387,7 +443,9 @@ contains
 
    !> Close every id.
    subroutine close_all(self, calls)
+      !> The datasets and their spaces, none of which is open afterwards.
       class(datasets_t), intent(inout) :: self
+      !> Chain of HDF5 calls; the ids are closed even where one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
 
       call self%sums%close(calls)
@@ -402,7 +460,9 @@ contains
 
    !> Close the datasets of a list.
    subroutine close_list(calls, ids)
+      !> Chain of HDF5 calls; the ids are closed even where one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Ids of the datasets; not allocated afterwards. Nothing is done if they are not allocated before.
       integer(hid_t), allocatable, intent(inout) :: ids(:)
       integer :: i
 

@@ -67,10 +67,13 @@ contains
 
    !> Find the datasets of a run.
    subroutine new_layout(self, model, plan, part)
+      !> Receives the datasets and the points of the file.
       type(layout_t), intent(out) :: self
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
-      !> The whole run if absent.
+      !> Part of the run that the file holds; the whole run if absent.
       type(part_t), intent(in), optional :: part
       type(result_t), allocatable :: results(:)
       type(attribute_t), allocatable :: counts(:)
@@ -96,8 +99,11 @@ contains
 
    !> Name the swept variables: by their own names or, where two of them share it, with the group before it.
    subroutine find_axes(model, plan, axes)
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
+      !> Receives a scale for each swept variable, the slowest first.
       type(scale_t), allocatable, intent(out) :: axes(:)
       integer :: k, i, n_same
 
@@ -119,8 +125,11 @@ contains
 
    !> Results that are written. One that is swept itself stands in the file as an axis and is left out.
    subroutine find_fields(results, axes, fields)
+      !> Results of the model with the units of this run.
       type(result_t), intent(in) :: results(:)
+      !> Scales of the swept variables.
       type(scale_t), intent(in) :: axes(:)
+      !> Receives the fields of the results, and last those of `error_estimate` and `status`.
       type(field_t), allocatable, intent(out) :: fields(:)
       integer :: i, k, n
 
@@ -143,6 +152,7 @@ contains
 
    !> The last fields of every layout.
    pure subroutine set_status_fields(fields)
+      !> Receive the descriptions of `error_estimate` and `status`.
       type(field_t), intent(inout) :: fields(2)
       type(result_t) :: results(2)
       integer :: i
@@ -156,8 +166,14 @@ contains
 
    !> Set what is written beside a dataset of real numbers.
    pure subroutine set_field(field, name, unit, long_name)
+      !> Receives its texts, and no meanings of flags.
       type(field_t), intent(inout) :: field
-      character(*), intent(in) :: name, unit, long_name
+      !> Name of the dataset.
+      character(*), intent(in) :: name
+      !> Unit of its values as the model gives it; a hyphen, or nothing, for a pure number.
+      character(*), intent(in) :: unit
+      !> What its values are, in a phrase.
+      character(*), intent(in) :: long_name
 
       field%name = name
       field%unit = file_unit(unit)
@@ -167,8 +183,11 @@ contains
 
    !> Axes along which a profile has more than one value.
    subroutine find_profile_axes(model, values, axes)
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Values of the variables of the model, those of the first point for the variables that are swept.
       real(dp), intent(in) :: values(:)
+      !> Receives the axes, the slowest first.
       type(scale_t), allocatable, intent(out) :: axes(:)
       type(profile_t) :: coordinate
       type(scale_t) :: axis
@@ -187,7 +206,9 @@ contains
 
    !> Profiles that are written.
    subroutine find_profiles(profiles, fields)
+      !> Profiles that the model describes.
       type(profile_t), intent(in) :: profiles(:)
+      !> Receives a field for each profile, in the same order.
       type(field_t), allocatable, intent(out) :: fields(:)
       integer :: i
 
@@ -200,6 +221,7 @@ contains
 
    !> Number of points along each swept variable, the slowest first.
    pure function point_shape(self) result(counts)
+      !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
       integer(i8), allocatable :: counts(:)
       integer :: k
@@ -209,6 +231,7 @@ contains
 
    !> Shape of the points of the file: that of the sweep, or one row for a part.
    pure function row_shape(self) result(counts)
+      !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
       integer(i8), allocatable :: counts(:)
 
@@ -221,6 +244,7 @@ contains
 
    !> Place of a point in the file, from 1.
    pure integer(i8) function row_of(self, point)
+      !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
       !> Number of the point in the run, from 1.
       integer(i8), intent(in) :: point
@@ -231,6 +255,7 @@ contains
 
    !> Shape of a profile, the slowest axis first.
    pure function profile_shape(self) result(counts)
+      !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
       integer(i8), allocatable :: counts(:)
       integer :: k
@@ -241,6 +266,7 @@ contains
    !> Size of the file [bytes]; a real number, since no integer would be large enough for a sweep that is
    !> too large.
    pure real(dp) function n_bytes(self)
+      !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
       real(dp) :: n_points, per_point
       integer :: i

@@ -61,7 +61,7 @@ contains
    !> Create the file of a run with every dataset in it.
    subroutine create(self, path, overwrite, model, plan, title, input, error, part)
       class(results_file_t), intent(inout) :: self
-      !> See `begin`.
+      !> See `begin` for all arguments; the file is there afterwards, or nothing is.
       character(*), intent(in) :: path, title, input
       logical, intent(in) :: overwrite
       class(model_t), intent(in) :: model
@@ -77,8 +77,9 @@ contains
 
    !> Take the name for a run, whose file is created before the first results come, by `prepare`.
    subroutine begin(self, path, overwrite, model, plan, title, input, error, part)
+      !> `self` takes the name; `model` and `plan` are those of the run; `error` is allocated if the name cannot be had.
       class(results_file_t), intent(inout) :: self
-      !> Final name.
+      !> Final name of the results file.
       character(*), intent(in) :: path
       !> May a file of this name, and results of a run that was stopped, be replaced?
       logical, intent(in) :: overwrite
@@ -89,7 +90,7 @@ contains
       !> Whole text of the input file.
       character(*), intent(in) :: input
       type(error_t), allocatable, intent(out) :: error
-      !> The whole run if absent.
+      !> Part of the run that is solved; the whole run if absent.
       type(part_t), intent(in), optional :: part
       type(layout_t) :: layout
 
@@ -105,6 +106,7 @@ contains
 
    !> See `sink_t`: create the file of a run that has just begun. If that fails there is none.
    subroutine prepare(self, error)
+      !> A file that has begun; it has the ending `.partial` afterwards. `error` is not allocated if all went well.
       class(results_file_t), intent(inout) :: self
       type(error_t), allocatable, intent(out) :: error
 
@@ -128,15 +130,16 @@ contains
 
    !> Create a file that is of no use until it is complete.
    subroutine create_from(self, path, overwrite, layout, heading, error, parts)
+      !> `layout` and `heading` say what stands in the file that `self` makes; `error` is not allocated if all went well.
       class(results_file_t), intent(inout) :: self
-      !> Final name.
+      !> Final name of the results file.
       character(*), intent(in) :: path
       !> May a file of this name be replaced?
       logical, intent(in) :: overwrite
       type(layout_t), intent(in) :: layout
       type(heading_t), intent(in) :: heading
       type(error_t), allocatable, intent(out) :: error
-      !> Files in which the values are; if absent they come into this one.
+      !> Files in which the values are; if absent the values come into this file.
       type(virtual_parts_t), intent(in), optional :: parts
 
       call take_name(self, path, overwrite, layout, error)
@@ -148,6 +151,7 @@ contains
 
    !> Create every dataset.
    subroutine create_all(self, heading, error, parts)
+      !> The arguments of `create_from`; `self` has its names and its layout already.
       class(results_file_t), intent(inout) :: self
       type(heading_t), intent(in) :: heading
       type(error_t), allocatable, intent(out) :: error
@@ -182,6 +186,7 @@ contains
 
    !> What every run does first: take the name.
    subroutine take_name(self, path, overwrite, layout, error)
+      !> `self` has the lock, the final name and the `layout` afterwards; the other arguments are those of `begin`.
       class(results_file_t), intent(inout) :: self
       character(*), intent(in) :: path
       logical, intent(in) :: overwrite
@@ -211,8 +216,9 @@ contains
 
    !> Go on with the file of a run that was stopped.
    subroutine resume(self, path, overwrite, model, plan, list, summary, error, part)
+      !> `self` is open again afterwards, if there is no `error`; the run of `model` and `plan` must be that of the file.
       class(results_file_t), intent(inout) :: self
-      !> Final name.
+      !> Final name of the results file.
       character(*), intent(in) :: path
       !> May a file of this name be replaced?
       logical, intent(in) :: overwrite
@@ -220,10 +226,10 @@ contains
       type(plan_t), intent(in) :: plan
       !> The blocks that are left.
       type(block_list_t), intent(out) :: list
-      !> Of the points that are solved.
+      !> Summary of the points that are solved.
       type(run_summary_t), intent(out) :: summary
       type(error_t), allocatable, intent(out) :: error
-      !> The whole run if absent.
+      !> Part of the run that is solved; the whole run if absent.
       type(part_t), intent(in), optional :: part
       type(layout_t) :: layout
       type(heading_t) :: heading
@@ -250,6 +256,7 @@ contains
 
    !> Close the file, for several processes to open it. This one keeps its lock and will complete it.
    subroutine hand_over(self, error)
+      !> The file is created and open; closed afterwards. `error` is not allocated if all went well.
       class(results_file_t), intent(inout) :: self
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
@@ -262,12 +269,13 @@ contains
 
    !> Take part in writing a file that another process has handed over.
    subroutine join(self, path, model, plan, part)
+      !> `self` has no lock; `model` and `plan` are those of the run, the same in all processes.
       class(results_file_t), intent(inout) :: self
-      !> Final name.
+      !> Final name of the results file.
       character(*), intent(in) :: path
       class(model_t), intent(in) :: model
       type(plan_t), intent(in) :: plan
-      !> The whole run if absent.
+      !> Part of the run that is solved; the whole run if absent.
       type(part_t), intent(in), optional :: part
 
       call ignore_file_size_signal()
@@ -280,6 +288,7 @@ contains
 
    !> Complete the file and give it its name.
    subroutine finish(self, wall_seconds, error)
+      !> The file with all results, which has its final name afterwards. If it cannot be completed, `error` says what is left.
       class(results_file_t), intent(inout) :: self
       !> Time that the run took since it began or was resumed [s].
       real(dp), intent(in) :: wall_seconds
@@ -303,6 +312,7 @@ contains
 
    !> Leave the file, so that the run can go on another time.
    subroutine stop_writing(self, wall_seconds, error)
+      !> The file, which keeps the ending `.partial`. If it cannot be closed, `error` says what is left.
       class(results_file_t), intent(inout) :: self
       !> Time that the run took since it began or was resumed [s].
       real(dp), intent(in) :: wall_seconds
@@ -320,6 +330,7 @@ contains
    !> Bring everything to the disk, say how long it took, and close the file.
    subroutine close_with_time(self, wall_seconds, is_complete, error)
       class(results_file_t), intent(inout) :: self
+      !> The open file, which is closed afterwards; `error` is not allocated if all went well.
       !> Time that the run took since it began or was resumed [s].
       real(dp), intent(in) :: wall_seconds
       !> Are all points solved? Then the means over them are written, too.
@@ -337,8 +348,9 @@ contains
 
    !> Close the file after an error; the error says what is left of it.
    subroutine abandon(self, error)
+      !> The file, whose name and lock are free afterwards.
       class(results_file_t), intent(inout) :: self
-      !> Why the run ends here.
+      !> Why the run ends here; what is left of the file is added to the message.
       type(error_t), intent(inout) :: error
       type(hdf5_calls_t) :: calls
       type(error_t), allocatable :: another
@@ -362,6 +374,7 @@ contains
 
    !> Close the file and remove what has been written by this run.
    subroutine discard(self)
+      !> The file; one that this run found when it began is kept.
       class(results_file_t), intent(inout) :: self
       type(hdf5_calls_t) :: calls
       type(error_t), allocatable :: error
@@ -376,6 +389,7 @@ contains
 
    !> Give the name back: nothing of this run is at work any more.
    subroutine end_name(self)
+      !> The file, whose lock is released and whose names are no leftovers any more.
       class(results_file_t), intent(inout) :: self
 
       call forget_leftover(new_name(self%path))

@@ -67,9 +67,11 @@ contains
 
    !> Open the file that is there, with its datasets.
    subroutine open_found(self, error, access)
+      !> The file of the name `path_now`, which is open for writing afterwards.
       class(results_writer_t), intent(inout) :: self
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
-      !> See `open_file`.
+      !> How several processes open the file together, see `open_file`; if absent this one opens it alone.
       integer(hid_t), intent(in), optional :: access
       type(hdf5_calls_t) :: calls
 
@@ -81,9 +83,11 @@ contains
    !> Open the file together with all other processes. From now on each writes its results where it likes and when it likes.
    !> Nothing but values changes in the file, so that a process that dies cannot harm it.
    subroutine open_shared(self, access, error)
+      !> A file that exists and has its name; open in this process afterwards.
       class(results_writer_t), intent(inout) :: self
-      !> How it is opened.
+      !> How all processes open the file together: an access list of HDF5.
       integer(hid_t), intent(in) :: access
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
 
       self%is_shared = .true.
@@ -95,8 +99,9 @@ contains
 
    !> Bring everything to the disk, and close the file together with all other processes.
    subroutine close_shared(self, error)
+      !> The file that is open in all processes; closed afterwards, even after an error.
       class(results_writer_t), intent(inout) :: self
-      !> Kept if there is one.
+      !> An error of the run, which is kept if it is allocated; else what goes wrong here, if anything.
       type(error_t), allocatable, intent(inout) :: error
       type(error_t), allocatable :: another
       type(hdf5_calls_t) :: calls
@@ -111,12 +116,19 @@ contains
 
    !> Write the results of a row of points.
    subroutine put(self, first, results, error_estimate, status, counts, error)
+      !> The open file; its checksums and the log of states follow the results.
       class(results_writer_t), intent(inout) :: self
+      !> Number of the first point in the run, from 1; the first one of a block.
       integer(i8), intent(in) :: first
+      !> Results in the units of the model, shape `(n_points, n_results)`.
       real(dp), intent(in) :: results(:, :)
+      !> Estimated relative error of each point [-].
       real(dp), intent(in) :: error_estimate(:)
+      !> Status of each point, one of `status_...`.
       integer, intent(in) :: status(:)
+      !> What the model counted in each block; shape `(n_blocks, n_counts)`.
       real(dp), intent(in) :: counts(:, :)
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
       integer(i8) :: row
@@ -140,11 +152,13 @@ contains
 
    !> Write what the model counted in a row of blocks.
    subroutine put_counts(self, first, counts, error)
+      !> The open file.
       class(results_writer_t), intent(inout) :: self
-      !> Number of the first point in the run.
+      !> Number of the first point in the run, from 1; the first one of a block.
       integer(i8), intent(in) :: first
-      !> Shape `(n_blocks, n_counts)`.
+      !> What the model counted in each block; shape `(n_blocks, n_counts)`.
       real(dp), intent(in) :: counts(:, :)
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
 
@@ -154,11 +168,13 @@ contains
 
    !> Points that are not solved have no profiles. In a file that was found something else may stand there.
    subroutine clear_profiles(self, row, status, error)
+      !> The open file, which this run found when it began.
       class(results_writer_t), intent(inout) :: self
       !> Place of the first point in the file, from 1.
       integer(i8), intent(in) :: row
-      !> Of the points from there on.
+      !> Status of the points from there on; those that are not solved get NaN.
       integer, intent(in) :: status(:)
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
       real(dp), allocatable :: nothing(:, :, :)
@@ -174,12 +190,19 @@ contains
 
    !> Write the checksums of a row of blocks.
    subroutine put_sums(self, first, results, error_estimate, status, counts, error)
+      !> The open file; the sums of the profiles of these blocks are taken from it.
       class(results_writer_t), intent(inout) :: self
-      !> See `put`.
+      !> Number of the first point in the run, from 1; the first one of a block.
       integer(i8), intent(in) :: first
-      real(dp), intent(in) :: results(:, :), error_estimate(:)
+      !> Results in the units of the model, shape `(n_points, n_results)`.
+      real(dp), intent(in) :: results(:, :)
+      !> Estimated relative error of each point [-].
+      real(dp), intent(in) :: error_estimate(:)
+      !> Status of each point, one of `status_...`.
       integer, intent(in) :: status(:)
+      !> What the model counted in each block; shape `(n_blocks, n_counts)`.
       real(dp), intent(in) :: counts(:, :)
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       integer(i8) :: sums(size(counts, 1)), block, profile_sum
       integer :: i, start, end
@@ -198,10 +221,13 @@ contains
 
    !> Write checksums of a row of blocks that are known.
    subroutine put_known_sums(self, first, sums, error)
+      !> The open file.
       class(results_writer_t), intent(inout) :: self
-      !> Number of the first point in the run.
+      !> Number of the first point in the run, from 1; the first one of a block.
       integer(i8), intent(in) :: first
+      !> Checksum of each block, from the block of that point on.
       integer(i8), intent(in), contiguous :: sums(:)
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
 
@@ -211,9 +237,13 @@ contains
 
    !> Write the profiles of a point.
    subroutine put_profiles(self, point, profiles, error)
+      !> The open file; the checksum of the profiles is kept until the block is put.
       class(results_writer_t), intent(inout) :: self
+      !> Number of the point in the run, from 1.
       integer(i8), intent(in) :: point
+      !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(in) :: profiles(:, :, :)
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
 
@@ -226,8 +256,9 @@ contains
 
    !> From time to time ask the system to begin to bring to the disk what has been written.
    subroutine begin_to_bring(self, n_numbers)
+      !> The file, whose count of numbers begins anew when the system has been asked.
       class(results_writer_t), intent(inout) :: self
-      !> Written since it was called last.
+      !> How many numbers have been written since the last call.
       integer, intent(in) :: n_numbers
 
       self%n_numbers = self%n_numbers + n_numbers
@@ -238,7 +269,9 @@ contains
 
    !> Bring the results so far to the disk, and then say that they are there.
    subroutine make_safe(self, error)
+      !> The open file; the log of states is empty afterwards.
       class(results_writer_t), intent(inout) :: self
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
       real(dp) :: start
@@ -270,6 +303,7 @@ contains
 
    !> From now on there may be states in the file: it is of use, however the program ends.
    subroutine note_states(self)
+      !> The file, which is no leftover any more.
       class(results_writer_t), intent(inout) :: self
 
       if (self%has_states) return
@@ -281,7 +315,9 @@ contains
    !> Hand everything written so far to the operating system. What is written into a shared file is there already: HDF5
    !> keeps back nothing of contiguous datasets that are written by MPI, and to flush them would take all processes.
    subroutine flush_own(calls, self)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> The file; one that several processes share is left alone.
       class(results_writer_t), intent(inout) :: self
 
       if (.not. self%is_shared) call flush_file(calls, self%file)
@@ -289,7 +325,9 @@ contains
 
    !> Close every id.
    subroutine close_all(self, calls)
+      !> The file; none of its ids is open afterwards.
       class(results_writer_t), intent(inout) :: self
+      !> Chain of HDF5 calls; the ids are closed even where one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
 
       call self%datasets%close(calls)
