@@ -27,10 +27,13 @@ contains
 
    !> Write a text of any length, in UTF-8.
    subroutine write_text(calls, place, name, text)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
+      !> Text of any length, the empty one too.
       character(*), intent(in) :: text
       !> Allocated, since a whole input may not fit on the stack.
       character(kind=c_char, len=:), allocatable, target :: buffer
@@ -54,10 +57,13 @@ contains
 
    !> Write a number.
    subroutine write_real(calls, place, name, number)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
+      !> Number that is written in 8 bytes.
       real(dp), intent(in) :: number
       real(dp), target :: buffer
 
@@ -67,10 +73,13 @@ contains
 
    !> Write an integer.
    subroutine write_integer(calls, place, name, number)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
+      !> Integer that is written in 8 bytes.
       integer(i8), intent(in) :: number
       integer(i8), target :: buffer
 
@@ -80,10 +89,13 @@ contains
 
    !> Write a number over that of an attribute that exists: the file keeps its form.
    subroutine replace_attribute(calls, place, name, number)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute, a number that exists.
       character(*), intent(in) :: name
+      !> Number that replaces the former one.
       real(dp), intent(in) :: number
       real(dp), target :: buffer
       integer(hid_t) :: attribute
@@ -103,10 +115,13 @@ contains
 
    !> Write a row of small integers.
    subroutine write_small_integers(calls, place, name, numbers)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
+      !> Integers that are written in a byte each, in a row.
       integer(int8), intent(in) :: numbers(:)
       integer(int8), target :: buffer(size(numbers))
 
@@ -117,13 +132,19 @@ contains
 
    !> Write an attribute of any type.
    subroutine write_any(calls, place, name, file_type, memory_type, length, address)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute, which does not exist yet.
       character(*), intent(in) :: name
-      integer(hid_t), intent(in) :: file_type, memory_type
+      !> HDF5 type of the values in the file.
+      integer(hid_t), intent(in) :: file_type
+      !> HDF5 type of the values in the memory.
+      integer(hid_t), intent(in) :: memory_type
       !> Number of values; `no_length` for a scalar.
       integer, intent(in) :: length
-      !> Where the values stand.
+      !> Address of the values in the memory.
       type(c_ptr), intent(in) :: address
       integer(hid_t) :: space, attribute
 

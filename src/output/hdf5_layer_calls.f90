@@ -58,9 +58,13 @@ module adfric_output_hdf5_layer_calls
       integer(c_int) function walk_stack(stack, direction, visit, reason) bind(c, name='H5Ewalk2')
          import :: c_int64_t, c_int, c_funptr, c_ptr
          implicit none (type, external)
+         !> Which stack of errors; `default_stack` is that of this thread.
          integer(c_int64_t), intent(in), value :: stack
+         !> Order in which the entries are visited; `walk_upward` is from the cause to the call.
          integer(c_int), intent(in), value :: direction
+         !> C function that is called for each entry, such as `keep_reason`.
          type(c_funptr), intent(in), value :: visit
+         !> Address that is handed to that function, here of a `reason_t`.
          type(c_ptr), intent(in), value :: reason
       end function walk_stack
    end interface
@@ -69,6 +73,7 @@ contains
 
    !> Make HDF5 ready, and silent: what goes wrong is reported by us.
    subroutine open_library(self)
+      !> A chain whose other calls may follow if it is good afterwards.
       class(hdf5_calls_t), intent(inout) :: self
       logical :: is_open
 
@@ -84,6 +89,7 @@ contains
 
    !> Make HDF5 silent in this thread; its thread-safe builds ask each of them.
    subroutine silence(self)
+      !> A chain to which this call belongs.
       class(hdf5_calls_t), intent(inout) :: self
 
       if (self%is_good()) call h5eset_auto_f(0, self%status)
@@ -92,6 +98,7 @@ contains
 
    !> Take note of the status of the last call.
    subroutine check(self)
+      !> The chain; a first failure is kept with its reason.
       class(hdf5_calls_t), intent(inout) :: self
 
       if (self%status >= 0 .or. self%has_failed) return
@@ -101,8 +108,9 @@ contains
 
    !> Break the chain off.
    subroutine fail(self, reason)
+      !> The chain, which is not good afterwards; an earlier reason is kept.
       class(hdf5_calls_t), intent(inout) :: self
-      !> Why.
+      !> Why no call may follow: a phrase that ends a message.
       character(*), intent(in) :: reason
 
       if (self%has_failed) return
@@ -112,6 +120,7 @@ contains
 
    !> Has every call been successful?
    pure logical function is_good(self)
+      !> The chain so far.
       class(hdf5_calls_t), intent(in) :: self
 
       is_good = .not. self%has_failed
@@ -119,7 +128,9 @@ contains
 
    !> Close an id of any kind but a file or a dataset; `no_id` is left alone.
    subroutine close_id(self, id)
+      !> The chain; an id is closed even where a call has failed.
       class(hdf5_calls_t), intent(inout) :: self
+      !> The id, which is `no_id` afterwards.
       integer(hid_t), intent(inout) :: id
       integer :: references
 
@@ -131,9 +142,11 @@ contains
 
    !> Raise an error if a call has failed.
    subroutine get_error(self, what, error)
+      !> The chain at its end.
       class(hdf5_calls_t), intent(in) :: self
-      !> What was tried, on what file.
+      !> What was tried, on what file: the beginning of the message.
       character(*), intent(in) :: what
+      !> Not allocated if no call has failed.
       type(error_t), allocatable, intent(out) :: error
 
       if (self%has_failed) call set_error(error, file_failure, what//': '//self%reason)
@@ -141,6 +154,7 @@ contains
 
    !> Why the last call failed.
    subroutine find_reason(text)
+      !> Receives the reason, or that there is none.
       character(:), allocatable, intent(out) :: text
       type(reason_t), target :: reason
       integer(c_int) :: status
@@ -152,8 +166,11 @@ contains
 
    !> Keep what the operating system said or, without it, what HDF5 said first.
    integer(c_int) function keep_reason(number, entry, data) bind(c)
+      !> Number of the entry, 0 for the cause.
       integer(c_int), intent(in), value :: number
+      !> Entry of the stack of errors.
       type(stack_entry_t), intent(in) :: entry
+      !> Address of the `reason_t` that receives the text.
       type(c_ptr), intent(in), value :: data
       character(*), parameter :: mark = 'error message = '''
       type(reason_t), pointer :: reason
@@ -175,6 +192,7 @@ contains
 
    !> A text of C.
    function text_at(address) result(text)
+      !> Address of a text that ends with a null character.
       type(c_ptr), intent(in) :: address
       character(reason_length) :: text
       character(kind=c_char), pointer :: letters(:)

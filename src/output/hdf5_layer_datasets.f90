@@ -34,9 +34,13 @@ contains
 
    !> Create a group.
    subroutine create_group(calls, file, name, group)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file.
       integer(hid_t), intent(in) :: file
+      !> Name of the group.
       character(*), intent(in) :: name
+      !> Id of the group, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: group
 
       group = no_id
@@ -47,8 +51,11 @@ contains
 
    !> Create a space of a shape.
    subroutine create_space(calls, shape, space)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Number of values along each dimension, the slowest first; of size 0 for a scalar.
       integer(i8), intent(in) :: shape(:)
+      !> Id of the space, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: space
 
       space = no_id
@@ -63,9 +70,11 @@ contains
 
    !> Select a part of a space; a scalar is always selected as a whole.
    subroutine select_box(calls, space, start, count)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Space in which the part is selected, in place of what was selected before.
       integer(hid_t), intent(in) :: space
-      !> First place of the part, from 0, and how many.
+      !> First place of the part along each dimension, from 0, and how many places; the slowest dimension first.
       integer(i8), intent(in) :: start(:), count(:)
 
       if (size(start) == 0 .or. .not. calls%is_good()) return
@@ -75,6 +84,7 @@ contains
 
    !> Numbers of the dimensions in Fortran order.
    pure function to_fortran(numbers) result(reversed)
+      !> Numbers of the dimensions in C order, the slowest first.
       integer(i8), intent(in) :: numbers(:)
       integer(hsize_t) :: reversed(size(numbers))
 
@@ -83,10 +93,15 @@ contains
 
    !> Create a dataset of real numbers, all NaN.
    subroutine create_real_dataset(calls, file, name, space, dataset)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file.
       integer(hid_t), intent(in) :: file
+      !> Name of the dataset, with its group before it if it has one.
       character(*), intent(in) :: name
+      !> Space of the dataset's shape.
       integer(hid_t), intent(in) :: space
+      !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
       real(dp), target :: fill
       integer(hid_t) :: list
@@ -103,10 +118,15 @@ contains
 
    !> Create a dataset of states, all `no_state`.
    subroutine create_state_dataset(calls, file, name, space, dataset)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file.
       integer(hid_t), intent(in) :: file
+      !> Name of the dataset, with its group before it if it has one.
       character(*), intent(in) :: name
+      !> Space of the dataset's shape.
       integer(hid_t), intent(in) :: space
+      !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
       integer(int8), target :: fill
       integer(hid_t) :: list
@@ -123,10 +143,15 @@ contains
 
    !> Create a dataset of integers, all 0.
    subroutine create_integer_dataset(calls, file, name, space, dataset)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file.
       integer(hid_t), intent(in) :: file
+      !> Name of the dataset, with its group before it if it has one.
       character(*), intent(in) :: name
+      !> Space of the dataset's shape.
       integer(hid_t), intent(in) :: space
+      !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
       integer(hid_t) :: list
 
@@ -137,7 +162,9 @@ contains
 
    !> Create a list of properties: contiguous, laid out and filled at once.
    subroutine create_list(calls, list)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the list of properties, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: list
 
       list = no_id
@@ -157,10 +184,19 @@ contains
 
    !> Create a dataset.
    subroutine create_dataset(calls, file, name, file_type, space, list, dataset)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file.
       integer(hid_t), intent(in) :: file
+      !> Name of the dataset, with its group before it if it has one.
       character(*), intent(in) :: name
-      integer(hid_t), intent(in) :: file_type, space, list
+      !> HDF5 type of the values in the file.
+      integer(hid_t), intent(in) :: file_type
+      !> Space of the dataset's shape.
+      integer(hid_t), intent(in) :: space
+      !> List of properties with which the dataset is created.
+      integer(hid_t), intent(in) :: list
+      !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
 
       dataset = no_id
@@ -171,10 +207,15 @@ contains
 
    !> Write real numbers.
    subroutine write_reals(calls, dataset, memory_space, file_space, values)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
-      !> Space of as many values, and a space of the dataset's shape with the part selected.
-      integer(hid_t), intent(in) :: memory_space, file_space
+      !> Space of as many values as are written.
+      integer(hid_t), intent(in) :: memory_space
+      !> Space of the dataset's shape, with the part selected.
+      integer(hid_t), intent(in) :: file_space
+      !> Numbers in the order of the file, the last dimension fastest.
       real(dp), intent(in), contiguous, target :: values(:)
 
       if (.not. calls%is_good()) return
@@ -184,10 +225,15 @@ contains
 
    !> Write states.
    subroutine write_states(calls, dataset, memory_space, file_space, values)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
-      !> Space of as many values, and a space of the dataset's shape with the part selected.
-      integer(hid_t), intent(in) :: memory_space, file_space
+      !> Space of as many values as are written.
+      integer(hid_t), intent(in) :: memory_space
+      !> Space of the dataset's shape, with the part selected.
+      integer(hid_t), intent(in) :: file_space
+      !> States in the order of the file, the last dimension fastest.
       integer(int8), intent(in), contiguous, target :: values(:)
 
       if (.not. calls%is_good()) return
@@ -198,10 +244,15 @@ contains
 
    !> Write integers.
    subroutine write_integers(calls, dataset, memory_space, file_space, values)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
-      !> Space of as many values, and a space of the dataset's shape with the part selected.
-      integer(hid_t), intent(in) :: memory_space, file_space
+      !> Space of as many values as are written.
+      integer(hid_t), intent(in) :: memory_space
+      !> Space of the dataset's shape, with the part selected.
+      integer(hid_t), intent(in) :: file_space
+      !> Integers in the order of the file, the last dimension fastest.
       integer(i8), intent(in), contiguous, target :: values(:)
 
       if (.not. calls%is_good()) return
@@ -211,7 +262,9 @@ contains
 
    !> Close a dataset, even if its last writing fails.
    subroutine close_dataset(calls, dataset)
+      !> Chain of HDF5 calls; the dataset is closed even where one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the dataset, which is `no_id` afterwards; `no_id` is left alone.
       integer(hid_t), intent(inout) :: dataset
 
       if (dataset == no_id) return
@@ -222,8 +275,11 @@ contains
 
    !> Make a dataset of one dimension a scale.
    subroutine make_scale(calls, dataset, name)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset, of one dimension.
       integer(hid_t), intent(in) :: dataset
+      !> Name of the dimension, which readers show.
       character(*), intent(in) :: name
 
       if (.not. calls%is_good()) return
@@ -233,9 +289,13 @@ contains
 
    !> Attach a scale to a dimension of a dataset.
    subroutine attach_scale(calls, dataset, scale, dimension)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      integer(hid_t), intent(in) :: dataset, scale
-      !> From 1, the slowest first.
+      !> Id of the open dataset.
+      integer(hid_t), intent(in) :: dataset
+      !> Id of the open dataset that is the scale.
+      integer(hid_t), intent(in) :: scale
+      !> Number of the dimension, from 1, the slowest first.
       integer, intent(in) :: dimension
 
       if (.not. calls%is_good()) return
@@ -245,7 +305,7 @@ contains
 
    !> A state as it stands in the file.
    elemental integer(int8) function to_state(value)
-      !> The number of the state, or NaN where there is none.
+      !> Number of the state, or NaN where there is none.
       real(dp), intent(in) :: value
 
       to_state = no_state

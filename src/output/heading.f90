@@ -50,11 +50,16 @@ contains
 
    !> The heading of a run of this program.
    subroutine new_heading(self, model, plan, title, input)
+      !> Receives the texts; its history is empty.
       type(heading_t), intent(out) :: self
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
-      !> Title of the run, and whole text of its input.
-      character(*), intent(in) :: title, input
+      !> Title of the run; empty: the name of the model is taken.
+      character(*), intent(in) :: title
+      !> Whole text of the input file.
+      character(*), intent(in) :: input
 
       self%title = title
       ! the CF conventions want one
@@ -72,8 +77,11 @@ contains
 
    !> What is said of the datasets that the input names.
    subroutine set_data(self, model, plan)
+      !> Receives the names and the checksums of the datasets.
       type(heading_t), intent(inout) :: self
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
       integer :: i, n
 
@@ -91,8 +99,11 @@ contains
 
    !> Write the heading of a new file.
    subroutine write_heading(calls, file, heading)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> Texts to write at the root of the file; a history that is not empty is that of files that are merged.
       type(heading_t), intent(in) :: heading
       character(:), allocatable :: name
       integer :: i
@@ -116,8 +127,11 @@ contains
 
    !> Write what the CF conventions ask of a file.
    subroutine write_conventions(calls, file, heading)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> Heading of the file; a history that is not empty is that of files that are merged.
       type(heading_t), intent(in) :: heading
       character(:), allocatable :: program, step
 
@@ -132,8 +146,11 @@ contains
 
    !> Read the heading of a file.
    subroutine read_heading(calls, file, heading)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> Receives the texts at the root of the file; `hash` is empty if adfric has not made the file.
       type(heading_t), intent(out) :: heading
       character(:), allocatable :: name
       integer :: i
@@ -164,7 +181,7 @@ contains
 
    !> Why a file does not belong to a run; empty if it does.
    pure function say_difference(other, own) result(text)
-      !> Of the file, and of the run.
+      !> Heading of the file, and heading of the run.
       type(heading_t), intent(in) :: other, own
       character(:), allocatable :: text
 
@@ -188,6 +205,7 @@ contains
 
    !> Do the datasets of two files have the same names, but not the same values?
    pure logical function has_other_data(other, own)
+      !> Heading of the file, and heading of the run.
       type(heading_t), intent(in) :: other, own
       integer :: i
 

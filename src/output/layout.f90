@@ -185,7 +185,7 @@ contains
    subroutine find_profile_axes(model, values, axes)
       !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
-      !> Values of the variables of the model, those of the first point for the variables that are swept.
+      !> Values of all variables of the model where nothing is swept; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the axes, the slowest first.
       type(scale_t), allocatable, intent(out) :: axes(:)
