@@ -13,8 +13,11 @@ contains
 
    !> Create a file; there must be none of this name.
    subroutine create_file(calls, path, file)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Name of the file; nothing may stand there.
       character(*), intent(in) :: path
+      !> Id of the file, to be closed by `close_file`; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: file
       integer(hid_t) :: list
 
@@ -29,12 +32,15 @@ contains
 
    !> Open a file.
    subroutine open_file(calls, path, is_written, file, access)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Name of the file.
       character(*), intent(in) :: path
-      !> To write, or only to read?
+      !> Is the file opened to be written? Else only to be read.
       logical, intent(in) :: is_written
+      !> Id of the file, to be closed by `close_file`; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: file
-      !> How several processes open it together; if absent this one opens it alone.
+      !> Access list by which several processes open the file together; if absent this one opens it alone.
       integer(hid_t), intent(in), optional :: access
       integer(hid_t) :: list
 
@@ -70,7 +76,9 @@ contains
    !> Make the library ready, and a list of properties: closing a file fails as long as anything in it is open, and values
    !> go straight to the operating system (HDF5 would first read what stands where they go).
    subroutine create_access(calls, list)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the list of properties, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: list
 
       list = no_id
@@ -88,7 +96,9 @@ contains
 
    !> Hand everything written so far to the operating system.
    subroutine flush_file(calls, file)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file.
       integer(hid_t), intent(in) :: file
 
       if (.not. calls%is_good()) return
@@ -98,7 +108,9 @@ contains
 
    !> Close a file.
    subroutine close_file(calls, file)
+      !> Chain of HDF5 calls; the file is closed even where one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the file, which is `no_id` afterwards; `no_id` is left alone.
       integer(hid_t), intent(inout) :: file
 
       if (file == no_id) return

@@ -16,9 +16,9 @@ module adfric_output_hdf5_layer_labels
       integer(c_size_t) function strnlen(text, most) bind(c)
          import :: c_ptr, c_size_t
          implicit none (type, external)
-         !> Where the text begins.
+         !> Address of the first letter.
          type(c_ptr), intent(in), value :: text
-         !> Largest length.
+         !> Largest length [bytes].
          integer(c_size_t), intent(in), value :: most
       end function strnlen
    end interface
@@ -27,14 +27,15 @@ contains
 
    !> Read the text of an attribute.
    subroutine read_label(calls, place, name, label, is_text)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the dataset.
+      !> Id of the dataset that the attribute belongs to.
       integer(hid_t), intent(in) :: place
       !> Name of the attribute.
       character(*), intent(in) :: name
-      !> Empty if there is no such attribute, or nothing in it.
+      !> Text of the attribute; empty if there is no such attribute, or nothing in it.
       character(:), allocatable, intent(out) :: label
-      !> False if there is one that is no text, or several.
+      !> False if the attribute is no text, or has several.
       logical, intent(out) :: is_text
       integer(hid_t) :: attribute, type_id, space
       integer(hsize_t) :: n_texts
@@ -73,10 +74,15 @@ contains
 
    !> Read a text of fixed or of variable length.
    subroutine read_text(calls, attribute, type_id, space, label)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open attribute, one text.
       integer(hid_t), intent(in) :: attribute
-      !> Of the attribute.
-      integer(hid_t), intent(in) :: type_id, space
+      !> HDF5 type of the attribute.
+      integer(hid_t), intent(in) :: type_id
+      !> Space of the attribute.
+      integer(hid_t), intent(in) :: space
+      !> Receives the text; left as it is if a call has failed.
       character(:), allocatable, intent(inout) :: label
       character(kind=c_char), allocatable, target :: letters(:)
       type(c_ptr), target :: pointer_to_text(1)
@@ -111,8 +117,9 @@ contains
 
    !> The text at an address, without blanks at its end.
    function text_at(address, most) result(text)
+      !> Address of the first letter; null for no text.
       type(c_ptr), intent(in) :: address
-      !> Largest length.
+      !> Largest length; a longer text is cut.
       integer, intent(in) :: most
       character(:), allocatable :: text
       character(kind=c_char), pointer :: letters(:)

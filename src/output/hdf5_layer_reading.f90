@@ -31,6 +31,7 @@ module adfric_output_hdf5_layer_reading
       integer(c_size_t) function strlen(text) bind(c)
          import :: c_ptr, c_size_t
          implicit none (type, external)
+         !> Address of the first letter.
          type(c_ptr), intent(in), value :: text
       end function strlen
    end interface
@@ -39,9 +40,11 @@ contains
 
    !> Is there an attribute of this name?
    logical function has_attribute(calls, place, name)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute.
       character(*), intent(in) :: name
 
       has_attribute = .false.
@@ -52,9 +55,13 @@ contains
 
    !> Open an attribute.
    subroutine open_attribute(calls, place, name, attribute)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute.
       character(*), intent(in) :: name
+      !> Id of the attribute, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: attribute
 
       attribute = no_id
@@ -65,10 +72,15 @@ contains
 
    !> Read an attribute of any type.
    subroutine read_any(calls, place, name, memory_type, address)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute.
       character(*), intent(in) :: name
+      !> HDF5 type of the values in the memory.
       integer(hid_t), intent(in) :: memory_type
+      !> Address of room for the values; left as it is if a call has failed.
       type(c_ptr), intent(in) :: address
       type(c_ptr) :: copy
       integer(hid_t) :: attribute
@@ -84,9 +96,13 @@ contains
 
    !> Read a text; empty if there is none.
    subroutine read_text(calls, place, name, text)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute.
       character(*), intent(in) :: name
+      !> Text of the attribute; empty if a call has failed.
       character(:), allocatable, intent(out) :: text
       type(c_ptr), target :: pointer_to_text(1)
       character(kind=c_char), pointer :: letters(:)
@@ -128,9 +144,13 @@ contains
 
    !> Read a number.
    subroutine read_real(calls, place, name, number)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute.
       character(*), intent(in) :: name
+      !> Number of the attribute; 0 if a call has failed.
       real(dp), intent(out) :: number
       real(dp), target :: buffer
 
@@ -141,9 +161,13 @@ contains
 
    !> Read an integer.
    subroutine read_integer(calls, place, name, number)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute.
       character(*), intent(in) :: name
+      !> Integer of the attribute; 0 if a call has failed.
       integer(i8), intent(out) :: number
       integer(i8), target :: buffer
 
@@ -154,10 +178,13 @@ contains
 
    !> Read small integers.
    subroutine read_small_integers(calls, place, name, numbers)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the file or the dataset.
       integer(hid_t), intent(in) :: place
+      !> Name of the attribute.
       character(*), intent(in) :: name
-      !> Of as many as the attribute has.
+      !> As many integers as the attribute has; all 0 if a call has failed.
       integer(int8), intent(out) :: numbers(:)
       integer(int8), target :: buffer(size(numbers))
 
@@ -168,9 +195,13 @@ contains
 
    !> Open a dataset.
    subroutine open_dataset(calls, file, name, dataset)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file.
       integer(hid_t), intent(in) :: file
+      !> Name of the dataset, with its group before it if it has one.
       character(*), intent(in) :: name
+      !> Id of the dataset, to be closed by `close_dataset`; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
 
       dataset = no_id
@@ -181,7 +212,9 @@ contains
 
    !> Number of values of a dataset; 0 if a call has failed.
    integer(i8) function n_values_of(calls, dataset)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       integer(hid_t) :: space
       integer(hsize_t) :: n
@@ -200,10 +233,15 @@ contains
 
    !> Read real numbers.
    subroutine read_reals(calls, dataset, memory_space, file_space, values)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
-      !> Space of as many values, and a space of the dataset's shape with the part selected.
-      integer(hid_t), intent(in) :: memory_space, file_space
+      !> Space of as many values as are read.
+      integer(hid_t), intent(in) :: memory_space
+      !> Space of the dataset's shape, with the part selected.
+      integer(hid_t), intent(in) :: file_space
+      !> Numbers in the order of the file, the last dimension fastest; left as they are if a call has failed.
       real(dp), intent(inout), contiguous, target :: values(:)
       type(c_ptr) :: address
 
@@ -215,10 +253,15 @@ contains
 
    !> Read states.
    subroutine read_states(calls, dataset, memory_space, file_space, values)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
-      !> Space of as many values, and a space of the dataset's shape with the part selected.
-      integer(hid_t), intent(in) :: memory_space, file_space
+      !> Space of as many values as are read.
+      integer(hid_t), intent(in) :: memory_space
+      !> Space of the dataset's shape, with the part selected.
+      integer(hid_t), intent(in) :: file_space
+      !> States in the order of the file, the last dimension fastest; left as they are if a call has failed.
       integer(int8), intent(inout), contiguous, target :: values(:)
       type(c_ptr) :: address
 
@@ -230,10 +273,15 @@ contains
 
    !> Read integers.
    subroutine read_integers(calls, dataset, memory_space, file_space, values)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
-      !> Space of as many values, and a space of the dataset's shape with the part selected.
-      integer(hid_t), intent(in) :: memory_space, file_space
+      !> Space of as many values as are read.
+      integer(hid_t), intent(in) :: memory_space
+      !> Space of the dataset's shape, with the part selected.
+      integer(hid_t), intent(in) :: file_space
+      !> Integers in the order of the file, the last dimension fastest; left as they are if a call has failed.
       integer(i8), intent(inout), contiguous, target :: values(:)
       type(c_ptr) :: address
 
@@ -245,9 +293,14 @@ contains
 
    !> Where the values of a dataset stand in the file: first byte, from 0, and how many; none if they have no place of their own.
    subroutine get_extent(calls, dataset, first, n_bytes)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
-      integer(i8), intent(out) :: first, n_bytes
+      !> First byte of the values in the file, from 0; 0 if they have no place of their own.
+      integer(i8), intent(out) :: first
+      !> Number of bytes of the values; 0 if they have no place of their own.
+      integer(i8), intent(out) :: n_bytes
       integer(hsize_t) :: size
       integer(haddr_t) :: offset
 

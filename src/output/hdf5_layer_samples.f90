@@ -27,17 +27,19 @@ contains
 
    !> Read a dataset of integers or real numbers of any size, of one or two dimensions.
    subroutine read_numbers(file, path, largest_rank, values, counts, units, flaw)
-      !> Name of the file, and of the dataset within it.
-      character(*), intent(in) :: file, path
-      !> 1 or 2.
+      !> Name of the file.
+      character(*), intent(in) :: file
+      !> Name of the dataset within the file, with its groups.
+      character(*), intent(in) :: path
+      !> Largest number of dimensions that the dataset may have, 1 or 2.
       integer, intent(in) :: largest_rank
-      !> In the order of Fortran: the last dimension of the file first. Shape `(n, 1)` for one dimension.
+      !> Numbers in the order of Fortran: the last dimension of the file first. Shape `(n, 1)` for one dimension.
       real(dp), allocatable, intent(out) :: values(:, :)
       !> Number of values along each dimension, the slowest first.
       integer(i8), allocatable, intent(out) :: counts(:)
-      !> Units of the values as the file says them; empty if it does not.
+      !> Units of the values as the file says them; empty if the file says none.
       character(:), allocatable, intent(out) :: units
-      !> What is wrong; empty if nothing is.
+      !> What is wrong, for the user; empty if nothing is.
       character(:), allocatable, intent(out) :: flaw
       type(hdf5_calls_t) :: calls
       type(error_t), allocatable :: error
@@ -74,9 +76,13 @@ contains
 
    !> Open a file to read from it.
    subroutine open_foreign_file(calls, file, file_id, flaw)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Name of the file.
       character(*), intent(in) :: file
+      !> Id of the file, to be closed by `close_file`; left as it is if the file cannot be opened.
       integer(hid_t), intent(inout) :: file_id
+      !> What is wrong, for the user; empty if nothing is.
       character(:), allocatable, intent(inout) :: flaw
       logical :: is_hdf5
 
@@ -100,10 +106,15 @@ contains
 
    !> Number of values along each dimension, of a dataset of numbers that has one or two.
    subroutine get_extent(calls, dataset, largest_rank, counts, flaw)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
+      !> Largest number of dimensions that the dataset may have, 1 or 2.
       integer, intent(in) :: largest_rank
+      !> Number of values along each dimension, the slowest first.
       integer(i8), allocatable, intent(out) :: counts(:)
+      !> What is wrong, for the user; empty if nothing is.
       character(:), allocatable, intent(inout) :: flaw
       integer(hsize_t) :: extents(most_dimensions), limits(most_dimensions)
       integer(hid_t) :: type_id, space
@@ -142,10 +153,15 @@ contains
 
    !> The values themselves.
    subroutine read_values(calls, dataset, counts, values, flaw)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
+      !> Number of values along each dimension, the slowest first; one or two dimensions.
       integer(i8), intent(in) :: counts(:)
+      !> Numbers in the order of Fortran: the last dimension of the file first; not allocated if there is no room.
       real(dp), allocatable, target, intent(out) :: values(:, :)
+      !> What is wrong, for the user; empty if nothing is.
       character(:), allocatable, intent(inout) :: flaw
       type(c_ptr) :: address
       real(dp) :: n_bytes

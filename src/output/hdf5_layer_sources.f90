@@ -27,8 +27,16 @@ module adfric_output_hdf5_layer_sources
       integer(c_int) function get_regular(space, start, stride, count, block) bind(c, name='H5Sget_regular_hyperslab')
          import :: c_int, c_int64_t
          implicit none (type, external)
+         !> Id of the space with the selection.
          integer(c_int64_t), intent(in), value :: space
-         integer(c_int64_t), intent(out) :: start(*), stride(*), count(*), block(*)
+         !> First place of the first box along each dimension, from 0.
+         integer(c_int64_t), intent(out) :: start(*)
+         !> Distance from a box to the next one along each dimension.
+         integer(c_int64_t), intent(out) :: stride(*)
+         !> Number of boxes along each dimension.
+         integer(c_int64_t), intent(out) :: count(*)
+         !> Number of places of a box along each dimension.
+         integer(c_int64_t), intent(out) :: block(*)
       end function get_regular
 
    end interface
@@ -37,13 +45,15 @@ contains
 
    !> Find out whether all values of a dataset have a source; those of one that is not virtual have.
    recursive subroutine check_sources(calls, path, dataset, level, flaw)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Name of the file of the dataset.
       character(*), intent(in) :: path
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
-      !> 0; more where a virtual dataset has led here.
+      !> Number of virtual datasets that have led here, 0 at first.
       integer, intent(in) :: level
-      !> What is wrong; empty if nothing is.
+      !> What is wrong, for the user; empty if nothing is. An earlier flaw is kept.
       character(:), allocatable, intent(inout) :: flaw
       integer(hid_t) :: list
       integer :: layout
@@ -66,13 +76,17 @@ contains
 
    !> Check each source of a virtual dataset, and whether they have all of its values.
    recursive subroutine check_each(calls, path, dataset, list, level, flaw)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Name of the file of the dataset.
       character(*), intent(in) :: path
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Properties with which the dataset was created.
       integer(hid_t), intent(in) :: list
+      !> Number of virtual datasets that have led here; at most `most_levels`.
       integer, intent(in) :: level
+      !> What is wrong, for the user; empty if nothing is. An earlier flaw is kept.
       character(:), allocatable, intent(inout) :: flaw
       integer(hid_t) :: covered
       integer(size_t) :: n_sources, i
@@ -97,6 +111,7 @@ contains
 
    !> Is a source there? HDF5 would look for it in other places, too; only the usual one counts.
    recursive subroutine check_source(calls, path, list, i, level, flaw)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Name of the file of the dataset.
       character(*), intent(in) :: path
@@ -104,7 +119,9 @@ contains
       integer(hid_t), intent(in) :: list
       !> Number of the source, from 0.
       integer(size_t), intent(in) :: i
+      !> Number of virtual datasets that have led here; at most `most_levels`.
       integer, intent(in) :: level
+      !> What is wrong, for the user; empty if nothing is. An earlier flaw is kept.
       character(:), allocatable, intent(inout) :: flaw
       character(name_length) :: file_name, name
       character(:), allocatable :: source
@@ -135,6 +152,7 @@ contains
 
    !> A name of a source, in which a percent sign stands twice.
    pure function without_format(name) result(plain)
+      !> Name of a file or a dataset as HDF5 gives the names of sources.
       character(*), intent(in) :: name
       character(:), allocatable :: plain
       integer :: i
@@ -150,13 +168,15 @@ contains
 
    !> Add to what is covered the place of the values of a source.
    subroutine add_place(calls, list, i, covered, flaw)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Properties with which the dataset was created.
       integer(hid_t), intent(in) :: list
       !> Number of the source, from 0.
       integer(size_t), intent(in) :: i
-      !> Space of the dataset, with the values selected that have a source.
+      !> Space of the dataset, with the values selected that have a source; those of this source are added.
       integer(hid_t), intent(in) :: covered
+      !> What is wrong, for the user; empty if nothing is. An earlier flaw is kept.
       character(:), allocatable, intent(inout) :: flaw
       integer(c_int64_t), dimension(most_dimensions) :: start, stride, count, block
       integer(hid_t) :: space

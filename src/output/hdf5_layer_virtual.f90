@@ -17,7 +17,9 @@ contains
 
    !> Select no part of a space.
    subroutine select_nothing(calls, space)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Space in which nothing is selected afterwards.
       integer(hid_t), intent(in) :: space
 
       if (.not. calls%is_good()) return
@@ -27,9 +29,11 @@ contains
 
    !> Select a box of a space besides what is selected.
    subroutine add_box(calls, space, start, count)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Space in which the box is selected besides what is selected.
       integer(hid_t), intent(in) :: space
-      !> First place of the box, from 0, and how many, in C order.
+      !> First place of the box along each dimension, from 0, and how many places; the slowest dimension first.
       integer(i8), intent(in) :: start(:), count(:)
 
       if (.not. calls%is_good()) return
@@ -39,9 +43,11 @@ contains
 
    !> Create a list of properties of a virtual dataset; NaN, or `no_state`, stands where a source is missing.
    subroutine create_virtual_list(calls, is_real, list)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Real numbers, or states?
+      !> Has the dataset real numbers? Else it has states.
       logical, intent(in) :: is_real
+      !> Id of the list of properties, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: list
       real(dp), target :: real_fill
       integer(int8), target :: state_fill
@@ -63,12 +69,17 @@ contains
 
    !> Say where a part of the values is.
    subroutine add_source(calls, list, space, path, name, source_space)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> List of properties of the virtual dataset, to which the source is added.
       integer(hid_t), intent(in) :: list
-      !> Space of the virtual dataset with the part selected.
+      !> Space of the virtual dataset, with the part selected that the source has.
       integer(hid_t), intent(in) :: space
-      !> File and dataset, and the dataset's space with the values selected.
-      character(*), intent(in) :: path, name
+      !> Name of the source's file, relative to the folder of the virtual dataset or absolute.
+      character(*), intent(in) :: path
+      !> Name of the source within its file.
+      character(*), intent(in) :: name
+      !> Space of the source, with the values selected; as many as in `space`.
       integer(hid_t), intent(in) :: source_space
 
       if (.not. calls%is_good()) return
@@ -78,6 +89,7 @@ contains
 
    !> A name as HDF5 takes the names of sources: as formats, in which a percent sign stands twice.
    pure function as_format(name) result(format)
+      !> Name of a file or a dataset.
       character(*), intent(in) :: name
       character(:), allocatable :: format
       integer :: i
@@ -91,12 +103,19 @@ contains
 
    !> Create a virtual dataset.
    subroutine create_virtual_dataset(calls, file, name, is_real, space, list, dataset)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file.
       integer(hid_t), intent(in) :: file
+      !> Name of the dataset.
       character(*), intent(in) :: name
-      !> Real numbers, or states?
+      !> Has the dataset real numbers? Else it has states.
       logical, intent(in) :: is_real
-      integer(hid_t), intent(in) :: space, list
+      !> Space of the dataset's shape.
+      integer(hid_t), intent(in) :: space
+      !> List of properties with the sources, see `add_source`.
+      integer(hid_t), intent(in) :: list
+      !> Id of the dataset, to be closed by `close_dataset`; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
 
       dataset = no_id
