@@ -23,16 +23,19 @@ contains
 
    !> Checksum of a block.
    integer(i8) function sum_of_block(layout, block, results, error_estimate, status, counts, profile_sum) result(sum)
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Its number in the run.
+      !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
-      !> Shape `(n_points, n_results)`; NaN for a state that is none.
+      !> Results in the units of the model, shape `(n_points, n_results)`; NaN where a point has no state.
       real(dp), intent(in) :: results(:, :)
+      !> Estimated relative error of each point [-].
       real(dp), intent(in) :: error_estimate(:)
+      !> Status of each point, one of `status_...`.
       integer, intent(in) :: status(:)
       !> What the model counted in the block.
       real(dp), intent(in) :: counts(:)
-      !> Of the profiles of its points, see `sum_of_profiles`: added up by exclusive or, in any order; 0 if there are none.
+      !> Checksum of the profiles of the points, each of `sum_of_profiles`, put together by exclusive or; 0 if there are none.
       integer(i8), intent(in) :: profile_sum
       integer :: i, n
 
@@ -55,9 +58,9 @@ contains
 
    !> Checksum of the profiles of a point.
    integer(i8) function sum_of_profiles(point, profiles) result(sum)
-      !> Its number in the run.
+      !> Number of the point in the run, from 1.
       integer(i8), intent(in) :: point
-      !> Shape `(n_last_axis, n_first_axis, n_profiles)`.
+      !> Profiles of the point; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(in), contiguous :: profiles(:, :, :)
 
       sum = mix_reals(mix_integers(0_i8, 1, [point]), size(profiles), profiles)
@@ -65,10 +68,11 @@ contains
 
    !> Add the profiles of a point to the sum of its block.
    subroutine add(self, block, sum)
+      !> The sums so far; that of the block is changed, or is new.
       class(profile_sums_t), intent(inout) :: self
-      !> Number of the block in the run.
+      !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
-      !> See `sum_of_profiles`.
+      !> Checksum of the profiles of a point, see `sum_of_profiles`.
       integer(i8), intent(in) :: sum
       integer :: i
 
@@ -84,9 +88,11 @@ contains
 
    !> Sum of the profiles of a block, which is forgotten; 0 if there are none.
    subroutine take(self, block, sum)
+      !> The sums so far; that of the block is removed.
       class(profile_sums_t), intent(inout) :: self
-      !> Number of the block in the run.
+      !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
+      !> Checksum of the profiles of the block that have been added; 0 if there are none.
       integer(i8), intent(out) :: sum
       integer :: i
 

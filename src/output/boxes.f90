@@ -20,10 +20,11 @@ contains
    pure subroutine next_box(shape, first, n_points, box)
       !> Number of places along each dimension; the last one varies fastest.
       integer(i8), intent(in) :: shape(:)
-      !> First point, from 0.
+      !> First point that is left, from 0.
       integer(i8), intent(in) :: first
       !> Number of points that are left.
       integer(i8), intent(in) :: n_points
+      !> The box, whose first point is `first`.
       type(box_t), intent(out) :: box
       integer(i8) :: rest, stride
       integer :: k

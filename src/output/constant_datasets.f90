@@ -22,8 +22,11 @@ contains
 
    !> Create the datasets with their values.
    subroutine create_constants(calls, file, constants)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> What has one value in the run; a dataset of its name is made for each.
       type(constant_t), intent(in) :: constants(:)
       integer(hid_t) :: dataset, space
       integer :: i
@@ -47,12 +50,15 @@ contains
       call calls%close_id(space)
    end subroutine create_constants
 
-   !> Read them.
+   !> Read constants with their values.
    subroutine read_constants(calls, file, names, constants)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
-      !> Separated by a blank.
+      !> Names of the constants, separated by a blank.
       character(*), intent(in) :: names
+      !> The constants in the order of the names, with all that the file says of them.
       type(constant_t), allocatable, intent(out) :: constants(:)
       integer(hid_t) :: dataset, space
       real(dp) :: number(1)
@@ -77,8 +83,9 @@ contains
       call calls%close_id(space)
    end subroutine read_constants
 
-   !> Their names, separated by a blank.
+   !> Names of constants, separated by a blank.
    pure function list_constants(constants) result(names)
+      !> The constants, in the order of the names.
       type(constant_t), intent(in) :: constants(:)
       character(:), allocatable :: names
       integer :: i

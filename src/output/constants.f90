@@ -27,8 +27,11 @@ contains
 
    !> The variables that have one value.
    subroutine find_constants(model, plan, constants)
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
+      !> Receives the variables that are set and not swept, but for datasets.
       type(constant_t), allocatable, intent(out) :: constants(:)
       type(constant_t) :: constant
       integer :: i
@@ -55,8 +58,11 @@ contains
 
    !> Add the quantities that follow from what is not swept. It may take a while, as for the spectrum of a surface.
    subroutine add_derived_constants(model, plan, constants)
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
+      !> The constants so far; the derived quantities that have one value in the run are added.
       type(constant_t), allocatable, intent(inout) :: constants(:)
       type(derived_t), allocatable :: derived(:)
       type(constant_t) :: constant
@@ -81,6 +87,7 @@ contains
 
    !> A unit as it stands in the file: 1 for a pure number.
    pure function file_unit(unit) result(text)
+      !> Unit as the model gives it; a hyphen, or nothing, for a pure number.
       character(*), intent(in) :: unit
       character(:), allocatable :: text
 
@@ -90,8 +97,9 @@ contains
 
    !> Is a variable swept?
    pure logical function is_swept(plan, variable)
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
-      !> Place in the variables of the model.
+      !> Place of the variable in the variables of the model.
       integer, intent(in) :: variable
       integer :: k
 
@@ -103,9 +111,11 @@ contains
 
    !> Name of a variable in the file; with its group before it where it would not be the only one of its name.
    function name_of(model, plan, variable) result(name)
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
-      !> Place in the variables of the model.
+      !> Place of the variable in the variables of the model.
       integer, intent(in) :: variable
       character(:), allocatable :: name
       logical :: is_alone
@@ -122,7 +132,9 @@ contains
 
    !> Names of the other datasets that a file may have: results, profiles and their axes, swept variables.
    function list_taken(model, plan) result(names)
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
       character(:), allocatable :: names
       integer :: i

@@ -30,16 +30,19 @@ contains
    subroutine read_done_points(path, layout, heading, model, plan, list, summary, error)
       !> Name of the file.
       character(*), intent(in) :: path
-      !> Of the run.
+      !> Layout of the run, which the file must have, too.
       type(layout_t), intent(in) :: layout
+      !> Heading of the run; that of the file must be of the same run.
       type(heading_t), intent(in) :: heading
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
-      !> Without the blocks that are solved.
+      !> Receives the blocks of the run, without those that are solved in the file.
       type(block_list_t), intent(out) :: list
-      !> Of the points that are solved; its time is that which they took, if it is known.
+      !> Summary of the points that are solved; its time is that which they took, if it is known.
       type(run_summary_t), intent(out) :: summary
-      !> The file cannot be read, or belongs to another run.
+      !> Allocated if the file cannot be read, or belongs to another run.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
       type(heading_t) :: found
@@ -71,12 +74,19 @@ contains
 
    !> Go through all blocks.
    subroutine scan(calls, datasets, layout, model, plan, list, summary)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> The open datasets of the file.
       type(datasets_t), intent(in) :: datasets
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
+      !> The blocks that are left; those that are solved in the file are removed.
       type(block_list_t), intent(inout) :: list
+      !> Summary of the run; the points that are solved in the file are added, and those of damaged blocks counted.
       type(run_summary_t), intent(inout) :: summary
       integer, allocatable :: status(:), status_of_block(:)
       real(dp), allocatable :: results(:, :), error_estimate(:)
@@ -113,16 +123,21 @@ contains
 
    !> Read a block, and find its checksum.
    subroutine read_block(calls, datasets, layout, place, status, results, error_estimate, sum)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> The open datasets of the file.
       type(datasets_t), intent(in) :: datasets
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Its place in the file.
+      !> Place of the block in the file, from 1.
       integer(i8), intent(in) :: place
-      !> Of its points.
+      !> Status of each point of the block, one of `status_...`.
       integer, intent(in) :: status(:)
-      !> Shape `(n_points, n_results)`.
+      !> Results in the units of the model, shape `(n_points, n_results)`.
       real(dp), intent(out) :: results(:, :)
+      !> Estimated relative error of each point [-].
       real(dp), intent(out) :: error_estimate(:)
+      !> Checksum of what stands in the file for the block.
       integer(i8), intent(out) :: sum
       real(dp), allocatable :: profiles(:, :, :)
       real(dp) :: counts(1, size(layout%counts))
@@ -151,12 +166,15 @@ contains
 
    !> Results that are swept stand in the file as axes alone.
    subroutine add_swept(layout, model, plan, block, results)
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
-      !> Number in the run.
+      !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
-      !> Shape `(n_points, n_results)`.
+      !> Results of the block, shape `(n_points, n_results)`; those that are swept receive their values.
       real(dp), intent(inout) :: results(:, :)
       real(dp), allocatable :: values(:, :)
       integer :: i, k
@@ -175,6 +193,7 @@ contains
 
    !> Can a run go on with a file?
    logical function is_readable(path)
+      !> Name of the file.
       character(*), intent(in) :: path
       type(hdf5_calls_t) :: calls
       type(heading_t) :: heading

@@ -20,9 +20,13 @@ contains
 
    !> Create a scale with its values.
    subroutine create_scale(calls, file, scale, dataset)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> The scale: its name, its unit and its values.
       type(scale_t), intent(in) :: scale
+      !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
       integer(hid_t) :: space
 
@@ -37,18 +41,25 @@ contains
 
    !> Create a dataset of a result or a profile.
    subroutine create_field(calls, file, field, space, scales, first, coordinates, dataset, parts, is_profile)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> Name, unit and meanings of what stands in the dataset.
       type(field_t), intent(in) :: field
+      !> Space of the dataset's shape.
       integer(hid_t), intent(in) :: space
-      !> Scales of its dimensions, from dimension `first` on.
+      !> Ids of the scales of the dimensions, from dimension `first` on.
       integer(hid_t), intent(in) :: scales(:)
+      !> Number of the dimension of the first scale, from 1, the slowest first.
       integer, intent(in) :: first
-      !> Names of scalars that hold for all of its values, separated by a blank.
+      !> Names of scalars that hold for all values of the dataset, separated by a blank.
       character(*), intent(in) :: coordinates
+      !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
-      !> Files in which the values are; if absent they are in this one.
+      !> Files in which the values are; if absent the values are in this file.
       type(virtual_parts_t), intent(in), optional :: parts
+      !> Present where the dataset is a profile, whatever its value.
       logical, intent(in), optional :: is_profile
       logical :: is_real
       integer :: k
@@ -72,11 +83,15 @@ contains
 
    !> Create the datasets of what the model counts, in the group of what is known of each block.
    subroutine create_counts(calls, file, counts, space, datasets)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> Names of what the model counts.
       type(field_t), intent(in) :: counts(:)
-      !> Of all blocks.
+      !> Space with a place for each block of the file.
       integer(hid_t), intent(in) :: space
+      !> Ids of the datasets, to be closed by the caller; shape `(n_counts)`.
       integer(hid_t), intent(inout) :: datasets(:)
       integer :: i
 

@@ -14,11 +14,13 @@ contains
 
    !> Write what the numbers of a dataset mean.
    subroutine write_flags(calls, dataset, first, meanings)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
       !> Number of the first meaning; the others follow it.
       integer, intent(in) :: first
-      !> Separated by a blank; nothing is written if there are none.
+      !> Meanings separated by a blank; nothing is written if there are none.
       character(*), intent(in) :: meanings
       integer :: k
 
@@ -29,10 +31,13 @@ contains
 
    !> Read what the numbers of a dataset mean.
    subroutine read_flags(calls, dataset, first, meanings)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
-      !> See `write_flags`.
+      !> Number of the first meaning; 0 if the dataset has no meanings.
       integer, intent(out) :: first
+      !> Meanings separated by a blank; empty if there are none.
       character(:), allocatable, intent(out) :: meanings
       integer(int8), allocatable :: flags(:)
 

@@ -18,6 +18,7 @@ contains
 
    !> Number of these attributes.
    pure integer function n_placeholders(layout)
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
 
       n_placeholders = 1 + size(layout%counts)
@@ -25,8 +26,11 @@ contains
 
    !> Make the attributes, each with a NaN of its own, so that the file keeps its form from now on.
    subroutine write_placeholders(calls, file, layout)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
       integer :: i
 
@@ -38,8 +42,11 @@ contains
 
    !> Write how long the run took.
    subroutine write_seconds(calls, file, seconds)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> Time that the run took, with that before it was stopped [s].
       real(dp), intent(in) :: seconds
 
       call replace_attribute(calls, file, 'wall_seconds', seconds)
@@ -47,9 +54,13 @@ contains
 
    !> Write the means over the points of what the model counts. The sums are taken in the order of the blocks.
    subroutine write_means(calls, file, layout, datasets)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
+      !> The open datasets of the file, whose counts are read.
       type(datasets_t), intent(in) :: datasets
       real(dp), allocatable :: counts(:, :)
       real(dp) :: sums(size(layout%counts))

@@ -25,16 +25,19 @@ contains
 
    !> Write the file of the whole run.
    subroutine write_merged(parts, layout, heading, path, overwrite, is_virtual, error)
-      !> All of them.
+      !> All parts of the run.
       type(part_file_t), intent(in) :: parts(:)
-      !> Of any of them.
+      !> Layout of any of the parts.
       type(layout_t), intent(in) :: layout
+      !> Texts for the root of the file of the whole run.
       type(heading_t), intent(in) :: heading
-      !> Name of the results file, and may a file of this name be replaced?
+      !> Name of the results file of the whole run.
       character(*), intent(in) :: path
+      !> May a file of this name be replaced?
       logical, intent(in) :: overwrite
-      !> Leave the results where they are, and refer to them?
+      !> Do the results stay in the files of the parts, to which the new file refers?
       logical, intent(in) :: is_virtual
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(layout_t) :: whole
       type(results_file_t) :: results
@@ -62,13 +65,19 @@ contains
 
    !> Create a file that refers to the parts.
    subroutine create_virtual(parts, whole, heading, path, overwrite, results, error)
+      !> All parts of the run.
       type(part_file_t), intent(in) :: parts(:)
-      !> Of the whole run.
+      !> Layout of the whole run.
       type(layout_t), intent(in) :: whole
+      !> Texts for the root of the file of the whole run.
       type(heading_t), intent(in) :: heading
+      !> Name of the results file of the whole run.
       character(*), intent(in) :: path
+      !> May a file of this name be replaced?
       logical, intent(in) :: overwrite
+      !> The file of the whole run, which is open afterwards.
       type(results_file_t), intent(inout) :: results
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
       type(virtual_parts_t) :: virtual_parts
@@ -90,12 +99,15 @@ contains
 
    !> Copy the results of a part.
    subroutine copy_part(part, layout, refers, results, error)
+      !> The part, whose file is read.
       type(part_file_t), intent(in) :: part
-      !> Of any part.
+      !> Layout of any of the parts.
       type(layout_t), intent(in) :: layout
-      !> Only what the model counted is copied.
+      !> Does the new file refer to the results of the parts? Then only counts and checksums are copied.
       logical, intent(in) :: refers
+      !> The open file of the whole run.
       type(results_file_t), intent(inout) :: results
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(layout_t) :: own
       type(datasets_t) :: datasets
@@ -121,14 +133,21 @@ contains
 
    !> Copy neighbouring blocks of a part.
    subroutine copy_blocks(calls, datasets, layout, place, n_blocks, refers, results, error)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> The open datasets of the part.
       type(datasets_t), intent(in) :: datasets
-      !> Of the part.
+      !> Layout of the part.
       type(layout_t), intent(in) :: layout
+      !> Place of the first block in the file of the part, from 1.
       integer(i8), intent(in) :: place
+      !> Number of blocks, neighbours in the run.
       integer, intent(in) :: n_blocks
+      !> Does the new file refer to the results of the parts? Then only counts and checksums are copied.
       logical, intent(in) :: refers
+      !> The open file of the whole run.
       type(results_file_t), intent(inout) :: results
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       real(dp), allocatable :: numbers(:, :), error_estimate(:), counts(:, :), profiles(:, :, :)
       integer, allocatable :: status(:)

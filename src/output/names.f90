@@ -19,6 +19,7 @@ contains
 
    !> Name of the file until it is complete; it can be read, and a run can go on with it.
    pure function partial_name(path) result(name)
+      !> Name of the results file.
       character(*), intent(in) :: path
       character(:), allocatable :: name
 
@@ -27,6 +28,7 @@ contains
 
    !> Name of the file until it has all its datasets. Nobody needs what stands there when no run is at work.
    pure function new_name(path) result(name)
+      !> Name of the results file.
       character(*), intent(in) :: path
       character(:), allocatable :: name
 
@@ -35,6 +37,7 @@ contains
 
    !> Name of the lock of a results file.
    pure function lock_name(path) result(name)
+      !> Name of the results file.
       character(*), intent(in) :: path
       character(:), allocatable :: name
 
@@ -45,6 +48,7 @@ contains
    pure function part_name(path, part) result(name)
       !> Name of the results file of the whole run.
       character(*), intent(in) :: path
+      !> Part of the run, or the whole run.
       type(part_t), intent(in) :: part
       character(:), allocatable :: name
       character(40) :: buffer
@@ -62,8 +66,11 @@ contains
 
    !> May a file of this name be written?
    subroutine check_output_name(path, overwrite, error)
+      !> Name of the results file.
       character(*), intent(in) :: path
+      !> May a file of this name be replaced?
       logical, intent(in) :: overwrite
+      !> Not allocated if the file may be written.
       type(error_t), allocatable, intent(out) :: error
 
       select case (kind_of_path(path))
@@ -82,7 +89,9 @@ contains
    subroutine check_partial_name(path, overwrite, error)
       !> Name of the results file.
       character(*), intent(in) :: path
+      !> May results of a run that was stopped be replaced?
       logical, intent(in) :: overwrite
+      !> Not allocated if nothing would be lost.
       type(error_t), allocatable, intent(out) :: error
 
       select case (kind_of_path(partial_name(path)))
@@ -97,6 +106,7 @@ contains
 
    !> What is said when two runs want the same file.
    pure function say_in_use(path) result(text)
+      !> Name of the results file.
       character(*), intent(in) :: path
       character(:), allocatable :: text
 
