@@ -34,14 +34,15 @@ contains
 
    !> Check that the files are complete, belong to one run, and are all of it.
    subroutine check_parts(parts, layout, heading, by_status, error)
-      !> Given with their paths.
+      !> Files of the parts, given with their paths; their blocks and times are added.
       type(part_file_t), intent(inout) :: parts(:)
-      !> Of one of them.
+      !> Layout of the first file.
       type(layout_t), intent(out) :: layout
-      !> Of the run.
+      !> Heading of the first file.
       type(heading_t), intent(out) :: heading
-      !> Points by status; shape `(0:n_status - 1)`.
+      !> Receives the number of points of each status; shape `(0:n_status - 1)`.
       integer(i8), intent(out) :: by_status(0:)
+      !> Not allocated if the files are the whole of one run.
       type(error_t), allocatable, intent(out) :: error
       type(layout_t) :: other
       type(heading_t) :: other_heading
@@ -74,11 +75,15 @@ contains
 
    !> Check one file: is it a part, and complete?
    subroutine check_part(part, layout, heading, by_status, error)
+      !> File of the part, given with its path; its blocks and its time are added.
       type(part_file_t), intent(inout) :: part
+      !> Receives the layout of the part.
       type(layout_t), intent(out) :: layout
+      !> Receives the heading of the file.
       type(heading_t), intent(out) :: heading
-      !> Its points are added.
+      !> Number of points of each status, to which those of the part are added; shape `(0:n_status - 1)`.
       integer(i8), intent(inout) :: by_status(0:)
+      !> Not allocated if the file is that of a part, and complete.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
       integer(hid_t) :: file
@@ -113,11 +118,15 @@ contains
 
    !> Count the points of a part by their states.
    subroutine count_points(calls, file, layout, by_status, n_missing)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
+      !> Number of points of each status, to which those of the part are added; shape `(0:n_status - 1)`.
       integer(i8), intent(inout) :: by_status(0:)
-      !> Points that are not solved.
+      !> Number of points that have no results yet.
       integer(i8), intent(out) :: n_missing
       type(datasets_t) :: datasets
       integer, allocatable :: status(:)
@@ -141,8 +150,15 @@ contains
 
    !> Do two files belong to one run?
    subroutine compare(part, first, heading, first_heading, error)
-      type(part_file_t), intent(in) :: part, first
-      type(heading_t), intent(in) :: heading, first_heading
+      !> The file that is looked at.
+      type(part_file_t), intent(in) :: part
+      !> The file with which it is compared.
+      type(part_file_t), intent(in) :: first
+      !> Heading of `part`.
+      type(heading_t), intent(in) :: heading
+      !> Heading of `first`.
+      type(heading_t), intent(in) :: first_heading
+      !> Not allocated if the files belong to one run.
       type(error_t), allocatable, intent(out) :: error
 
       if (len(say_difference(heading, first_heading)) > 0) then
@@ -156,7 +172,7 @@ contains
 
    !> Numbers of the missing parts, as far as they fit on a line.
    function list_missing(place_of) result(text)
-      !> 0 where a part is missing.
+      !> Place of each part among the files, from 1; 0 where a part is missing.
       integer, intent(in) :: place_of(:)
       character(:), allocatable :: text
       integer, parameter :: most = 100

@@ -20,8 +20,11 @@ contains
 
    !> Write which part it is, and the names of its datasets in their order.
    subroutine write_part_layout(calls, file, layout)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
+      !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
 
       call write_attribute(calls, file, 'part', int(layout%blocks%part%number, i8))
@@ -38,8 +41,11 @@ contains
 
    !> Read the layout of a part; one that is `is_whole` if the file is not that of a part.
    subroutine read_part_layout(calls, file, layout)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
+      !> Receives the layout; its part is the whole run if the file is not that of a part.
       type(layout_t), intent(out) :: layout
       character(:), allocatable :: names
       integer(i8) :: number, n_parts, n_points, block_size
@@ -68,6 +74,7 @@ contains
 
    !> Names of scales, separated by a blank.
    pure function list_scales(scales) result(names)
+      !> Scales of the swept variables, or of the axes of profiles.
       type(scale_t), intent(in) :: scales(:)
       character(:), allocatable :: names
       integer :: i
@@ -80,6 +87,7 @@ contains
 
    !> Names of fields, separated by a blank.
    pure function list_fields(fields) result(names)
+      !> Results, profiles or counts.
       type(field_t), intent(in) :: fields(:)
       character(:), allocatable :: names
       integer :: i
@@ -92,9 +100,13 @@ contains
 
    !> Read scales with their values.
    subroutine read_scales(calls, file, names, scales)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
+      !> Names of the scales, separated by a blank.
       character(*), intent(in) :: names
+      !> Receives the scales with their values, in the order of the names.
       type(scale_t), allocatable, intent(out) :: scales(:)
       integer(hid_t) :: dataset, space
       integer(i8) :: n
@@ -117,11 +129,15 @@ contains
 
    !> Read what describes results, profiles or counts.
    subroutine read_fields(calls, file, folder, names, fields)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file of the part.
       integer(hid_t), intent(in) :: file
-      !> Group in which they stand, with a slash behind it.
+      !> Group in which the datasets stand, with a slash behind it; empty for the root of the file.
       character(*), intent(in) :: folder
+      !> Names of the datasets, separated by a blank.
       character(*), intent(in) :: names
+      !> Receives what the file says of each dataset, in the order of the names.
       type(field_t), allocatable, intent(out) :: fields(:)
       integer(hid_t) :: dataset
       integer :: i

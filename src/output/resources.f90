@@ -17,14 +17,17 @@ contains
 
    !> Refuse a run that is too large for the disk or the memory.
    subroutine check_resources(model, plan, path, error, part, n_alike)
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
       !> Name of the results file.
       character(*), intent(in) :: path
+      !> Not allocated if there is room for the run.
       type(error_t), allocatable, intent(out) :: error
-      !> The whole run if absent.
+      !> Part of the run that is solved; the whole run if absent.
       type(part_t), intent(in), optional :: part
-      !> See `check_memory`.
+      !> Number of processes on this machine that need as much memory; 1 if absent.
       integer, intent(in), optional :: n_alike
 
       call check_disk(file_size_of(model, plan, part), path, error)
@@ -37,6 +40,7 @@ contains
       real(dp), intent(in) :: n_bytes
       !> Name of the file.
       character(*), intent(in) :: path
+      !> Not allocated if there is room for the file.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: folder
 
@@ -47,10 +51,13 @@ contains
 
    !> Refuse a run that is too large for the memory.
    subroutine check_memory(model, plan, error, n_alike)
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
+      !> Not allocated if there is room for the run.
       type(error_t), allocatable, intent(out) :: error
-      !> Number of processes on this machine that need as much; 1 if absent.
+      !> Number of processes on this machine that need as much memory; 1 if absent.
       integer, intent(in), optional :: n_alike
       real(dp) :: needed
 
@@ -62,9 +69,11 @@ contains
 
    !> Size of the results file [bytes].
    real(dp) function file_size_of(model, plan, part)
+      !> Model of the run, with the descriptions of its variables and results.
       class(model_t), intent(in) :: model
+      !> Plan of the run: the values of its variables, and which of them are swept.
       type(plan_t), intent(in) :: plan
-      !> The whole run if absent.
+      !> Part of the run that the file holds; the whole run if absent.
       type(part_t), intent(in), optional :: part
       type(layout_t) :: layout
 
@@ -74,6 +83,7 @@ contains
 
    !> A number of bytes for people.
    pure function show_bytes(n_bytes) result(text)
+      !> Number of bytes, >= 0.
       real(dp), intent(in) :: n_bytes
       character(:), allocatable :: text
       character(*), parameter :: units(0:*) = ['bytes', 'kB   ', 'MB   ', 'GB   ', 'TB   ', 'PB   ', 'EB   ']

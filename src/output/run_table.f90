@@ -16,8 +16,9 @@ contains
 
    !> Points by status and state, range of each main result, wall time and file.
    function new_run_table(summary, results, path) result(text)
+      !> What the run has met: points, states, ranges and time.
       type(run_summary_t), intent(in) :: summary
-      !> With the units of this run.
+      !> Results of the model with the units of this run.
       type(result_t), intent(in) :: results(:)
       !> Name of the results file.
       character(*), intent(in) :: path
@@ -41,7 +42,9 @@ contains
 
    !> A number of points.
    function count_line(name, n) result(line)
+      !> What the line begins with; blanks follow up to the column of the numbers.
       character(*), intent(in) :: name
+      !> Number of points.
       integer(i8), intent(in) :: n
       character(:), allocatable :: line
       character(count_width) :: buffer
@@ -52,7 +55,9 @@ contains
 
    !> Numbers of points in each state that was met.
    function state_lines(result, counts) result(lines)
+      !> Result that has states.
       type(result_t), intent(in) :: result
+      !> Number of points in each state, from 0 on.
       integer(i8), intent(in) :: counts(0:)
       character(:), allocatable :: lines
       integer :: i
@@ -68,7 +73,9 @@ contains
 
    !> Range of a result.
    function range_line(result, lowest, highest) result(line)
+      !> Result with the units of this run.
       type(result_t), intent(in) :: result
+      !> Smallest and largest value in the unit of the result; the smallest one is above the largest one if there is no value.
       real(dp), intent(in) :: lowest, highest
       character(:), allocatable :: line
       character(32) :: buffer
@@ -86,6 +93,7 @@ contains
 
    !> Duration of the run.
    function time_line(summary) result(line)
+      !> Summary of the run, with its time and its number of points.
       type(run_summary_t), intent(in) :: summary
       character(:), allocatable :: line
       character(20) :: whole, per_point
@@ -97,6 +105,7 @@ contains
 
    !> A name as words: without underscores.
    pure function words_of(name) result(words)
+      !> Name in which underscores separate the words.
       character(*), intent(in) :: name
       character(len(name)) :: words
       integer :: i

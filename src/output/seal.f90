@@ -45,7 +45,7 @@ contains
 
    !> A number that stands for one that is known at the end: a NaN of its own.
    pure real(dp) function placeholder(i)
-      !> From 1 on.
+      !> Number of the placeholder, from 1 on; each has another NaN.
       integer, intent(in) :: i
       integer(i8), parameter :: first = int(z'7FF8ADF71C000000', i8)
 
@@ -54,10 +54,13 @@ contains
 
    !> Create its dataset, and the group in which it is; before all others.
    subroutine create(self, calls, file, n_holes)
+      !> Receives the dataset and its size.
       class(seal_t), intent(inout) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
-      !> There will not be more.
+      !> Largest number of holes that the seal will have.
       integer, intent(in) :: n_holes
       integer(hid_t) :: group, space
 
@@ -73,12 +76,15 @@ contains
 
    !> Write it into a file that has been handed to the operating system as a whole.
    subroutine write_seal(self, calls, path, extents, n_placeholders)
+      !> The seal, whose dataset is closed afterwards.
       class(seal_t), intent(inout) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Name of the file.
       character(*), intent(in) :: path
       !> Where values stand that are written later, see `get_extents` of the datasets.
       integer(i8), intent(in) :: extents(:, :)
-      !> Number of the placeholders, which are in the file.
+      !> Number of the placeholders, all of which are in the file.
       integer, intent(in) :: n_placeholders
       integer(i8), allocatable :: holes(:, :), words(:)
       integer(i8) :: own(2), place, sum, n_bytes
@@ -111,6 +117,7 @@ contains
 
    !> Holes as they rise, without those that are empty.
    pure function in_order(holes) result(rising)
+      !> Holes in any order: first byte, from 0, and number of bytes; shape `(2, n)`.
       integer(i8), intent(in) :: holes(:, :)
       integer(i8), allocatable :: rising(:, :)
       logical :: is_left(size(holes, 2))
@@ -127,7 +134,9 @@ contains
 
    !> Is a file a results file that has not been damaged? Asked before HDF5 opens it.
    subroutine check_seal(path, error)
+      !> Name of the file.
       character(*), intent(in) :: path
+      !> Allocated if the file cannot be read, is damaged, or is no results file.
       type(error_t), allocatable, intent(out) :: error
       integer(i8), allocatable :: words(:)
       integer(i8) :: sum
@@ -150,9 +159,11 @@ contains
 
    !> Read the seal of a file.
    subroutine read_seal(path, words, number)
+      !> Name of the file.
       character(*), intent(in) :: path
+      !> Receives the words of the seal; not to be used if `number` is not 0.
       integer(i8), allocatable, intent(out) :: words(:)
-      !> 0, `is_short` if there is no seal or it is damaged, or an error number.
+      !> 0; `is_short` if there is no seal, or a damaged one; or an error number of the system.
       integer, intent(out) :: number
       integer(i8), allocatable :: empty(:, :)
       integer(i8) :: place, head(2)

@@ -28,7 +28,9 @@ contains
 
    !> Is there room for a row of points?
    pure logical function has_room(self, n)
+      !> The states so far.
       class(status_log_t), intent(in) :: self
+      !> Number of points of the row.
       integer, intent(in) :: n
 
       has_room = self%n_points == 0 .or. (self%n_points + n <= max_points .and. self%n_rows < max_rows)
@@ -36,9 +38,11 @@ contains
 
    !> Add a row of points.
    subroutine add(self, first, status)
+      !> The states so far, to which the row is added.
       class(status_log_t), intent(inout) :: self
-      !> First place in the file, from 1.
+      !> Place of the first point in the file, from 1.
       integer(i8), intent(in) :: first
+      !> Status of each point of the row, one of `status_...`.
       integer, intent(in) :: status(:)
 
       if (.not. allocated(self%first)) allocate (self%first(max_rows), self%count(max_rows), self%states(max_points))
@@ -55,6 +59,7 @@ contains
 
    !> Forget everything.
    pure subroutine clear(self)
+      !> The log, which keeps its room.
       class(status_log_t), intent(inout) :: self
 
       self%n_points = 0

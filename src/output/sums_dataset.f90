@@ -31,8 +31,11 @@ contains
 
    !> Create it.
    subroutine create(self, calls, file, n_blocks)
+      !> Receives the ids; nothing is open in it before.
       class(sums_dataset_t), intent(inout) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Number of blocks of the file.
       integer(i8), intent(in) :: n_blocks
@@ -45,8 +48,11 @@ contains
 
    !> Open it.
    subroutine open_sums(self, calls, file, n_blocks)
+      !> Receives the ids; nothing is open in it before.
       class(sums_dataset_t), intent(inout) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Number of blocks of the file.
       integer(i8), intent(in) :: n_blocks
@@ -57,10 +63,13 @@ contains
 
    !> Write the checksums of neighbouring blocks.
    subroutine write_sums(self, calls, place, sums)
+      !> The open dataset.
       class(sums_dataset_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Place of the first block.
+      !> Place of the first block in the file, from 1.
       integer(i8), intent(in) :: place
+      !> Checksum of each block, from that place on.
       integer(i8), intent(in), contiguous :: sums(:)
       integer(hid_t) :: memory_space
 
@@ -72,10 +81,13 @@ contains
 
    !> Read the checksums of neighbouring blocks.
    subroutine read_sums(self, calls, place, sums)
+      !> The open dataset.
       class(sums_dataset_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Place of the first block.
+      !> Place of the first block in the file, from 1.
       integer(i8), intent(in) :: place
+      !> Receives the checksum of each block, from that place on; 0 if a call has failed.
       integer(i8), intent(out), contiguous :: sums(:)
       integer(hid_t) :: memory_space
 
@@ -88,11 +100,15 @@ contains
 
    !> Select neighbouring blocks.
    subroutine select_blocks(self, calls, place, n, memory_space)
+      !> The open dataset, in whose space the blocks are selected.
       class(sums_dataset_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Place of the first block, and how many they are.
-      integer(i8), intent(in) :: place, n
-      !> A space of as many values, to be closed by the caller.
+      !> Place of the first block in the file, from 1.
+      integer(i8), intent(in) :: place
+      !> Number of blocks.
+      integer(i8), intent(in) :: n
+      !> Space of as many values as there are blocks; the caller closes it.
       integer(hid_t), intent(out) :: memory_space
 
       call create_space(calls, [n], memory_space)
@@ -101,7 +117,9 @@ contains
 
    !> Close it.
    subroutine close_sums(self, calls)
+      !> The dataset, which is not open afterwards.
       class(sums_dataset_t), intent(inout) :: self
+      !> Chain of HDF5 calls; the ids are closed even where one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
 
       call close_dataset(calls, self%id)

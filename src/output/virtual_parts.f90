@@ -36,8 +36,9 @@ contains
 
    !> Make room for parts.
    subroutine new_virtual_parts(self, n)
+      !> Receives the room, and no parts.
       type(virtual_parts_t), intent(out) :: self
-      !> How many there may be.
+      !> Largest number of parts.
       integer, intent(in) :: n
 
       allocate (self%parts(n))
@@ -45,12 +46,15 @@ contains
 
    !> Add a part.
    subroutine add(self, calls, layout, blocks, path)
+      !> The parts so far; a part without points is not added.
       class(virtual_parts_t), intent(inout) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Of the whole run.
+      !> Layout of the whole run.
       type(layout_t), intent(in) :: layout
-      !> Of the part.
+      !> Blocks of the part.
       type(blocks_t), intent(in) :: blocks
+      !> Name of the part's file, relative to the folder of the file of the whole run, or absolute.
       character(*), intent(in) :: path
 
       if (blocks%n_blocks() == 0) return
@@ -68,12 +72,15 @@ contains
 
    !> Select the points of a part.
    subroutine select_points(calls, layout, blocks, shape, space)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Layout of the whole run.
       type(layout_t), intent(in) :: layout
+      !> Blocks of the part.
       type(blocks_t), intent(in) :: blocks
-      !> Shape of what each point has.
+      !> Shape of what each point has: of size 0 for a result, the shape of a profile for a profile.
       integer(i8), intent(in) :: shape(:)
-      !> Shape of all points, then that.
+      !> Space of all points, each with what it has; the points of the part are selected afterwards.
       integer(hid_t), intent(in) :: space
       type(box_t) :: box
       integer(i8) :: place, n, point, last
@@ -95,15 +102,21 @@ contains
 
    !> Create a virtual dataset of the whole run.
    subroutine create_dataset(self, calls, file, name, is_real, is_profile, space, dataset)
+      !> All parts that have points.
       class(virtual_parts_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file of the whole run.
       integer(hid_t), intent(in) :: file
-      !> The same here and in the parts.
+      !> Name of the dataset, the same in the new file and in the parts.
       character(*), intent(in) :: name
-      !> Real numbers, or states?
+      !> Has the dataset real numbers? Else it has states.
       logical, intent(in) :: is_real
+      !> Is it a dataset of profiles? Else it is one of results.
       logical, intent(in) :: is_profile
+      !> Space of the dataset's shape, all points of the run.
       integer(hid_t), intent(in) :: space
+      !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
       integer(hid_t) :: list
       integer :: i
@@ -124,7 +137,9 @@ contains
 
    !> Close every space.
    subroutine close_all(self, calls)
+      !> The parts, none of which is left afterwards.
       class(virtual_parts_t), intent(inout) :: self
+      !> Chain of HDF5 calls; the ids are closed even where one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       integer :: i
 
