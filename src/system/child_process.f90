@@ -50,6 +50,7 @@ module adfric_system_child_process
       integer(c_int) function c_pipe(ends) bind(c, name='pipe')
          import :: c_int
          implicit none (type, external)
+         !> Descriptors of the two ends: reading, writing.
          integer(c_int), intent(out) :: ends(2)
       end function c_pipe
 
@@ -61,57 +62,76 @@ module adfric_system_child_process
       integer(c_int) function c_alarm(seconds) bind(c, name='alarm')
          import :: c_int
          implicit none (type, external)
+         !> After how many seconds the process is ended.
          integer(c_int), value :: seconds
       end function c_alarm
 
       integer(c_size_t) function c_read(file, buffer, n_bytes) bind(c, name='read')
          import :: c_int, c_size_t, c_double
          implicit none (type, external)
+         !> Descriptor of the file.
          integer(c_int), value :: file
+         !> Receives the numbers.
          real(c_double), intent(inout) :: buffer(*)
+         !> Largest number of bytes to read.
          integer(c_size_t), value :: n_bytes
       end function c_read
 
       integer(c_size_t) function c_write(file, buffer, n_bytes) bind(c, name='write')
          import :: c_int, c_size_t, c_double
          implicit none (type, external)
+         !> Descriptor of the file.
          integer(c_int), value :: file
+         !> Numbers to write.
          real(c_double), intent(in) :: buffer(*)
+         !> Number of bytes to write.
          integer(c_size_t), value :: n_bytes
       end function c_write
 
       integer(c_int) function c_close(file) bind(c, name='close')
          import :: c_int
          implicit none (type, external)
+         !> Descriptor of the file.
          integer(c_int), value :: file
       end function c_close
 
       integer(c_int) function c_poll(files, n_files, milliseconds) bind(c, name='poll')
          import :: c_int, c_long, poll_t
          implicit none (type, external)
+         !> What is waited for, and receives what has come.
          type(poll_t), intent(inout) :: files(*)
+         !> Number of these files.
          integer(c_long), value :: n_files
+         !> Longest time to wait [ms]; negative: without end.
          integer(c_int), value :: milliseconds
       end function c_poll
 
       integer(c_int) function c_kill(process, signal) bind(c, name='kill')
          import :: c_int
          implicit none (type, external)
-         integer(c_int), value :: process, signal
+         !> Number of the process.
+         integer(c_int), value :: process
+         !> Number of the signal.
+         integer(c_int), value :: signal
       end function c_kill
 
       integer(c_int) function c_wait4(process, status, options, usage) bind(c, name='wait4')
          import :: c_int, usage_t
          implicit none (type, external)
+         !> Number of the process.
          integer(c_int), value :: process
+         !> Receives how the process ended.
          integer(c_int), intent(out) :: status
+         !> 0 to wait until the process ends.
          integer(c_int), value :: options
+         !> Receives the times that the process had on a processor.
          type(usage_t), intent(inout) :: usage
       end function c_wait4
 
       subroutine c_exit_at_once(status) bind(c, name='_exit')
          import :: c_int
          implicit none (type, external)
+         !> Exit status of this process.
          integer(c_int), value :: status
       end subroutine c_exit_at_once
 
@@ -121,10 +141,11 @@ contains
 
    !> Start the other process: a copy of this one that goes on from here. It prints nothing, and ends by itself after a time.
    subroutine start_child(self, seconds, is_started)
+      !> The other process, with a pipe from it to this one.
       type(child_process_t), intent(out) :: self
-      !> After which it ends, whatever it does.
+      !> Time after which the other process ends, whatever it does [s].
       integer, intent(in) :: seconds
-      !> False where the machine has no room for it.
+      !> False where the machine has no room for another process.
       logical, intent(out) :: is_started
       integer(c_int) :: unused
 
@@ -146,8 +167,9 @@ contains
 
    !> In the other process: send numbers, all of them or none.
    subroutine send(self, numbers)
+      !> The other process.
       class(child_process_t), intent(in) :: self
-      !> A few.
+      !> So few numbers that the pipe takes them at once.
       real(dp), intent(in) :: numbers(:)
       real(c_double) :: buffer(size(numbers))
 
@@ -157,6 +179,7 @@ contains
 
    !> In the other process: end it. Nothing of what it holds in common with this one is touched.
    subroutine end_child(self)
+      !> The other process; in this one nothing is done.
       class(child_process_t), intent(in) :: self
 
       if (self%is_child) call c_exit_at_once(0_c_int)
@@ -164,9 +187,11 @@ contains
 
    !> In this process: wait for numbers that the other one has sent.
    subroutine receive(self, numbers, seconds, is_received)
+      !> The other process.
       class(child_process_t), intent(in) :: self
+      !> Receives as many numbers as were sent at once; 0 if none came.
       real(dp), intent(out) :: numbers(:)
-      !> How long to wait for them.
+      !> Longest time to wait for the numbers [s]; with 0 or less nothing is received.
       real(dp), intent(in) :: seconds
       !> False if the time was over or the other process has ended.
       logical, intent(out) :: is_received
@@ -186,8 +211,9 @@ contains
 
    !> In this process: end the other one, if it has not ended yet.
    subroutine stop_child(self, seconds)
+      !> The other process, which is gone afterwards.
       class(child_process_t), intent(inout) :: self
-      !> Time that the other one had on a processor [s].
+      !> Time that the other process had on a processor [s].
       real(dp), intent(out) :: seconds
       real(dp), parameter :: microsecond = 1.0e-6_dp
       type(usage_t) :: usage
@@ -205,6 +231,7 @@ contains
 
    !> Size of so many numbers [bytes].
    pure integer(c_size_t) function bytes_of(n)
+      !> Number of real numbers.
       integer, intent(in) :: n
       integer, parameter :: real_bytes = 8
 

@@ -20,18 +20,21 @@ module adfric_system_leftovers
       subroutine c_note_leftover(path) bind(c, name='adfric_note_leftover')
          import :: c_char
          implicit none (type, external)
+         !> Name of the file, with a null character at its end.
          character(kind=c_char), intent(in) :: path(*)
       end subroutine c_note_leftover
 
       subroutine c_forget_leftover(path) bind(c, name='adfric_forget_leftover')
          import :: c_char
          implicit none (type, external)
+         !> Name of the file, with a null character at its end.
          character(kind=c_char), intent(in) :: path(*)
       end subroutine c_forget_leftover
 
       subroutine c_note_kept(path) bind(c, name='adfric_note_kept')
          import :: c_char
          implicit none (type, external)
+         !> Name of the file, with a null character at its end; empty: there is none any more.
          character(kind=c_char), intent(in) :: path(*)
       end subroutine c_note_kept
 
@@ -41,7 +44,7 @@ contains
 
    !> Note a file that is of no use if the program ends now.
    subroutine note_leftover(path)
-      !> Its name.
+      !> Name of the file.
       character(*), intent(in) :: path
 
       call c_note_leftover(path//c_null_char)
@@ -49,7 +52,7 @@ contains
 
    !> A file that was noted is gone, or is of use now.
    subroutine forget_leftover(path)
-      !> Its name.
+      !> Name of the file.
       character(*), intent(in) :: path
 
       call c_forget_leftover(path//c_null_char)
@@ -57,7 +60,7 @@ contains
 
    !> Note the file whose results stay if the program ends now.
    subroutine note_kept(path)
-      !> Its name; empty: there is none any more.
+      !> Name of the file; empty: there is none any more.
       character(*), intent(in) :: path
 
       call c_note_kept(path//c_null_char)

@@ -14,6 +14,7 @@ module adfric_system_memory
       integer(c_int) function c_has_room(n_bytes) bind(c, name='adfric_has_room')
          import :: c_double, c_int
          implicit none (type, external)
+         !> Size of the memory that is asked for [bytes].
          real(c_double), intent(in), value :: n_bytes
       end function c_has_room
 
@@ -28,7 +29,7 @@ contains
 
    !> Can so much be had? To be asked before an `allocate` that may be too large: one that fails ends the program.
    logical function has_room(n_bytes)
-      !> [bytes]
+      !> Size of the memory that is asked for [bytes].
       real(dp), intent(in) :: n_bytes
 
       has_room = c_has_room(n_bytes) /= 0

@@ -13,8 +13,11 @@ module adfric_system_threads
       integer(c_int) function try_threads(n, n_started, stack_size) bind(c, name='adfric_try_threads')
          import :: c_double, c_int
          implicit none (type, external)
+         !> Number of threads to be started at once.
          integer(c_int), intent(in), value :: n
+         !> Number of threads that could be started.
          integer(c_int), intent(out) :: n_started
+         !> Stack of each thread [bytes]; 0 if it cannot be said.
          real(c_double), intent(out) :: stack_size
       end function try_threads
    end interface
@@ -25,6 +28,7 @@ contains
    subroutine check_threads(n, error)
       !> Number of threads besides the one that is there.
       integer, intent(in) :: n
+      !> Not allocated if the threads can be started.
       type(error_t), allocatable, intent(out) :: error
       integer(c_int) :: number, n_started
       real(c_double) :: stack_size
