@@ -24,7 +24,7 @@ module adfric_output_datasets
       private
       !> Spaces of the shape of a result, of a profile of all points, and of a count of all blocks.
       integer(hid_t) :: space = no_id, profile_space = no_id, count_space = no_id
-      !> Those with the values along a dimension, first of the points, then of the profiles; only while they are created.
+      !> Scales with the values along a dimension, first of the points, then of the profiles; only when datasets are created.
       integer(hid_t), allocatable :: scales(:)
       !> Results, and last `error_estimate` and `status`.
       integer(hid_t), allocatable :: fields(:)

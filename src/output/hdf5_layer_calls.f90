@@ -73,7 +73,7 @@ contains
 
    !> Make HDF5 ready, and silent: what goes wrong is reported by us.
    subroutine open_library(self)
-      !> A chain whose other calls may follow if it is good afterwards.
+      !> The chain; its other calls may follow if it is good afterwards.
       class(hdf5_calls_t), intent(inout) :: self
       logical :: is_open
 
@@ -87,9 +87,9 @@ contains
       call self%silence()
    end subroutine open_library
 
-   !> Make HDF5 silent in this thread; its thread-safe builds ask each of them.
+   !> Make HDF5 silent in this thread: a thread-safe build of HDF5 must be told in each thread.
    subroutine silence(self)
-      !> A chain to which this call belongs.
+      !> The chain to which this call belongs.
       class(hdf5_calls_t), intent(inout) :: self
 
       if (self%is_good()) call h5eset_auto_f(0, self%status)
@@ -106,7 +106,7 @@ contains
       call find_reason(self%reason)
    end subroutine check
 
-   !> Break the chain off.
+   !> Break the chain off: no call is made any more.
    subroutine fail(self, reason)
       !> The chain, which is not good afterwards; an earlier reason is kept.
       class(hdf5_calls_t), intent(inout) :: self
@@ -190,7 +190,7 @@ contains
       if (reason%is_final .or. number == 0) reason%text = text
    end function keep_reason
 
-   !> A text of C.
+   !> The text of C at an address.
    function text_at(address) result(text)
       !> Address of a text that ends with a null character.
       type(c_ptr), intent(in) :: address

@@ -172,7 +172,7 @@ contains
       character(*), intent(in) :: name
       !> Unit of its values as the model gives it; a hyphen, or nothing, for a pure number.
       character(*), intent(in) :: unit
-      !> What its values are, in a phrase.
+      !> What the values of the dataset are, in a phrase.
       character(*), intent(in) :: long_name
 
       field%name = name

@@ -16,7 +16,7 @@ module adfric_output_means
 
 contains
 
-   !> Number of these attributes.
+   !> Number of the attributes that are known at the end of a run.
    pure integer function n_placeholders(layout)
       !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout

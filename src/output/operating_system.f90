@@ -18,7 +18,7 @@ module adfric_output_operating_system
    !> Room for a text that C gives back, and for a path.
    integer, parameter :: text_length = 256, path_length = 4096
 
-   !> Which file it is, whatever its names.
+   !> Identity of a file, whatever its names.
    type :: file_id_t
       private
       !> Device and inode; 0 for no file.
@@ -209,7 +209,7 @@ contains
 
    !> Are these the same file? Two that do not exist are not.
    elemental logical function is_same(one, other)
-      !> Numbers of the two files.
+      !> Files as `id_of_file` gives them.
       type(file_id_t), intent(in) :: one, other
 
       is_same = all(one%numbers == other%numbers) .and. any(one%numbers /= 0)

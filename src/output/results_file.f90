@@ -36,7 +36,7 @@ module adfric_output_results_file
       !> May a file of the final name be replaced?
       logical :: overwrite = .false.
       type(lock_t) :: lock
-      !> Which file it is; others may put theirs in its place.
+      !> Identity of the file that this run writes; others may put a file of theirs in its place.
       type(file_id_t) :: id
       !> Time that the run took before it was stopped [s].
       real(dp) :: seconds_before = 0

@@ -40,7 +40,7 @@ contains
       text = text//time_line(summary)//pad('file', 6)//path//newline
    end function new_run_table
 
-   !> A number of points.
+   !> Line with a number of points.
    function count_line(name, n) result(line)
       !> What the line begins with; blanks follow up to the column of the numbers.
       character(*), intent(in) :: name
@@ -53,7 +53,7 @@ contains
       line = pad(name, name_width)//buffer//newline
    end function count_line
 
-   !> Numbers of points in each state that was met.
+   !> Lines with the number of points in each state that was met.
    function state_lines(result, counts) result(lines)
       !> Result that has states.
       type(result_t), intent(in) :: result
@@ -71,7 +71,7 @@ contains
       end do
    end function state_lines
 
-   !> Range of a result.
+   !> Line with the range of a result.
    function range_line(result, lowest, highest) result(line)
       !> Result with the units of this run.
       type(result_t), intent(in) :: result
@@ -91,7 +91,7 @@ contains
       line = line//newline
    end function range_line
 
-   !> Duration of the run.
+   !> Line with the duration of the run.
    function time_line(summary) result(line)
       !> Summary of the run, with its time and its number of points.
       type(run_summary_t), intent(in) :: summary

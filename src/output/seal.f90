@@ -28,7 +28,7 @@ module adfric_output_seal
    !> The mark stands within so many bytes from the beginning, and no seal has more words.
    integer(i8), parameter :: latest = 65536, most_words = 20000
 
-   !> First byte and number of bytes of what HDF5 changes itself: is the file open now? It believes nothing of it.
+   !> First byte and number of bytes of what HDF5 changes itself: is the file open now? HDF5 believes nothing of it.
    integer(i8), parameter :: flags(2) = [20, 4]
 
    !> A seal that is being made.
@@ -52,7 +52,7 @@ contains
       placeholder = transfer(first + i, 0.0_dp)
    end function placeholder
 
-   !> Create its dataset, and the group in which it is; before all others.
+   !> Create the dataset of the seal, and the group in which it is; before all other datasets.
    subroutine create(self, calls, file, n_holes)
       !> Receives the dataset and its size.
       class(seal_t), intent(inout) :: self
@@ -74,7 +74,7 @@ contains
       call write_attribute(calls, self%dataset, 'long_name', 'checksum of the bytes of this file that never change')
    end subroutine create
 
-   !> Write it into a file that has been handed to the operating system as a whole.
+   !> Write the seal into a file that has been handed to the operating system as a whole.
    subroutine write_seal(self, calls, path, extents, n_placeholders)
       !> The seal, whose dataset is closed afterwards.
       class(seal_t), intent(inout) :: self

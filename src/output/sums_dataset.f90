@@ -11,12 +11,12 @@ module adfric_output_sums_dataset
    private
    public :: sums_dataset_t
 
-   !> Its path.
+   !> Path of the dataset in the file.
    character(*), parameter :: name = count_group//'/checksum'
 
    !> The dataset, open. Places are those of blocks in the file, from 1.
    type :: sums_dataset_t
-      !> Its id, and that of its space.
+      !> Id of the dataset, and id of its space.
       integer(hid_t) :: id = no_id
       integer(hid_t), private :: space = no_id
    contains
@@ -29,7 +29,7 @@ module adfric_output_sums_dataset
 
 contains
 
-   !> Create it.
+   !> Create the dataset.
    subroutine create(self, calls, file, n_blocks)
       !> Receives the ids; nothing is open in it before.
       class(sums_dataset_t), intent(inout) :: self
@@ -46,7 +46,7 @@ contains
       call write_attribute(calls, self%id, 'long_name', 'checksum of what stands in this file for the points of a block')
    end subroutine create
 
-   !> Open it.
+   !> Open the dataset of a file that has one.
    subroutine open_sums(self, calls, file, n_blocks)
       !> Receives the ids; nothing is open in it before.
       class(sums_dataset_t), intent(inout) :: self
@@ -115,7 +115,7 @@ contains
       call select_box(calls, self%space, [place - 1], [n])
    end subroutine select_blocks
 
-   !> Close it.
+   !> Close the dataset and its space.
    subroutine close_sums(self, calls)
       !> The dataset, which is not open afterwards.
       class(sums_dataset_t), intent(inout) :: self

@@ -15,7 +15,7 @@ module adfric_system_child_process
    type :: child_process_t
       !> Is this the other process itself?
       logical :: is_child = .false.
-      !> Its number; < 0 if there is none.
+      !> Number of the other process; < 0 if there is none.
       integer(c_int), private :: id = -1
       !> Ends of the pipe: where this process reads, where the other one writes.
       integer(c_int), private :: ends(2) = -1

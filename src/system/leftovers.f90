@@ -7,12 +7,13 @@ module adfric_system_leftovers
 
    interface
 
-      !> A file is about to be made that is of no use at first. If the program ends in another thread now, it waits for that.
+      !> A file is about to be made that is of no use at first. If the program ends in another thread now, that thread waits for
+      !> the file, but not for ever.
       subroutine begin_making() bind(c, name='adfric_begin_making')
          implicit none (type, external)
       end subroutine begin_making
 
-      !> The file is there.
+      !> The file that was about to be made is there.
       subroutine end_making() bind(c, name='adfric_end_making')
          implicit none (type, external)
       end subroutine end_making
@@ -50,7 +51,7 @@ contains
       call c_note_leftover(path//c_null_char)
    end subroutine note_leftover
 
-   !> A file that was noted is gone, or is of use now.
+   !> Forget a file that was noted: it is gone, or is of use now.
    subroutine forget_leftover(path)
       !> Name of the file.
       character(*), intent(in) :: path
