@@ -182,8 +182,27 @@ contains
       if (number /= 0) return
       associate (n => size(words))
          if (words(n) /= mix_integers(0_i8, n - 1, words)) number = is_short
-         if (words(5) < 0 .or. words(5) > (n - n_words_before - 1)/2) number = is_short
+         if (number == 0 .and. .not. makes_sense(words)) number = is_short
       end associate
    end subroutine read_seal
+
+   !> Are there as many holes in a seal as it says, which rise within the file?
+   pure logical function makes_sense(words)
+      !> Those of the seal.
+      integer(i8), intent(in) :: words(:)
+      integer(i8) :: last
+      integer :: i
+
+      makes_sense = words(3) >= 0 .and. words(5) >= 0 .and. words(5) <= (size(words) - n_words_before - 1)/2
+      if (.not. makes_sense) return
+      last = 0
+      do i = n_words_before + 1, n_words_before + 2*int(words(5)), 2
+         makes_sense = words(i) >= last .and. words(i) <= words(3) .and. words(i + 1) >= 0
+         ! compared without a sum that might be too large
+         if (makes_sense) makes_sense = words(i + 1) <= words(3) - words(i)
+         if (.not. makes_sense) return
+         last = words(i) + words(i + 1)
+      end do
+   end function makes_sense
 
 end module adfric_output_seal

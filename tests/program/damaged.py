@@ -2,6 +2,7 @@
 
 import random
 import shutil
+import struct
 import subprocess
 import sys
 import unittest
@@ -17,6 +18,22 @@ N_TRIALS = 100 if b"__asan_init" in Path(PROGRAM).read_bytes() else 400
 REFUSED = "cannot read: it is damaged, or no results file of adfric"
 # generous: a trial takes some hundredths of a second
 PATIENCE = 120
+
+
+def mix(words):
+    """What `adfric_mix` of src/base/checksum.c makes of words, from 0."""
+    def step(total, word):
+        total = ((total ^ word)*0x9E3779B97F4A7C15) % 2**64
+        return total ^ (total >> 32)
+
+    lanes = [1, 2, 3, 4]
+    n = len(words) // 4*4
+    for i, word in enumerate(words[:n]):
+        lanes[i % 4] = step(lanes[i % 4], word)
+    total = 0
+    for word in [*(lanes if n > 0 else []), *words[n:]]:
+        total = step(total, word)
+    return total
 
 
 class Damaged(Runs):
@@ -92,6 +109,23 @@ class Damaged(Runs):
         for length in (0, 100, 3000, len(good) // 2, len(good) - 1):
             with self.subTest(length=length):
                 self.assertIn(REFUSED, self.resume(good[:length]))
+
+    def test_forged_seal(self):
+        """A seal with a checksum of its own that is right, and numbers that make no sense."""
+        good = self.stopped_run(LOADS, 100)
+        self.whole = self.snapshot("whole.h5")
+        with h5py.File(self.folder / "run.h5.partial") as file:
+            place, n = file["blocks/seal"].id.get_offset(), file["blocks/seal"].size
+        words = list(struct.unpack(f"<{n}Q", good[place:place + 8*n]))
+        self.assertEqual(words[-1], mix(words[:-1]))
+        # the size of the file, the number of holes, the first hole
+        for k, value in ((2, 2**63), (2, 2**62), (4, 10**8), (4, 2**40), (4, 2**63), (4, (n - 6)//2 + 1), (5, 2**63), (6, 2**62)):
+            forged = list(words)
+            forged[k] = value
+            forged[-1] = mix(forged[:-1])
+            content = good[:place] + struct.pack(f"<{n}Q", *forged) + good[place + 8*n:]
+            with self.subTest(word=k, value=value):
+                self.assertIn(REFUSED, self.resume(content))
 
     def test_it_is_said(self):
         good = self.stopped_run(LOADS, 100)
