@@ -7,9 +7,9 @@
 program closed_forms
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: attribute_t, status_solved
-   use adfric_sweep_blocks, only: block_size_of
-   use adfric_sweep_clock, only: wall_clock
+   use adfric_model_model, only: attribute_t, status_solved
+   use adfric_run_blocks, only: block_size_of
+   use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use trial_case, only: trial_case_t, new_case
    implicit none (type, external)

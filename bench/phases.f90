@@ -4,15 +4,15 @@
 program phases
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
-   use adfric_base_model, only: model_t
    use adfric_command_case, only: open_case
    use adfric_command_outcome, only: outcome_t, exit_success
    use adfric_input_run, only: run_input_t
+   use adfric_model_model, only: model_t
    use adfric_output_results_file, only: results_file_t
-   use adfric_sweep_clock, only: wall_clock
-   use adfric_sweep_progress, only: silent_progress_t
-   use adfric_sweep_runner, only: run_sweep
-   use adfric_sweep_summary, only: run_summary_t
+   use adfric_run_progress, only: silent_progress_t
+   use adfric_run_runner, only: run_sweep
+   use adfric_run_summary, only: run_summary_t
+   use adfric_system_clock, only: wall_clock
    use measure, only: text_argument
    implicit none (type, external)
 

@@ -4,8 +4,8 @@
 program random_strips
    use, intrinsic :: iso_c_binding, only: c_int
    use adfric_base_kinds, only: dp
-   use adfric_base_program_end, only: end_program
-   use adfric_sweep_clock, only: wall_clock
+   use adfric_system_program_end, only: end_program
+   use adfric_system_clock, only: wall_clock
    use adfric_wavy_balance, only: balance_t, get_balance
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_saturated

@@ -4,13 +4,13 @@
 program sphere
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: attribute_t, status_solved
+   use adfric_model_model, only: attribute_t, status_solved
    use adfric_sphere_contact, only: contact_t, find_contact, theory_maugis_dugdale, control_load, control_approach, &
       control_radius, branch_stable
    use adfric_sphere_maugis_dugdale, only: maugis_t
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_sphere_variables
-   use adfric_sweep_clock, only: wall_clock
+   use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use plain_dugdale, only: solve_plain
    use quad_dugdale, only: state_t, of_radius, of_load, of_approach, pull_off_of_load, pull_off_of_approach, &

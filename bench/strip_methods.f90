@@ -5,7 +5,7 @@ program strip_methods
    use, intrinsic :: iso_c_binding, only: c_funptr
    use adfric_base_kinds, only: dp
    use adfric_numerics_gsl_bindings, only: gsl_set_error_handler_off
-   use adfric_sweep_clock, only: wall_clock
+   use adfric_system_clock, only: wall_clock
    use adfric_wavy_balance, only: balance_t, get_balance
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: steady_state_t, regime_saturated

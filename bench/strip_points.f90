@@ -8,7 +8,7 @@
 !> edges.
 program strip_points
    use adfric_base_kinds, only: dp
-   use adfric_sweep_clock, only: wall_clock
+   use adfric_system_clock, only: wall_clock
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: steady_state_t, regime_saturated
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table

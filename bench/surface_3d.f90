@@ -5,11 +5,11 @@ program surface_3d
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_constants, only: two_pi
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: attribute_t, status_solved, status_no_equilibrium, status_not_converged
    use adfric_base_unset, only: unset
+   use adfric_model_model, only: attribute_t, status_solved, status_no_equilibrium, status_not_converged
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
-   use adfric_sweep_clock, only: wall_clock
-   use adfric_sweep_blocks, only: block_size_of
+   use adfric_run_blocks, only: block_size_of
+   use adfric_system_clock, only: wall_clock
    use adfric_wavy_foundation, only: new_foundation
    use adfric_wavy_model, only: wavy_model_t, new_wavy_model
    use adfric_wavy_steady_state, only: find_steady_state

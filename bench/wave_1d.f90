@@ -9,9 +9,9 @@ program wave_1d
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t
-   use adfric_halfspace_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
-   use adfric_halfspace_westergaard, only: wave_half_width, wave_pressure, wave_penetration
-   use adfric_sweep_clock, only: wall_clock
+   use adfric_classical_westergaard, only: wave_half_width, wave_pressure, wave_penetration
+   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
+   use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use trial_surfaces, only: line_wave
    implicit none (type, external)

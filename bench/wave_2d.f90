@@ -11,9 +11,9 @@ program wave_2d
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_halfspace_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
-   use adfric_halfspace_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
-   use adfric_sweep_clock, only: wall_clock
+   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
+   use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
+   use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, integer_argument, open_table
    use trial_surfaces, only: wave
    implicit none (type, external)

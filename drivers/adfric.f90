@@ -2,7 +2,6 @@
 program main
    use, intrinsic :: iso_c_binding, only: c_funptr, c_int
    use adfric_base_error, only: error_t
-   use adfric_base_program_end, only: end_program
    use adfric_base_version, only: program_version, git_revision
    use adfric_command_check, only: check_case
    use adfric_command_help, only: give_help
@@ -14,8 +13,9 @@ program main
    use adfric_driver_last_words, only: write_outcome
    use adfric_driver_progress_bar, only: progress_bar_t, new_progress_bar
    use adfric_numerics_gsl_bindings, only: gsl_set_error_handler_off
-   use adfric_parallel_agreement, only: share_status
-   use adfric_parallel_world, only: world_t, world_kind
+   use adfric_run_agreement, only: share_status
+   use adfric_run_world, only: world_t, world_kind
+   use adfric_system_program_end, only: end_program
    implicit none (type, external)
    type(world_t) :: world
    type(command_t) :: command

@@ -3,7 +3,7 @@ module adfric_driver_last_words
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_size_t
    use adfric_base_error, only: error_t, set_error, file_failure
    use adfric_command_outcome, only: outcome_t
-   use adfric_output_operating_system, only: error_text
+   use adfric_system_files, only: error_text
    implicit none (type, external)
    private
    public :: write_outcome

@@ -3,8 +3,8 @@ module adfric_driver_progress_bar
    use, intrinsic :: iso_c_binding, only: c_int
    use, intrinsic :: iso_fortran_env, only: error_unit
    use adfric_base_kinds, only: dp, i8
-   use adfric_sweep_clock, only: wall_clock
-   use adfric_sweep_progress, only: progress_t
+   use adfric_run_progress, only: progress_t
+   use adfric_system_clock, only: wall_clock
    implicit none (type, external)
    private
    public :: progress_bar_t, new_progress_bar

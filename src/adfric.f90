@@ -1,8 +1,8 @@
 !> The models that the program knows.
 module adfric
    use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_base_model, only: model_t
-   use adfric_halfspace_catalogue, only: halfspace_models, new_halfspace_model
+   use adfric_classical_catalogue, only: halfspace_models, new_halfspace_model
+   use adfric_model_model, only: model_t
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_wavy_model, only: wavy_model_t, new_wavy_model
    implicit none (type, external)

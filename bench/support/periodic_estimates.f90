@@ -2,8 +2,8 @@
 module periodic_estimates
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
-   use adfric_halfspace_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
-   use adfric_halfspace_westergaard, only: wave_half_width
+   use adfric_classical_westergaard, only: wave_half_width
+   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
    use estimate_counts, only: counts_t, count_case
    use random_dice, only: dice_t, new_dice
    use trial_surfaces, only: line_wave, wave

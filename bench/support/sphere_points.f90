@@ -7,7 +7,7 @@ module sphere_points
    use adfric_sphere_jkr, only: jkr_t
    use adfric_sphere_maugis_dugdale, only: maugis_t
    use adfric_sphere_theory_bounds, only: limit_t, new_limit
-   use adfric_sweep_clock, only: wall_clock
+   use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, open_table
    use plain_dugdale, only: solve_plain
    use quad_dugdale, only: state_t, of_radius, of_load, pull_off_of_load, pull_off_of_approach, least_value

@@ -3,7 +3,7 @@ module sphere_timing
    use adfric_base_kinds, only: dp
    use adfric_sphere_contact, only: contact_t, branch_stable, find_contact
    use adfric_sphere_maugis_dugdale, only: maugis_t
-   use adfric_sweep_clock, only: wall_clock
+   use adfric_system_clock, only: wall_clock
    use random_dice, only: dice_t, new_dice
    implicit none (type, external)
    private

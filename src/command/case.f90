@@ -2,11 +2,11 @@
 module adfric_command_case
    use adfric, only: new_model, known_models
    use adfric_base_error, only: error_t
-   use adfric_base_model, only: model_t
    use adfric_base_problems, only: problems_t
    use adfric_command_outcome, only: outcome_t
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_run, only: run_input_t, read_job, read_case
+   use adfric_model_model, only: model_t
    implicit none (type, external)
    private
    public :: open_case

@@ -1,18 +1,18 @@
 !> `adfric check`: read and validate an input, and say what it means.
 module adfric_command_check
-   use adfric_base_model, only: model_t, derived_t, kind_dataset
    use adfric_base_unset, only: is_set
+   use adfric_base_words, only: pad
+   use adfric_base_text, only: newline, show_count, show_number
    use adfric_command_case, only: open_case
    use adfric_command_line, only: command_t
    use adfric_command_durations, only: show_duration
    use adfric_command_outcome, only: outcome_t, exit_success
    use adfric_command_plausibility, only: warn_of_values
-   use adfric_base_words, only: pad
    use adfric_command_values, only: show_input_value
    use adfric_input_run, only: run_input_t
-   use adfric_input_text, only: newline, show_count, show_number
+   use adfric_model_model, only: model_t, derived_t, kind_dataset
    use adfric_output_resources, only: file_size_of, show_bytes
-   use adfric_sweep_time_estimate, only: time_estimate_t, estimate_time
+   use adfric_run_time_estimate, only: time_estimate_t, estimate_time
    implicit none (type, external)
    private
    public :: check_case

@@ -1,7 +1,7 @@
 !> Times as people say them.
 module adfric_command_durations
    use adfric_base_kinds, only: dp
-   use adfric_input_text, only: show_count
+   use adfric_base_text, only: show_count
    implicit none (type, external)
    private
    public :: show_duration

@@ -1,6 +1,6 @@
 !> Pages of `adfric help` that do not depend on the models.
 module adfric_command_help_pages
-   use adfric_input_text, only: newline
+   use adfric_base_text, only: newline
    implicit none (type, external)
    private
    public :: usage_page, input_page, outputs_head

@@ -3,7 +3,7 @@ module adfric_command_line
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_printable, only: shell_word
    use adfric_input_suggestion, only: did_you_mean
-   use adfric_sweep_blocks, only: part_t
+   use adfric_run_blocks, only: part_t
    implicit none (type, external)
    private
    public :: command_t, argument_t, get_arguments, parse_arguments

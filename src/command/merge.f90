@@ -2,18 +2,18 @@
 module adfric_command_merge
    use adfric_base_kinds, only: i8
    use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_base_model, only: status_meanings, status_not_converged, n_status
    use adfric_base_words, only: get_word, pad
+   use adfric_base_text, only: newline, show_count
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_not_converged
-   use adfric_input_text, only: newline, show_count
+   use adfric_model_model, only: status_meanings, status_not_converged, n_status
    use adfric_output_heading, only: heading_t
    use adfric_output_layout, only: layout_t
    use adfric_output_merging, only: write_merged
    use adfric_output_names, only: check_output_name, would_replace
-   use adfric_output_operating_system, only: target_of
    use adfric_output_part_files, only: part_file_t, check_parts
    use adfric_output_resources, only: check_disk
+   use adfric_system_files, only: target_of
    implicit none (type, external)
    private
    public :: merge_parts

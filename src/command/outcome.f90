@@ -5,7 +5,7 @@ module adfric_command_outcome
    use adfric_base_error, only: error_t
    use adfric_base_printable, only: printable
    use adfric_base_problems, only: problems_t
-   use adfric_input_text, only: newline
+   use adfric_base_text, only: newline
    implicit none (type, external)
    private
    public :: outcome_t, exit_success, exit_not_converged, exit_input, exit_file, exit_signal

@@ -1,11 +1,11 @@
 !> What `adfric check` says of values far from those of any contact. It is a warning and changes nothing.
 module adfric_command_plausibility
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: model_t, kind_dataset
-   use adfric_base_plausible_range, only: find_plausible_range, is_plausible
    use adfric_base_unset, only: is_set
+   use adfric_base_text, only: newline, show_number
    use adfric_input_run, only: run_input_t
-   use adfric_input_text, only: newline, show_number
+   use adfric_model_model, only: model_t, kind_dataset
+   use adfric_model_plausible_range, only: find_plausible_range, is_plausible
    implicit none (type, external)
    private
    public :: warn_of_values

@@ -2,29 +2,29 @@
 module adfric_command_run
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: model_t, status_not_converged
    use adfric_base_printable, only: shell_word
+   use adfric_base_text, only: newline, show_count
    use adfric_command_case, only: open_case
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_success, exit_not_converged, exit_signal
    use adfric_command_solve, only: solve_case, is_begun
    use adfric_input_run, only: run_input_t
-   use adfric_input_text, only: newline, show_count
+   use adfric_model_model, only: model_t, status_not_converged
    use adfric_output_done_points, only: read_done_points
    use adfric_output_heading, only: heading_t, new_heading
    use adfric_output_layout, only: layout_t, new_layout
    use adfric_output_names, only: check_output_name, check_partial_name, partial_name, part_name, would_replace
-   use adfric_output_operating_system, only: kind_of_path, path_file, target_of, id_of_file, is_same, remove_file
    use adfric_output_resources, only: check_resources, check_memory
    use adfric_output_run_table, only: new_run_table
-   use adfric_parallel_agreement, only: share_answer, share_error, share_failure
-   use adfric_parallel_world, only: world_t
-   use adfric_sweep_block_source, only: block_list_t
-   use adfric_sweep_blocks, only: blocks_t, new_blocks
-   use adfric_sweep_interruption, only: signal_name
-   use adfric_sweep_plan, only: plan_t
-   use adfric_sweep_progress, only: progress_t
-   use adfric_sweep_summary, only: run_summary_t
+   use adfric_run_agreement, only: share_answer, share_error, share_failure
+   use adfric_run_world, only: world_t
+   use adfric_run_block_source, only: block_list_t
+   use adfric_run_blocks, only: blocks_t, new_blocks
+   use adfric_run_plan, only: plan_t
+   use adfric_run_progress, only: progress_t
+   use adfric_run_summary, only: run_summary_t
+   use adfric_system_files, only: kind_of_path, path_file, target_of, id_of_file, is_same, remove_file
+   use adfric_system_interruption, only: signal_name
    implicit none (type, external)
    private
    public :: run_case

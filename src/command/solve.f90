@@ -3,22 +3,22 @@ module adfric_command_solve
    use hdf5, only: hid_t
    use omp_lib, only: omp_get_max_threads
    use adfric_base_error, only: error_t
-   use adfric_base_model, only: model_t
    use adfric_command_line, only: command_t
+   use adfric_hdf5_calls, only: hdf5_calls_t
    use adfric_input_run, only: run_input_t
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
+   use adfric_model_model, only: model_t
    use adfric_output_names, only: partial_name
-   use adfric_output_operating_system, only: kind_of_path, path_file
    use adfric_output_results_file, only: results_file_t
-   use adfric_parallel_agreement, only: share_error, share_done_blocks, add_up_summary
-   use adfric_parallel_shared_blocks, only: shared_blocks_t, new_shared_blocks
-   use adfric_parallel_world, only: world_t
-   use adfric_sweep_block_source, only: block_list_t, new_block_list
-   use adfric_sweep_blocks, only: blocks_t, new_blocks
-   use adfric_sweep_interruption, only: catch_signals
-   use adfric_sweep_progress, only: progress_t
-   use adfric_sweep_runner, only: run_sweep
-   use adfric_sweep_summary, only: run_summary_t, new_summary
+   use adfric_run_agreement, only: share_error, share_done_blocks, add_up_summary
+   use adfric_run_shared_blocks, only: shared_blocks_t, new_shared_blocks
+   use adfric_run_world, only: world_t
+   use adfric_run_block_source, only: block_list_t, new_block_list
+   use adfric_run_blocks, only: blocks_t, new_blocks
+   use adfric_run_progress, only: progress_t
+   use adfric_run_runner, only: run_sweep
+   use adfric_run_summary, only: run_summary_t, new_summary
+   use adfric_system_files, only: kind_of_path, path_file
+   use adfric_system_interruption, only: catch_signals
    use adfric_system_threads, only: check_threads
    implicit none (type, external)
    private

@@ -1,9 +1,9 @@
 !> Where the assignments of a namelist file stand: `variable = value` within the groups.
 module adfric_input_assignment_scan
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: newline, name_length, to_lower, is_name, is_separator, show_count, show_text, strip
    use adfric_input_group_scan, only: group_t
    use adfric_input_source_text, only: source_t, end_of_quote
-   use adfric_input_text, only: newline, name_length, to_lower, is_name, is_separator, show_count, show_text, strip
    implicit none (type, external)
    private
    public :: assignment_t, scan_assignments

@@ -1,13 +1,13 @@
 !> What the model says of the values together: asked at the first point and at the ends of each sweep.
 module adfric_input_consistency
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: model_t
    use adfric_base_problems, only: problem_t, problems_t
+   use adfric_base_text, only: is_name_character
    use adfric_input_case, only: case_t
    use adfric_input_namelist_file, only: namelist_file_t
-   use adfric_input_text, only: is_name_character
    use adfric_input_variable, only: show_value
-   use adfric_sweep_plan, only: axis_t
+   use adfric_model_model, only: model_t
+   use adfric_run_plan, only: axis_t
    implicit none (type, external)
    private
    public :: check_consistency

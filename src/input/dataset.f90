@@ -1,14 +1,14 @@
 !> A dataset of an HDF5 file that a variable names, as in 'FILE.h5:/path/of/dataset'.
 module adfric_input_dataset
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use adfric_base_checksum, only: checksum_t, checksum_length
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: variable_t
    use adfric_base_units, only: unit_t, read_unit, is_same_quantity, to_si
+   use adfric_base_text, only: longest_name, show_count, show_number, show_text
+   use adfric_hdf5_samples, only: read_numbers
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
-   use adfric_input_text, only: longest_name, show_count, show_number, show_text
-   use adfric_output_hdf5_layer_samples, only: read_numbers
+   use adfric_model_model, only: variable_t
+   use adfric_system_checksum, only: checksum_t, checksum_length
    implicit none (type, external)
    private
    public :: dataset_t, read_dataset_name, load_dataset

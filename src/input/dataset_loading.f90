@@ -1,12 +1,12 @@
 !> The values of all datasets that an input names: from their files to the model.
 module adfric_input_dataset_loading
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: model_t
    use adfric_base_problems, only: problems_t
    use adfric_input_case, only: case_t
    use adfric_input_dataset, only: dataset_t, load_dataset
    use adfric_input_variable, only: describe_allowed
-   use adfric_sweep_plan, only: source_t
+   use adfric_model_model, only: model_t
+   use adfric_run_plan, only: source_t
    implicit none (type, external)
    private
    public :: load_datasets, list_sources

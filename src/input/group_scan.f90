@@ -5,8 +5,8 @@
 !> Everything is a position in the text, so that each problem can be reported with its line.
 module adfric_input_group_scan
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: newline, name_length, to_lower, is_letter, is_name_character, show_count, show_text
    use adfric_input_source_text, only: source_t, end_of_quote, is_closed, end_of_line
-   use adfric_input_text, only: newline, name_length, to_lower, is_letter, is_name_character, show_count, show_text
    implicit none (type, external)
    private
    public :: group_t, scan_groups

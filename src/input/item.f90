@@ -3,8 +3,8 @@
 !> A flaw is a text that says what is wrong and what was given; empty, nothing is wrong.
 module adfric_input_item
    use adfric_base_kinds, only: i8
+   use adfric_base_text, only: newline, is_name, show_text
    use adfric_input_source_text, only: end_of_quote
-   use adfric_input_text, only: newline, is_name, show_text
    implicit none (type, external)
    private
    public :: item_t, next_item, take_only_word

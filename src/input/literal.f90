@@ -6,8 +6,8 @@
 module adfric_input_literal
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_null_char, c_null_ptr, c_ptr
    use adfric_base_kinds, only: dp, i8
+   use adfric_base_text, only: is_digit, to_lower, show_text
    use adfric_input_source_text, only: end_of_quote, is_closed
-   use adfric_input_text, only: is_digit, to_lower, show_text
    implicit none (type, external)
    private
    public :: convert

@@ -2,10 +2,10 @@
 module adfric_input_namelist_file
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_count
    use adfric_input_assignment_scan, only: assignment_t, scan_assignments
    use adfric_input_group_scan, only: group_t, scan_groups
    use adfric_input_source_text, only: source_t, new_source, find_control_character
-   use adfric_input_text, only: show_count
    use adfric_input_whole_file, only: read_whole_file
    implicit none (type, external)
    private

@@ -1,9 +1,9 @@
 !> Lists of numbers.
 module adfric_input_number_list
    use adfric_base_kinds, only: dp, i8
+   use adfric_base_text, only: show_count
    use adfric_input_item, only: item_t, next_item
    use adfric_input_literal, only: convert
-   use adfric_input_text, only: show_count
    use adfric_system_memory, only: has_room
    implicit none (type, external)
    private

@@ -3,7 +3,7 @@
 !> Nothing here looks at a letter more than a fixed number of times for each time it is asked, so that reading takes a time in
 !> proportion to the length of the text.
 module adfric_input_source_text
-   use adfric_input_text, only: newline
+   use adfric_base_text, only: newline
    implicit none (type, external)
    private
    public :: source_t, new_source, find_control_character, end_of_quote, is_closed, end_of_line

@@ -1,7 +1,7 @@
 !> What the user may have meant: the nearest of the words that are known.
 module adfric_input_suggestion
    use adfric_base_words, only: count_words, get_word
-   use adfric_input_text, only: to_lower
+   use adfric_base_text, only: to_lower
    implicit none (type, external)
    private
    public :: edit_distance, find_nearest, did_you_mean

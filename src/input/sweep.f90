@@ -1,19 +1,19 @@
 !> The `&sweep` groups: which variables take which values.
 module adfric_input_sweep
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: model_t, kind_real, kind_integer
    use adfric_base_problems, only: problems_t
    use adfric_base_words, only: count_words
+   use adfric_base_text, only: join_words, to_lower, show_count, show_text
    use adfric_input_case, only: case_t, mark_meant
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_sweep_range, only: read_sweep_values
-   use adfric_input_text, only: join_words, to_lower, show_count, show_text
    use adfric_input_variable, only: is_in_range, describe_allowed, show_value
    use adfric_input_vocabulary, only: sweep_names, list_groups_of, list_variables, report_unknown_names
-   use adfric_sweep_plan, only: axis_t, plan_t
+   use adfric_model_model, only: model_t, kind_real, kind_integer
+   use adfric_run_plan, only: axis_t, plan_t
    implicit none (type, external)
    private
    public :: read_sweeps, find_size_problem

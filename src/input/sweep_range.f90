@@ -3,13 +3,13 @@ module adfric_input_sweep_range
    use adfric_base_kinds, only: dp, i8
    use adfric_base_problems, only: problems_t
    use adfric_base_words, only: get_word
+   use adfric_base_text, only: show_number, show_count, show_text
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_number_list, only: read_list, most_values
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_sweep_values, only: fill_linear, fill_logarithmic
-   use adfric_input_text, only: show_number, show_count, show_text
    use adfric_system_memory, only: has_room
    implicit none (type, external)
    private

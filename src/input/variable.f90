@@ -1,13 +1,13 @@
 !> The values of a model's variables: read from their groups, and held against what the model's table allows.
 module adfric_input_variable
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: variable_t, kind_real, kind_integer, kind_logical, kind_dataset
    use adfric_base_unset, only: unset
    use adfric_base_words, only: count_words, get_word
+   use adfric_base_text, only: join_words, show_count, show_number, show_text
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_suggestion, only: did_you_mean
-   use adfric_input_text, only: join_words, show_count, show_number, show_text
+   use adfric_model_model, only: variable_t, kind_real, kind_integer, kind_logical, kind_dataset
    implicit none (type, external)
    private
    public :: read_variable, is_in_range, describe_allowed, show_value

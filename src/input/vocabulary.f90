@@ -1,10 +1,10 @@
 !> The names that an input may use, and what to say of a name that is not among them.
 module adfric_input_vocabulary
-   use adfric_base_model, only: model_t
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: join_words
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest, did_you_mean
-   use adfric_input_text, only: join_words
+   use adfric_model_model, only: model_t
    implicit none (type, external)
    private
    public :: job_names, sweep_names, list_groups, list_variables, list_groups_of, has_word

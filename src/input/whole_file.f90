@@ -3,7 +3,7 @@ module adfric_input_whole_file
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t, c_null_char
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_kinds, only: i8
-   use adfric_output_operating_system, only: kind_of_path, path_free, error_text
+   use adfric_system_files, only: kind_of_path, path_free, error_text
    use adfric_system_file_bytes, only: size_of_file
    implicit none (type, external)
    private

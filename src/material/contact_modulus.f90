@@ -6,10 +6,10 @@
 !> these rows in its table, one behind the other, and reads them here.
 module adfric_material_contact_modulus
    use adfric_base_kinds, only: dp
-   use adfric_base_derived, only: derived_t, add_derived
-   use adfric_base_model, only: variable_t, kind_real
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: unset, is_set
+   use adfric_model_derived, only: derived_t, add_derived
+   use adfric_model_model, only: variable_t, kind_real
    implicit none (type, external)
    private
    public :: set_modulus_rows, contact_modulus_of, has_contact_modulus, check_contact_modulus, derive_contact_modulus

@@ -1,10 +1,10 @@
 !> A checksum of what stands in a results file for each block of points: results, states, counts and profiles. A block
 !> whose checksum is another one is damaged.
 module adfric_output_block_sums
-   use adfric_base_checksum, only: mix_reals, mix_integers
    use adfric_base_kinds, only: dp, i8
-   use adfric_output_hdf5_layer_datasets, only: to_state
+   use adfric_hdf5_datasets, only: to_state
    use adfric_output_layout, only: layout_t
+   use adfric_system_checksum, only: mix_reals, mix_integers
    implicit none (type, external)
    private
    public :: sum_of_block, profile_sums_t, sum_of_profiles

@@ -4,13 +4,13 @@ module adfric_output_constant_datasets
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_words, only: count_words, get_word
+   use adfric_hdf5_attributes, only: write_attribute
+   use adfric_hdf5_calls, only: hdf5_calls_t
+   use adfric_hdf5_datasets, only: create_space, create_real_dataset, create_state_dataset, write_values, &
+      close_dataset
+   use adfric_hdf5_reading, only: read_attribute, open_dataset, read_values
    use adfric_output_constants, only: constant_t
    use adfric_output_flags, only: write_flags, read_flags
-   use adfric_output_hdf5_layer_attributes, only: write_attribute
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
-   use adfric_output_hdf5_layer_datasets, only: create_space, create_real_dataset, create_state_dataset, write_values, &
-      close_dataset
-   use adfric_output_hdf5_layer_reading, only: read_attribute, open_dataset, read_values
    implicit none (type, external)
    private
    public :: create_constants, read_constants, list_constants

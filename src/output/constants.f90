@@ -1,10 +1,10 @@
 !> What has one value in a whole run: the variables that are not swept, given or by default, and what follows from them.
 module adfric_output_constants
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: model_t, variable_t, derived_t, kind_choice, kind_dataset, kind_logical
    use adfric_base_unset, only: is_set
    use adfric_input_vocabulary, only: has_word
-   use adfric_sweep_plan, only: plan_t
+   use adfric_model_model, only: model_t, variable_t, derived_t, kind_choice, kind_dataset, kind_logical
+   use adfric_run_plan, only: plan_t
    implicit none (type, external)
    private
    public :: constant_t, find_constants, add_derived_constants, file_unit

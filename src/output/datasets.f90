@@ -6,12 +6,12 @@ module adfric_output_datasets
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_hdf5_calls, only: hdf5_calls_t, no_id
+   use adfric_hdf5_datasets, only: create_space, select_box, write_values, close_dataset, no_state, to_state
+   use adfric_hdf5_reading, only: open_dataset, read_values, get_extent
    use adfric_output_boxes, only: box_t, next_box
    use adfric_output_constant_datasets, only: create_constants, list_constants
    use adfric_output_field_dataset, only: create_scale, create_field, create_counts, count_group
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
-   use adfric_output_hdf5_layer_datasets, only: create_space, select_box, write_values, close_dataset, no_state, to_state
-   use adfric_output_hdf5_layer_reading, only: open_dataset, read_values, get_extent
    use adfric_output_layout, only: layout_t
    use adfric_output_sums_dataset, only: sums_dataset_t
    use adfric_output_virtual_parts, only: virtual_parts_t

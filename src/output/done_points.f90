@@ -4,19 +4,19 @@ module adfric_output_done_points
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t, set_error, file_failure
-   use adfric_base_model, only: model_t, status_solved
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_hdf5_calls, only: hdf5_calls_t
+   use adfric_hdf5_file, only: open_file, close_file
+   use adfric_hdf5_reading, only: read_attribute
+   use adfric_model_model, only: model_t, status_solved
    use adfric_output_block_sums, only: sum_of_block, sum_of_profiles
    use adfric_output_datasets, only: datasets_t
    use adfric_output_heading, only: heading_t, read_heading, say_difference
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
-   use adfric_output_hdf5_layer_file, only: open_file, close_file
-   use adfric_output_hdf5_layer_reading, only: read_attribute
    use adfric_output_layout, only: layout_t
    use adfric_output_seal, only: check_seal
-   use adfric_sweep_block_source, only: block_list_t, new_block_list
-   use adfric_sweep_plan, only: plan_t
-   use adfric_sweep_summary, only: run_summary_t, new_summary
+   use adfric_run_block_source, only: block_list_t, new_block_list
+   use adfric_run_plan, only: plan_t
+   use adfric_run_summary, only: run_summary_t, new_summary
    implicit none (type, external)
    private
    public :: read_done_points, is_readable

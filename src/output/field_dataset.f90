@@ -2,11 +2,11 @@
 module adfric_output_field_dataset
    use hdf5, only: hid_t
    use adfric_base_kinds, only: i8
-   use adfric_output_flags, only: write_flags
-   use adfric_output_hdf5_layer_attributes, only: write_attribute
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
-   use adfric_output_hdf5_layer_datasets, only: create_space, create_real_dataset, create_state_dataset, &
+   use adfric_hdf5_attributes, only: write_attribute
+   use adfric_hdf5_calls, only: hdf5_calls_t
+   use adfric_hdf5_datasets, only: create_space, create_real_dataset, create_state_dataset, &
       write_values, make_scale, attach_scale
+   use adfric_output_flags, only: write_flags
    use adfric_output_layout, only: scale_t, field_t
    use adfric_output_virtual_parts, only: virtual_parts_t
    implicit none (type, external)

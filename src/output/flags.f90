@@ -3,9 +3,9 @@ module adfric_output_flags
    use, intrinsic :: iso_fortran_env, only: int8
    use hdf5, only: hid_t
    use adfric_base_words, only: count_words
-   use adfric_output_hdf5_layer_attributes, only: write_attribute
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
-   use adfric_output_hdf5_layer_reading, only: has_attribute, read_attribute
+   use adfric_hdf5_attributes, only: write_attribute
+   use adfric_hdf5_calls, only: hdf5_calls_t
+   use adfric_hdf5_reading, only: has_attribute, read_attribute
    implicit none (type, external)
    private
    public :: write_flags, read_flags

@@ -2,15 +2,15 @@
 module adfric_output_heading
    use, intrinsic :: iso_fortran_env, only: compiler_version
    use hdf5, only: hid_t
-   use adfric_base_model, only: model_t
    use adfric_base_version, only: program_version, git_revision
    use adfric_base_words, only: count_words, get_word
-   use adfric_output_hdf5_layer_attributes, only: write_attribute
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
-   use adfric_output_hdf5_layer_reading, only: has_attribute, read_attribute
-   use adfric_output_operating_system, only: utc_time
-   use adfric_sweep_case_hash, only: case_hash
-   use adfric_sweep_plan, only: plan_t
+   use adfric_hdf5_attributes, only: write_attribute
+   use adfric_hdf5_calls, only: hdf5_calls_t
+   use adfric_hdf5_reading, only: has_attribute, read_attribute
+   use adfric_model_model, only: model_t
+   use adfric_run_case_hash, only: case_hash
+   use adfric_run_plan, only: plan_t
+   use adfric_system_files, only: utc_time
    implicit none (type, external)
    private
    public :: heading_t, new_heading, write_heading, read_heading, say_difference

@@ -1,12 +1,12 @@
 !> Which datasets a results file has, of what shape and size.
 module adfric_output_layout
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: model_t, result_t, profile_t, attribute_t, results_of_every_run
    use adfric_base_words, only: count_words
+   use adfric_model_model, only: model_t, result_t, profile_t, attribute_t, results_of_every_run
    use adfric_output_constants, only: constant_t, find_constants, file_unit
-   use adfric_sweep_blocks, only: blocks_t, part_t, new_blocks
-   use adfric_sweep_counts, only: find_counts
-   use adfric_sweep_plan, only: plan_t
+   use adfric_run_blocks, only: blocks_t, part_t, new_blocks
+   use adfric_run_counts, only: find_counts
+   use adfric_run_plan, only: plan_t
    implicit none (type, external)
    private
    public :: layout_t, new_layout, scale_t, field_t, set_status_fields

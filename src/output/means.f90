@@ -2,9 +2,9 @@
 module adfric_output_means
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
+   use adfric_hdf5_attributes, only: write_attribute, replace_attribute
+   use adfric_hdf5_calls, only: hdf5_calls_t
    use adfric_output_datasets, only: datasets_t
-   use adfric_output_hdf5_layer_attributes, only: write_attribute, replace_attribute
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
    use adfric_output_layout, only: layout_t
    use adfric_output_seal, only: placeholder
    implicit none (type, external)

@@ -3,17 +3,17 @@ module adfric_output_merging
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
-   use adfric_base_model, only: status_solved
+   use adfric_hdf5_calls, only: hdf5_calls_t
+   use adfric_hdf5_file, only: open_file, close_file
+   use adfric_model_model, only: status_solved
    use adfric_output_datasets, only: datasets_t
    use adfric_output_heading, only: heading_t
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
-   use adfric_output_hdf5_layer_file, only: open_file, close_file
    use adfric_output_layout, only: layout_t
-   use adfric_output_operating_system, only: folder_of, path_from
    use adfric_output_part_files, only: part_file_t
    use adfric_output_results_file, only: results_file_t
    use adfric_output_virtual_parts, only: virtual_parts_t, new_virtual_parts
-   use adfric_sweep_blocks, only: new_blocks
+   use adfric_run_blocks, only: new_blocks
+   use adfric_system_files, only: folder_of, path_from
    implicit none (type, external)
    private
    public :: write_merged

@@ -1,9 +1,9 @@
 !> Names of a results file, and whether it may be written.
 module adfric_output_names
    use adfric_base_error, only: error_t, set_error, file_failure
-   use adfric_output_operating_system, only: kind_of_path, path_free, path_file, file_id_t, id_of_file, &
+   use adfric_run_blocks, only: part_t
+   use adfric_system_files, only: kind_of_path, path_free, path_file, file_id_t, id_of_file, &
       is_same, is_locked
-   use adfric_sweep_blocks, only: part_t
    implicit none (type, external)
    private
    public :: partial_name, new_name, lock_name, part_name, check_output_name, check_partial_name, would_replace

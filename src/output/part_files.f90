@@ -3,18 +3,18 @@ module adfric_output_part_files
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t, set_error, file_failure, input_failure
-   use adfric_base_model, only: n_status
-   use adfric_input_text, only: show_count
+   use adfric_base_text, only: show_count
+   use adfric_hdf5_calls, only: hdf5_calls_t
+   use adfric_hdf5_file, only: open_file, close_file
+   use adfric_hdf5_reading, only: read_attribute
+   use adfric_model_model, only: n_status
    use adfric_output_datasets, only: datasets_t
    use adfric_output_heading, only: heading_t, read_heading, say_difference
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
-   use adfric_output_hdf5_layer_file, only: open_file, close_file
-   use adfric_output_hdf5_layer_reading, only: read_attribute
    use adfric_output_layout, only: layout_t
-   use adfric_output_operating_system, only: kind_of_path, path_other
    use adfric_output_part_layout, only: read_part_layout
    use adfric_output_seal, only: check_seal
-   use adfric_sweep_blocks, only: blocks_t
+   use adfric_run_blocks, only: blocks_t
+   use adfric_system_files, only: kind_of_path, path_other
    implicit none (type, external)
    private
    public :: part_file_t, check_parts

@@ -3,15 +3,15 @@ module adfric_output_part_layout
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_words, only: count_words, get_word
+   use adfric_hdf5_attributes, only: write_attribute
+   use adfric_hdf5_calls, only: hdf5_calls_t
+   use adfric_hdf5_datasets, only: create_space, close_dataset
+   use adfric_hdf5_reading, only: has_attribute, read_attribute, open_dataset, n_values_of, read_values
    use adfric_output_constant_datasets, only: list_constants, read_constants
    use adfric_output_field_dataset, only: count_group
    use adfric_output_flags, only: read_flags
-   use adfric_output_hdf5_layer_attributes, only: write_attribute
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t
-   use adfric_output_hdf5_layer_datasets, only: create_space, close_dataset
-   use adfric_output_hdf5_layer_reading, only: has_attribute, read_attribute, open_dataset, n_values_of, read_values
    use adfric_output_layout, only: layout_t, scale_t, field_t, set_status_fields
-   use adfric_sweep_blocks, only: part_t, new_blocks
+   use adfric_run_blocks, only: part_t, new_blocks
    implicit none (type, external)
    private
    public :: write_part_layout, read_part_layout

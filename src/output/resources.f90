@@ -2,12 +2,12 @@
 module adfric_output_resources
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_base_model, only: model_t
+   use adfric_model_model, only: model_t
    use adfric_output_layout, only: layout_t, new_layout
-   use adfric_output_operating_system, only: folder_of, free_space
-   use adfric_sweep_blocks, only: part_t
-   use adfric_sweep_plan, only: plan_t
-   use adfric_sweep_runner, only: memory_needed
+   use adfric_run_blocks, only: part_t
+   use adfric_run_plan, only: plan_t
+   use adfric_run_runner, only: memory_needed
+   use adfric_system_files, only: folder_of, free_space
    use adfric_system_memory, only: free_memory
    implicit none (type, external)
    private

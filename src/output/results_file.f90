@@ -5,26 +5,26 @@
 module adfric_output_results_file
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t, set_error, file_failure
-   use adfric_base_model, only: model_t
+   use adfric_hdf5_calls, only: hdf5_calls_t, no_id
+   use adfric_hdf5_file, only: create_file, flush_file
+   use adfric_model_model, only: model_t
    use adfric_output_constants, only: add_derived_constants
    use adfric_output_done_points, only: read_done_points, is_readable
    use adfric_output_heading, only: heading_t, new_heading, write_heading
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
-   use adfric_output_hdf5_layer_file, only: create_file, flush_file
    use adfric_output_layout, only: layout_t, new_layout
    use adfric_output_means, only: write_placeholders, n_placeholders, write_seconds, write_means
    use adfric_output_names, only: check_output_name, check_partial_name, partial_name, new_name, lock_name, say_in_use
-   use adfric_output_operating_system, only: kind_of_path, path_free, file_id_t, id_of_file, is_same, lock_t, take_lock, &
-      move_file, rename_file, remove_file, synchronise, ignore_file_size_signal
    use adfric_output_part_layout, only: write_part_layout
    use adfric_output_results_writer, only: results_writer_t
    use adfric_output_seal, only: seal_t
    use adfric_output_virtual_parts, only: virtual_parts_t
-   use adfric_sweep_block_source, only: block_list_t
-   use adfric_sweep_blocks, only: part_t
-   use adfric_sweep_clock, only: wall_clock
-   use adfric_sweep_plan, only: plan_t
-   use adfric_sweep_summary, only: run_summary_t
+   use adfric_run_block_source, only: block_list_t
+   use adfric_run_blocks, only: part_t
+   use adfric_run_plan, only: plan_t
+   use adfric_run_summary, only: run_summary_t
+   use adfric_system_files, only: kind_of_path, path_free, file_id_t, id_of_file, is_same, lock_t, take_lock, &
+      move_file, rename_file, remove_file, synchronise, ignore_file_size_signal
+   use adfric_system_clock, only: wall_clock
    use adfric_system_leftovers, only: note_leftover, forget_leftover, note_kept, begin_making, end_making
    implicit none (type, external)
    private

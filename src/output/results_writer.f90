@@ -6,17 +6,17 @@ module adfric_output_results_writer
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
-   use adfric_base_model, only: status_solved
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_hdf5_calls, only: hdf5_calls_t, no_id
+   use adfric_hdf5_file, only: open_file, flush_file, close_file
+   use adfric_model_model, only: status_solved
    use adfric_output_block_sums, only: profile_sums_t, sum_of_block, sum_of_profiles
    use adfric_output_datasets, only: datasets_t
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
-   use adfric_output_hdf5_layer_file, only: open_file, flush_file, close_file
    use adfric_output_layout, only: layout_t
-   use adfric_output_operating_system, only: synchronise, begin_to_synchronise
    use adfric_output_status_log, only: status_log_t
-   use adfric_sweep_clock, only: wall_clock
-   use adfric_sweep_sink, only: sink_t
+   use adfric_run_sink, only: sink_t
+   use adfric_system_files, only: synchronise, begin_to_synchronise
+   use adfric_system_clock, only: wall_clock
    use adfric_system_leftovers, only: forget_leftover, note_kept
    implicit none (type, external)
    private

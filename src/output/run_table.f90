@@ -1,9 +1,9 @@
 !> The short table at the end of a run.
 module adfric_output_run_table
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: result_t, status_meanings, status_solved, n_status
    use adfric_base_words, only: get_word, pad
-   use adfric_sweep_summary, only: run_summary_t
+   use adfric_model_model, only: result_t, status_meanings, status_solved, n_status
+   use adfric_run_summary, only: run_summary_t
    implicit none (type, external)
    private
    public :: new_run_table

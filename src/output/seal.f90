@@ -7,15 +7,15 @@
 module adfric_output_seal
    use, intrinsic :: iso_c_binding, only: c_int
    use hdf5, only: hid_t
-   use adfric_base_checksum, only: mix_integers
    use adfric_base_error, only: error_t, set_error, file_failure
    use adfric_base_kinds, only: dp, i8
+   use adfric_hdf5_attributes, only: write_attribute
+   use adfric_hdf5_calls, only: hdf5_calls_t, no_id
+   use adfric_hdf5_datasets, only: create_group, create_space, create_integer_dataset, write_values, close_dataset
+   use adfric_hdf5_reading, only: get_extent
    use adfric_output_field_dataset, only: count_group
-   use adfric_output_hdf5_layer_attributes, only: write_attribute
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
-   use adfric_output_hdf5_layer_datasets, only: create_group, create_space, create_integer_dataset, write_values, close_dataset
-   use adfric_output_hdf5_layer_reading, only: get_extent
-   use adfric_output_operating_system, only: error_text
+   use adfric_system_checksum, only: mix_integers
+   use adfric_system_files, only: error_text
    use adfric_system_file_bytes, only: size_of_file, sum_of_file, find_word, read_words, is_short
    implicit none (type, external)
    private

@@ -2,11 +2,11 @@
 module adfric_output_sums_dataset
    use hdf5, only: hid_t
    use adfric_base_kinds, only: i8
+   use adfric_hdf5_attributes, only: write_attribute
+   use adfric_hdf5_calls, only: hdf5_calls_t, no_id
+   use adfric_hdf5_datasets, only: create_integer_dataset, create_space, select_box, write_values, close_dataset
+   use adfric_hdf5_reading, only: open_dataset, read_values
    use adfric_output_field_dataset, only: count_group
-   use adfric_output_hdf5_layer_attributes, only: write_attribute
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
-   use adfric_output_hdf5_layer_datasets, only: create_integer_dataset, create_space, select_box, write_values, close_dataset
-   use adfric_output_hdf5_layer_reading, only: open_dataset, read_values
    implicit none (type, external)
    private
    public :: sums_dataset_t

@@ -2,13 +2,13 @@
 module adfric_output_virtual_parts
    use hdf5, only: hid_t
    use adfric_base_kinds, only: i8
-   use adfric_output_boxes, only: box_t, next_box
-   use adfric_output_hdf5_layer_calls, only: hdf5_calls_t, no_id
-   use adfric_output_hdf5_layer_datasets, only: create_space
-   use adfric_output_hdf5_layer_virtual, only: select_nothing, add_box, create_virtual_list, add_source, &
+   use adfric_hdf5_calls, only: hdf5_calls_t, no_id
+   use adfric_hdf5_datasets, only: create_space
+   use adfric_hdf5_virtual, only: select_nothing, add_box, create_virtual_list, add_source, &
       create_virtual_dataset
+   use adfric_output_boxes, only: box_t, next_box
    use adfric_output_layout, only: layout_t
-   use adfric_sweep_blocks, only: blocks_t
+   use adfric_run_blocks, only: blocks_t
    implicit none (type, external)
    private
    public :: virtual_parts_t, new_virtual_parts

@@ -1,10 +1,10 @@
 !> A hard case through the program: namelist in, results file out, with one thread and with three.
 module hard_run
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_model, only: model_t
    use adfric_command_case, only: open_case
    use adfric_command_outcome, only: outcome_t
    use adfric_input_run, only: run_input_t
+   use adfric_model_model, only: model_t
    use memory_sink, only: n_different_bits
    use random_dice, only: dice_t, new_dice
    use read_back, only: results_reader_t, open_results

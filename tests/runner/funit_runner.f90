@@ -5,7 +5,7 @@
 module funit_runner
    use, intrinsic :: iso_c_binding, only: c_int
    use, intrinsic :: iso_fortran_env, only: error_unit, int64, output_unit
-   use adfric_base_program_end, only: end_program
+   use adfric_system_program_end, only: end_program
    use funit_exceptions, only: anyExceptions, failure_t, take_failures
    implicit none (type, external)
    private

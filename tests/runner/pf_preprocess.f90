@@ -4,7 +4,7 @@
 program pf_preprocess
    use, intrinsic :: iso_c_binding, only: c_int
    use, intrinsic :: iso_fortran_env, only: error_unit, iostat_end
-   use adfric_base_program_end, only: end_program
+   use adfric_system_program_end, only: end_program
    use pf_translate, only: finish_file, new_test_file, test_file_t, translate_line
    implicit none (type, external)
 

@@ -1,8 +1,8 @@
 !> Whether the derived quantities of a model name all variables that they follow from.
 module derived_sources
    use adfric_base_kinds, only: dp
-   use adfric_base_model, only: model_t, derived_t, kind_real
    use adfric_base_unset, only: is_set
+   use adfric_model_model, only: model_t, derived_t, kind_real
    implicit none (type, external)
    private
    public :: find_missing_source

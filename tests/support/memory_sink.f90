@@ -3,9 +3,9 @@ module memory_sink
    use, intrinsic :: iso_c_binding, only: c_int
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t, set_error, file_failure
-   use adfric_sweep_blocks, only: block_size_of
-   use adfric_sweep_progress, only: progress_t
-   use adfric_sweep_sink, only: sink_t
+   use adfric_run_blocks, only: block_size_of
+   use adfric_run_progress, only: progress_t
+   use adfric_run_sink, only: sink_t
    implicit none (type, external)
    private
    public :: memory_sink_t, new_memory_sink, failing_sink_t, counting_progress_t, signalling_progress_t, n_different_bits

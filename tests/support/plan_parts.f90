@@ -1,7 +1,7 @@
 !> Parts of plans for tests.
 module plan_parts
    use adfric_base_kinds, only: dp
-   use adfric_sweep_plan, only: plan_t, axis_t
+   use adfric_run_plan, only: plan_t, axis_t
    implicit none (type, external)
    private
    public :: new_plan, add_axis

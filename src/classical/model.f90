@@ -1,0 +1,257 @@
+!> What all models of the half-space share: points that are solved one by one, and profiles along axes that the user sets.
+module adfric_classical_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_base_words, only: count_words, get_word
+   use adfric_classical_point_memory, only: point_memory_t
+   use adfric_material_contact_modulus, only: derive_contact_modulus
+   use adfric_model_model, only: model_t, variable_t, result_t, attribute_t, profile_t, derived_t, status_solved
+   use adfric_model_requirements, only: need
+   use adfric_model_rows, only: set_output_axis, output_switch
+   implicit none (type, external)
+   private
+   public :: halfspace_model_t, contact_profiles
+
+   !> Samples along the last axis of the profiles; along the first of two there is one.
+   integer, parameter :: n_samples = 201
+
+   type, abstract, extends(model_t) :: halfspace_model_t
+      !> Place of the switch of the profiles; begin, end and number of each axis follow.
+      integer :: output = 0
+      !> First and last place of the rows of the contact modulus; (0, -1) if there are none.
+      integer :: solids(2) = [0, -1]
+   contains
+      procedure :: set_tables
+      procedure :: check_values
+      procedure :: derive_quantities
+      procedure :: wants_profiles
+      procedure :: get_profile_axis
+      procedure :: solve_block
+      procedure :: solve_profiles
+      procedure(check_case_i), deferred :: check_case
+      procedure(solve_point_i), deferred :: solve_point
+      procedure(get_profiles_i), deferred :: get_profiles
+   end type halfspace_model_t
+
+   abstract interface
+
+      !> Add to `problems` what is missing or impossible; the axes of the profiles are checked elsewhere.
+      subroutine check_case_i(self, values, problems)
+         import :: halfspace_model_t, dp, problems_t
+         implicit none (type, external)
+         !> The model; its tables give the variables their names.
+         class(halfspace_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> Receives what is wrong with the input; nothing is removed.
+         type(problems_t), intent(inout) :: problems
+      end subroutine check_case_i
+
+      !> Solve one point.
+      subroutine solve_point_i(self, values, memory, results, error_estimate, status)
+         import :: halfspace_model_t, point_memory_t, dp
+         implicit none (type, external)
+         !> The model that solves the point; it is not changed.
+         class(halfspace_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> What earlier points of the block have found; this point keeps there what it finds.
+         type(point_memory_t), intent(inout) :: memory
+         !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+         real(dp), intent(inout) :: results(:)
+         !> Estimated relative error of the main result [-].
+         real(dp), intent(out) :: error_estimate
+         !> Status of the point, one of `status_...`.
+         integer, intent(out) :: status
+      end subroutine solve_point_i
+
+      !> Profiles of one solved point.
+      subroutine get_profiles_i(self, values, results, slow, fast, profiles)
+         import :: halfspace_model_t, dp
+         implicit none (type, external)
+         !> The model that finds the profiles; it is not changed.
+         class(halfspace_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> What `solve_block` found for this point; shape `(n_results)`.
+         real(dp), intent(in) :: results(:)
+         !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
+         real(dp), intent(in) :: slow(:), fast(:)
+         !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
+         real(dp), intent(inout) :: profiles(:, :, :)
+      end subroutine get_profiles_i
+
+   end interface
+
+contains
+
+   !> Set the tables of the model; rows of the profiles' axes are added to its variables.
+   subroutine set_tables(self, name, summary, variables, results, profiles, axes, is_depth)
+      !> The model, which receives the tables.
+      class(halfspace_model_t), intent(inout) :: self
+      !> Name of the model in `&job model = ...`.
+      character(*), intent(in) :: name
+      !> What the model is, in one line for `adfric help`.
+      character(*), intent(in) :: summary
+      !> Variables of the model; those of the profiles' axes follow them in its table.
+      type(variable_t), intent(in) :: variables(:)
+      !> Table of the results of a point.
+      type(result_t), intent(in) :: results(:)
+      !> Table of the profiles of a point.
+      type(profile_t), intent(in) :: profiles(:)
+      !> Names of the profiles' axes, the slowest first, separated by a blank.
+      character(*), intent(in) :: axes
+      !> Does the first axis point into the solid?
+      logical, intent(in) :: is_depth
+      integer :: k, n
+
+      self%name = name
+      self%summary = summary
+      self%references = 'K. L. Johnson, Contact Mechanics, Cambridge University Press (1985)'
+      n = size(variables)
+      self%output = n + 1
+      allocate (self%variables(n + 1 + 3*count_words(axes)))
+      self%variables(:n) = variables
+      self%variables(n + 1) = output_switch()
+      do k = 1, count_words(axes)
+         call set_output_axis(get_word(axes, k), merge(1, n_samples, k < count_words(axes)), is_depth .and. k == 1, &
+            & self%variables(n + 3*k - 1:n + 3*k + 1))
+      end do
+      self%results = results
+      self%profiles = profiles
+      self%profile_axes = axes
+   end subroutine set_tables
+
+   !> Rows of the profiles of pressure and gap.
+   function contact_profiles() result(p)
+      type(profile_t) :: p(2)
+
+      p(1) = profile_t('pressure', 'Pa', 'pressure, compression positive')
+      p(2) = profile_t('gap', 'm', 'gap')
+   end function contact_profiles
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      !> The model; its tables give the variables their names.
+      class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: k, at
+
+      call self%check_case(values, problems)
+      if (.not. self%wants_profiles(values)) return
+      do at = self%output + 1, size(self%variables)
+         if (is_swept(at)) call problems%add('output', self%variables(at)%name, &
+            & 'is swept, but all profiles share their axes; sweep another variable')
+      end do
+      do k = 1, count_words(self%profile_axes)
+         at = self%output + 3*k - 2
+         if (nint(values(at + 2)) == 1) cycle
+         call need(self%variables, values, [at + 1], problems)
+         if (is_set(values(at + 1)) .and. .not. values(at + 1) > values(at)) call problems%add('output', &
+            & self%variables(at + 1)%name, 'is not larger than '//self%variables(at)%name)
+      end do
+   end subroutine check_values
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(list)
+      !> The model, for the rows of its contact modulus.
+      class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: list(:)
+
+      if (self%solids(1) > 0) then
+         associate (first => self%solids(1), last => self%solids(2))
+            list = derive_contact_modulus(self%variables(first:last), values(first:last))
+         end associate
+      else
+         allocate (list(0))
+      end if
+   end function derive_quantities
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      !> The model, for the place of its switch of the profiles.
+      class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = values(self%output) > 0
+   end function wants_profiles
+
+   !> See `model_t`.
+   function get_profile_axis(self, values, axis) result(coordinate)
+      !> The model, for the places of its axes among the variables.
+      class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the axis in `profile_axes`, from 1.
+      integer, intent(in) :: axis
+      real(dp), allocatable :: coordinate(:)
+      integer :: n, k, at
+
+      if (axis > count_words(self%profile_axes)) then
+         coordinate = [0.0_dp]
+         return
+      end if
+      at = self%output + 3*axis - 2
+      n = nint(values(at + 2))
+      allocate (coordinate(n), source=values(at))
+      if (n == 1 .or. .not. is_set(values(at + 1))) return
+      coordinate = [((values(at)*(n - 1 - k) + values(at + 1)*k)/(n - 1), k=0, n - 1)]
+   end function get_profile_axis
+
+   !> See `model_t`.
+   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      !> The model that solves each point; it is not changed.
+      class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables of each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
+      real(dp), intent(out) :: results(:, :)
+      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> Status of each point, one of `status_...`; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> Numbers that describe the run; size 0, for these models count nothing.
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      type(point_memory_t) :: memory
+      integer :: i
+
+      results = not_a_number()
+      do i = 1, size(values, 2)
+         call self%solve_point(values(:, i), memory, results(:, i), error_estimate(i), status(i))
+         if (status(i) /= status_solved) error_estimate(i) = not_a_number()
+      end do
+      allocate (attributes(0))
+   end subroutine solve_block
+
+   !> See `model_t`.
+   subroutine solve_profiles(self, values, results, profiles)
+      !> The model that finds the profiles; it is not changed.
+      class(halfspace_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> Profiles of the point, NaN where there is no value; shape `(n_last_axis, n_first_axis, n_profiles)`.
+      real(dp), intent(out) :: profiles(:, :, :)
+      integer :: last
+
+      last = count_words(self%profile_axes)
+      profiles = not_a_number()
+      if (last == 1) then
+         call self%get_profiles(values, results, [0.0_dp], self%get_profile_axis(values, 1), profiles)
+      else
+         call self%get_profiles(values, results, self%get_profile_axis(values, 1), self%get_profile_axis(values, 2), profiles)
+      end if
+   end subroutine solve_profiles
+
+end module adfric_classical_model

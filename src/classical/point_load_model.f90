@@ -1,0 +1,97 @@
+!> The model `point_load`: a point force on an elastic half-space (Boussinesq, Cerruti).
+module adfric_classical_point_load_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_classical_boussinesq_cerruti, only: point_stress, point_displacement
+   use adfric_classical_field_model, only: field_model_t, set_stresses, set_displacements, maps_of
+   use adfric_model_model, only: result_t, variable_t
+   use adfric_model_requirements, only: need
+   use adfric_model_rows, only: positive, number, poisson_ratio_row
+   implicit none (type, external)
+   private
+   public :: point_load_model_t, new_point_load_model
+
+   !> Places of the variables and of the results.
+   integer, parameter, public :: v_young_modulus = 1, v_poisson_ratio = 2, v_x = 3, v_y = 4, v_z = 5, v_normal = 6, v_tangential = 7
+   integer, parameter, public :: r_stress_xx = 1, r_stress_xz = 6, r_displacement_x = 7, r_displacement_z = 9
+
+   type, extends(field_model_t) :: point_load_model_t
+   contains
+      procedure :: check_case
+      procedure :: get_place
+      procedure :: get_field
+   end type point_load_model_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_point_load_model(self)
+      !> The new model; receives its tables.
+      type(point_load_model_t), intent(out) :: self
+      type(variable_t) :: v(7)
+      type(result_t) :: r(9)
+
+      v(v_young_modulus) = positive('solid', 'young_modulus', 'Pa', 'Young''s modulus')
+      v(v_poisson_ratio) = poisson_ratio_row()
+      v(v_x) = number('position', 'position_x', 'm', 'where the results are, along the tangential force', 0.0_dp)
+      v(v_y) = number('position', 'position_y', 'm', 'where the results and the plane of the maps are, across it', 0.0_dp)
+      v(v_z) = number('position', 'position_z', 'm', 'where the results are, depth', 0.0_dp)
+      v(v_z)%lower = 0
+      v(v_normal) = number('operating', 'normal_load', 'N', 'N, into the solid', 0.0_dp)
+      v(v_tangential) = number('operating', 'tangential_load', 'N', 'T, along x', 0.0_dp)
+      call set_stresses('xx yy zz xy yz xz', r)
+      call set_displacements('x y z', r(r_displacement_x:))
+      call self%set_tables('point_load', 'a point force on an elastic half-space (Boussinesq, Cerruti): stresses, displacements', &
+         & v, r, maps_of(r), 'z x', .true.)
+   end subroutine new_point_load_model
+
+   !> See `halfspace_model_t`.
+   subroutine check_case(self, values, problems)
+      !> The model; its tables give the variables their names.
+      class(point_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call need(self%variables, values, [v_young_modulus, v_poisson_ratio], problems)
+   end subroutine check_case
+
+   !> See `field_model_t`.
+   pure function get_place(self, values, slow, fast) result(place)
+      !> The model; nothing is read from it here.
+      class(point_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Coordinates on the axes of a map [m]; without them the place is that of the results.
+      real(dp), intent(in), optional :: slow, fast
+      real(dp) :: place(3)
+
+      place = values(v_x:v_z)
+      if (present(fast)) place(1) = fast
+      if (present(slow)) place(3) = slow
+      associate (unused => self)
+      end associate
+   end function get_place
+
+   !> See `field_model_t`.
+   subroutine get_field(self, values, place, field)
+      !> The model; nothing is read from it here.
+      class(point_load_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Coordinates x, y, z of the place [m].
+      real(dp), intent(in) :: place(3)
+      !> Results at the place, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(out) :: field(:)
+      real(dp) :: shear_modulus
+
+      shear_modulus = values(v_young_modulus)/(2*(1 + values(v_poisson_ratio)))
+      field(r_stress_xx:r_stress_xz) = point_stress(values(v_normal), values(v_tangential), values(v_poisson_ratio), place)
+      field(r_displacement_x:r_displacement_z) = point_displacement(values(v_normal), values(v_tangential), shear_modulus, &
+         & values(v_poisson_ratio), place)
+      associate (unused => self)
+      end associate
+   end subroutine get_field
+
+end module adfric_classical_point_load_model

@@ -1,0 +1,395 @@
+!> The model `rigid_punch`: a rigid punch on an elastic half-plane, without friction, plane strain.
+module adfric_classical_punch_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_classical_contact_conditions, only: largest_violation
+   use adfric_classical_field_model, only: set_plane_stresses, maps_of
+   use adfric_classical_model, only: halfspace_model_t, contact_profiles
+   use adfric_classical_point_memory, only: point_memory_t
+   use adfric_classical_punch_profiles, only: polynomial_t, power_load, wedge_load, wedge_pressure, wedge_gap
+   use adfric_classical_punch_stress, only: punch_stress
+   use adfric_classical_rigid_punch, only: punch_contact_t, solve_punch, solve_punch_of_width
+   use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, has_contact_modulus, &
+      & check_contact_modulus
+   use adfric_model_model, only: result_t, profile_t, variable_t, kind_integer, status_solved, status_no_equilibrium, &
+      & status_not_converged
+   use adfric_model_requirements, only: need, need_one
+   use adfric_model_rows, only: positive, choice, number
+   implicit none (type, external)
+   private
+   public :: punch_model_t, new_punch_model
+
+   !> Places of the variables, of the words of the kind, and of the results.
+   integer, parameter, public :: v_kind = 1, v_face = 2, v_slope = 3, v_radius = 4, v_coefficient_2 = 5, v_coefficient_8 = 8, &
+      & v_contact_modulus = 9, v_poisson_ratio = 11, v_load = 12, v_contact_half_width = 13, v_points = 14
+   integer, parameter, public :: kind_flat = 1, kind_wedge = 2, kind_cylinder = 3, kind_polynomial = 4
+   integer, parameter, public :: r_load = 1, r_contact_half_width = 2, r_mean_pressure = 3, r_centre_pressure = 4, &
+      & r_edge_intensity = 5, r_violation = 6
+   !> Places of the profiles: those of the surface, and from `p_stress` on maps of s_xx, s_yy, s_xy and the largest shear.
+   integer, parameter, public :: p_pressure = 1, p_gap = 2, p_displacement = 3, p_stress = 4, p_shear = 7
+   !> Places where the conditions of contact are checked, and how far they reach, in half-widths.
+   integer, parameter :: n_places = 120
+   real(dp), parameter :: reach = 3.0_dp
+   !> Largest coefficient of a polynomial; those of small tips are large.
+   real(dp), parameter :: largest_coefficient = 1.0e100_dp
+   !> Decimal logarithm of a load beyond all numbers.
+   real(dp), parameter :: largest_load = 200.0_dp
+
+   type, extends(halfspace_model_t) :: punch_model_t
+   contains
+      procedure :: check_case
+      procedure :: solve_point
+      procedure :: get_profiles
+   end type punch_model_t
+
+   !> A punch on its contact: for the wedge `contact` holds the flat part only.
+   type :: state_t
+      type(polynomial_t) :: profile
+      type(punch_contact_t) :: contact
+      !> Slope of a wedge; 0 for other kinds.
+      real(dp) :: slope = 0
+      !> Half-width of the face; enormous without an end.
+      real(dp) :: face = huge(1.0_dp)
+   contains
+      procedure :: pressure
+      procedure :: level
+      procedure :: gap
+   end type state_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_punch_model(self)
+      !> The new model; receives its tables.
+      type(punch_model_t), intent(out) :: self
+      type(variable_t) :: v(v_points)
+      character(1) :: degree, power
+      character(:), allocatable :: name, unit, meaning
+      integer :: i
+
+      v(v_kind) = choice('punch', 'kind', 'profile', 'flat wedge cylinder polynomial')
+      v(v_face) = positive('punch', 'half_width', 'm', 'half-width of the face; without it only flat punches end')
+      v(v_slope) = positive('punch', 'slope', '-', 'of a wedge z = slope |x|')
+      v(v_radius) = positive('punch', 'radius', 'm', 'of a cylinder z = x^2/2R')
+      do i = 1, 4
+         write (degree, '(i1)') 2*i
+         write (power, '(i1)') 2*i - 1
+         name = 'coefficient_'//degree
+         unit = '1/m^'//power
+         meaning = 'c of c x^'//degree//' in a polynomial profile'
+         v(v_coefficient_2 + i - 1) = number('punch', name, unit, meaning, 0.0_dp)
+         v(v_coefficient_2 + i - 1)%lower = 0
+         v(v_coefficient_2 + i - 1)%upper = largest_coefficient
+      end do
+      v(v_coefficient_2)%unit = '1/m'
+      call set_modulus_rows(positive('solid', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_poisson_ratio))
+      v(v_load) = positive('operating', 'load', 'N/m', 'load per length')
+      v(v_contact_half_width) = positive('operating', 'contact_half_width', 'm', 'instead of the load; not for a flat punch')
+      v(v_points) = variable_t('numerics', 'points', kind_integer, '-', 'points of collocation, even', '', 32.0_dp, &
+         & 8.0_dp, 1000.0_dp)
+      call self%set_tables('rigid_punch', 'a rigid punch on an elastic half-plane, plane strain', v, get_results(), &
+         & get_profile_table(), 'y x', .true.)
+      self%solids = [v_contact_modulus, v_poisson_ratio]
+   end subroutine new_punch_model
+
+   !> The table of profiles.
+   function get_profile_table() result(p)
+      type(profile_t) :: p(p_shear)
+      type(result_t) :: r(p_shear - p_stress + 1)
+
+      p(:p_gap) = contact_profiles()
+      p(p_displacement) = profile_t('displacement', 'm', &
+         & 'displacement of the surface into the solid, against the middle of the punch')
+      call set_plane_stresses(r)
+      p(p_stress:) = maps_of(r)
+   end function get_profile_table
+
+   !> The table of results.
+   function get_results() result(r)
+      type(result_t) :: r(6)
+
+      r(r_load) = result_t('load', 'N/m', 'load per length', '', .true.)
+      r(r_contact_half_width) = result_t('contact_half_width', 'm', 'half-width a of contact', '', .true.)
+      r(r_mean_pressure) = result_t('mean_pressure', 'Pa', 'load over contact', '', .true.)
+      r(r_centre_pressure) = result_t('centre_pressure', 'Pa', 'pressure in the middle; a wedge has none', '')
+      r(r_edge_intensity) = result_t('edge_intensity', 'Pa m^1/2', 'p sqrt(2 pi (a - x)) at the edge of a whole face', '')
+      r(r_violation) = result_t('contact_violation', '-', 'largest violation of g >= 0, p >= 0, g p = 0', '')
+   end function get_results
+
+   !> See `halfspace_model_t`.
+   subroutine check_case(self, values, problems)
+      !> The model; its tables give the variables their names.
+      class(punch_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call need(self%variables, values, [v_kind], problems)
+      call check_contact_modulus(self%variables(v_contact_modulus:v_poisson_ratio), &
+         & values(v_contact_modulus:v_poisson_ratio), problems, .false.)
+      if (modulo(nint(values(v_points)), 2) /= 0) call problems%add('numerics', 'points', 'is odd, allowed: an even number')
+      if (.not. is_set(values(v_kind))) return
+      select case (nint(values(v_kind)))
+      case (kind_flat)
+         call need(self%variables, values, [v_face, v_load], problems)
+         if (is_set(values(v_contact_half_width))) call problems%add('operating', 'contact_half_width', &
+            & 'has no meaning for a flat punch, whose whole face is in contact')
+         return
+      case (kind_wedge)
+         call need(self%variables, values, [v_slope], problems)
+      case (kind_cylinder)
+         call need(self%variables, values, [v_radius], problems)
+      case default
+         if (.not. maxval(values(v_coefficient_2:v_coefficient_8)) > 0) call problems%add('punch', 'coefficient_2', &
+            & 'is 0 like all coefficients; give one of them, or kind = ''flat''')
+         if (has_contact_modulus(values(v_contact_modulus:v_poisson_ratio))) call check_coefficients(self, values, problems)
+      end select
+      call need_one(self%variables, values, [v_load, v_contact_half_width], .true., problems)
+      if (is_set(values(v_contact_half_width)) .and. is_set(values(v_face))) then
+         if (values(v_contact_half_width) > values(v_face)) call problems%add('operating', 'contact_half_width', &
+            & 'is larger than the half_width of the face')
+      end if
+   end subroutine check_case
+
+   !> E* [Pa].
+   pure real(dp) function modulus_of(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      modulus_of = contact_modulus_of(values(v_contact_modulus:v_poisson_ratio))
+   end function modulus_of
+
+   !> Find coefficients that make a load beyond all numbers.
+   subroutine check_coefficients(self, values, problems)
+      !> The model; its tables give the variables their names.
+      class(punch_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: i
+
+      do i = v_coefficient_2, v_coefficient_8
+         if (.not. is_carried(values, i)) call problems%add('punch', self%variables(i)%name, &
+            & 'makes a load beyond all numbers at this contact_half_width')
+      end do
+   end subroutine check_coefficients
+
+   !> Is the load of a term c x^2i within the numbers, where the half-width of contact is given?
+   pure logical function is_carried(values, i)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the coefficient in `variables`.
+      integer, intent(in) :: i
+
+      is_carried = .true.
+      if (.not. (is_set(values(v_contact_half_width)) .and. values(i) > 0)) return
+      is_carried = log10(values(i)) + 2*(i - v_coefficient_2 + 1)*log10(values(v_contact_half_width)) &
+         & + log10(modulus_of(values)) < largest_load
+   end function is_carried
+
+   !> Is there such a contact? A sweep may lead to a contact wider than the face, or to a polynomial without terms and end.
+   pure logical function is_possible(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      integer :: i
+
+      is_possible = .true.
+      if (is_set(values(v_contact_half_width))) is_possible = values(v_contact_half_width) <= values(v_face)
+      if (nint(values(v_kind)) == kind_polynomial) is_possible = is_possible &
+         & .and. maxval(values(v_coefficient_2:v_coefficient_8)) > 0 &
+         & .and. all([(is_carried(values, i), i=v_coefficient_2, v_coefficient_8)])
+   end function is_possible
+
+   !> Solve for the contact.
+   subroutine solve_state(values, state)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The punch on its contact; `contact%is_converged` tells whether it was found.
+      type(state_t), intent(out) :: state
+      real(dp) :: load, width, modulus
+      integer :: n
+
+      modulus = modulus_of(values)
+      ! a sweep may pass odd numbers
+      n = 2*(nint(values(v_points))/2)
+      load = values(v_load)
+      width = values(v_contact_half_width)
+      if (is_set(values(v_face))) state%face = values(v_face)
+      select case (nint(values(v_kind)))
+      case (kind_flat)
+      case (kind_wedge)
+         state%slope = values(v_slope)
+         if (.not. is_set(load)) load = wedge_load(modulus, state%slope, width)
+         width = min(state%face, load/modulus/state%slope)
+         call solve_punch(state%profile, width, modulus, load, 2, state%contact)
+         state%contact%excess = max(0.0_dp, load - wedge_load(modulus, state%slope, width))
+         if (width < state%face) state%contact%excess = 0
+         return
+      case (kind_cylinder)
+         state%profile%c(1) = 1/(2*values(v_radius))
+      case default
+         state%profile%c = values(v_coefficient_2:v_coefficient_8)
+      end select
+      if (is_set(load)) then
+         call solve_punch(state%profile, widest(state%profile, state%face, modulus, load), modulus, load, n, state%contact)
+      else
+         call solve_punch_of_width(state%profile, width, modulus, n, state%contact)
+      end if
+   end subroutine solve_state
+
+   !> A half-width that the contact does not pass: that of the face, or what a single term of the profile would need.
+   pure real(dp) function widest(profile, face, modulus, load)
+      !> Polynomial profile of the punch.
+      type(polynomial_t), intent(in) :: profile
+      !> Half-width of the face [m]; enormous without an end.
+      real(dp), intent(in) :: face
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Load P per length [N/m], > 0.
+      real(dp), intent(in) :: load
+      real(dp), parameter :: margin = 1.1_dp
+      integer :: i
+
+      widest = face
+      do i = 1, size(profile%c)
+         if (profile%c(i) > 0) widest = min(widest, margin*(load/power_load(modulus, profile%c(i), i, 1.0_dp))**(1.0_dp/(2*i)))
+      end do
+   end function widest
+
+   !> See `halfspace_model_t`.
+   subroutine solve_point(self, values, memory, results, error_estimate, status)
+      !> The model; nothing is read from it here.
+      class(punch_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Memory of the block, not used here.
+      type(point_memory_t), intent(inout) :: memory
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
+      real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
+      integer, intent(out) :: status
+      type(state_t) :: state
+      real(dp) :: x(n_places), mean
+      integer :: i
+
+      status = status_no_equilibrium
+      error_estimate = 0
+      if (.not. is_possible(values)) return
+      call solve_state(values, state)
+      status = merge(status_solved, status_not_converged, state%contact%is_converged)
+      error_estimate = max(epsilon(mean), state%contact%load_error)
+      if (status /= status_solved) return
+      associate (contact => state%contact)
+         mean = contact%load/(2*contact%half_width)
+         results([r_load, r_contact_half_width, r_mean_pressure]) = [contact%load, contact%half_width, mean]
+         results(r_centre_pressure) = state%pressure(0.0_dp)
+         results(r_edge_intensity) = contact%excess/sqrt(pi*contact%half_width)
+         x = [((i - 0.5_dp)*reach/n_places, i=1, n_places)]*contact%half_width
+         x = pack(x, x < state%face, spread(x(1), 1, n_places))
+         results(r_violation) = largest_violation(state%pressure(x), state%gap(x), mean, mean*contact%half_width/contact%modulus)
+      end associate
+      associate (unused => self, unused_too => memory)
+      end associate
+   end subroutine solve_point
+
+   !> See `halfspace_model_t`. Pressure, gap and displacement are those of the surface, NaN at other depths.
+   subroutine get_profiles(self, values, results, slow, fast, profiles)
+      !> The model; nothing is read from it here.
+      class(punch_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point, not used here.
+      real(dp), intent(in) :: results(:)
+      !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
+      real(dp), intent(in) :: slow(:), fast(:)
+      !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      type(state_t) :: state
+      real(dp) :: stress(3)
+      integer :: i, j
+
+      if (.not. is_possible(values)) return
+      call solve_state(values, state)
+      if (.not. state%contact%is_converged) return
+      do j = 1, size(slow)
+         if (.not. slow(j) > 0) call get_surface(state, fast, profiles(:, j, :))
+         do i = 1, size(fast)
+            stress = punch_stress(state%contact, state%slope, fast(i), slow(j))
+            profiles(i, j, p_stress:p_shear - 1) = stress
+            profiles(i, j, p_shear) = hypot((stress(1) - stress(2))/2, stress(3))
+         end do
+      end do
+      associate (unused => self, unused_results => results)
+      end associate
+   end subroutine get_profiles
+
+   !> Set pressure, gap and displacement along the surface.
+   subroutine get_surface(state, x, profiles)
+      !> The punch on its solved contact.
+      type(state_t), intent(in) :: state
+      !> Coordinates along the surface, from the middle of the punch [m].
+      real(dp), intent(in) :: x(:)
+      !> Profiles along the surface; pressure, gap and displacement are set. Shape `(n_x, n_profiles)`.
+      real(dp), intent(inout) :: profiles(:, :)
+      integer :: i
+
+      profiles(:, p_pressure) = state%pressure(x)
+      do i = 1, size(x)
+         ! beyond the face there is no punch to have a gap from; in contact what is left is round-off
+         if (abs(x(i)) <= state%face) profiles(i, p_gap) = max(0.0_dp, state%gap(x(i)))
+         if (abs(x(i)) <= state%contact%half_width) profiles(i, p_gap) = 0
+      end do
+      profiles(:, p_displacement) = -state%level(x)
+   end subroutine get_surface
+
+   !> Pressure at x.
+   elemental real(dp) function pressure(self, x)
+      !> The punch on its solved contact.
+      class(state_t), intent(in) :: self
+      !> Coordinate along the surface, from the middle of the punch [m].
+      real(dp), intent(in) :: x
+
+      pressure = self%contact%pressure(x)
+      if (self%slope > 0 .and. abs(x) <= self%contact%half_width) pressure = pressure &
+         & + wedge_pressure(self%contact%modulus, self%slope, self%contact%half_width, x)
+   end function pressure
+
+   !> How far the surface lies above its level under the middle of the punch.
+   elemental real(dp) function level(self, x)
+      !> The punch on its solved contact.
+      class(state_t), intent(in) :: self
+      !> Coordinate along the surface, from the middle of the punch [m].
+      real(dp), intent(in) :: x
+
+      if (self%slope > 0) then
+         level = self%slope*abs(x) - wedge_gap(self%slope, self%contact%half_width, x)
+         if (abs(x) > self%contact%half_width) level = level + self%contact%rise(x)
+      else
+         level = self%profile%height(self%contact%half_width) + self%contact%rise(x)
+      end if
+   end function level
+
+   !> Gap at x, where there is a face.
+   elemental real(dp) function gap(self, x)
+      !> The punch on its solved contact.
+      class(state_t), intent(in) :: self
+      !> Coordinate along the surface, from the middle of the punch [m].
+      real(dp), intent(in) :: x
+
+      if (abs(x) > self%face) then
+         gap = not_a_number()
+      else if (self%slope > 0) then
+         gap = wedge_gap(self%slope, self%contact%half_width, x)
+      else
+         gap = self%profile%height(x) - self%level(x)
+      end if
+   end function gap
+
+end module adfric_classical_punch_model

@@ -1,0 +1,139 @@
+!> Short texts beside the datasets of files that others have written: attributes of any of the kinds that texts come in.
+module adfric_hdf5_labels
+   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t
+   use hdf5, only: hid_t, hsize_t, size_t, h5aexists_f, h5aopen_f, h5aread_f, h5aget_type_f, h5aget_space_f, h5tget_class_f, &
+      h5tget_size_f, h5tis_variable_str_f, h5sget_select_npoints_f, h5dvlen_reclaim_f, H5T_STRING_F, H5P_DEFAULT_F
+   use adfric_hdf5_calls, only: hdf5_calls_t, no_id
+   implicit none (type, external)
+   private
+   public :: read_label
+
+   !> Longest text that is read; a longer one is cut.
+   integer, parameter :: longest_label = 256
+
+   interface
+      !> Length of a text that ends with a null character, looked for no further than `most`.
+      integer(c_size_t) function strnlen(text, most) bind(c)
+         import :: c_ptr, c_size_t
+         implicit none (type, external)
+         !> Address of the first letter.
+         type(c_ptr), intent(in), value :: text
+         !> Largest length [bytes].
+         integer(c_size_t), intent(in), value :: most
+      end function strnlen
+   end interface
+
+contains
+
+   !> Read the text of an attribute.
+   subroutine read_label(calls, place, name, label, is_text)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the dataset that the attribute belongs to.
+      integer(hid_t), intent(in) :: place
+      !> Name of the attribute.
+      character(*), intent(in) :: name
+      !> Text of the attribute; empty if there is no such attribute, or nothing in it.
+      character(:), allocatable, intent(out) :: label
+      !> False if the attribute is no text, or has several.
+      logical, intent(out) :: is_text
+      integer(hid_t) :: attribute, type_id, space
+      integer(hsize_t) :: n_texts
+      integer :: type_class
+      logical :: exists
+
+      label = ''
+      is_text = .true.
+      attribute = no_id
+      type_id = no_id
+      space = no_id
+      exists = .false.
+      n_texts = 0
+      type_class = -1
+      if (calls%is_good()) call h5aexists_f(place, name, exists, calls%status)
+      call calls%check()
+      if (.not. (calls%is_good() .and. exists)) return
+      call h5aopen_f(place, name, attribute, calls%status)
+      call calls%check()
+      if (calls%is_good()) call h5aget_type_f(attribute, type_id, calls%status)
+      call calls%check()
+      if (calls%is_good()) call h5aget_space_f(attribute, space, calls%status)
+      call calls%check()
+      if (calls%is_good()) call h5tget_class_f(type_id, type_class, calls%status)
+      call calls%check()
+      if (calls%is_good()) call h5sget_select_npoints_f(space, n_texts, calls%status)
+      call calls%check()
+      if (calls%is_good() .and. n_texts > 0) then
+         is_text = n_texts == 1 .and. type_class == H5T_STRING_F
+         if (is_text) call read_text(calls, attribute, type_id, space, label)
+      end if
+      call calls%close_id(space)
+      call calls%close_id(type_id)
+      call calls%close_id(attribute)
+   end subroutine read_label
+
+   !> Read a text of fixed or of variable length.
+   subroutine read_text(calls, attribute, type_id, space, label)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open attribute, one text.
+      integer(hid_t), intent(in) :: attribute
+      !> HDF5 type of the attribute.
+      integer(hid_t), intent(in) :: type_id
+      !> Space of the attribute.
+      integer(hid_t), intent(in) :: space
+      !> Receives the text; left as it is if a call has failed.
+      character(:), allocatable, intent(inout) :: label
+      character(kind=c_char), allocatable, target :: letters(:)
+      type(c_ptr), target :: pointer_to_text(1)
+      type(c_ptr) :: address
+      integer(size_t) :: length
+      logical :: is_variable
+
+      is_variable = .false.
+      if (calls%is_good()) call h5tis_variable_str_f(type_id, is_variable, calls%status)
+      call calls%check()
+      if (.not. calls%is_good()) return
+      if (is_variable) then
+         pointer_to_text = c_null_ptr
+         address = c_loc(pointer_to_text)
+         call h5aread_f(attribute, type_id, address, calls%status)
+         call calls%check()
+         if (.not. calls%is_good()) return
+         label = text_at(pointer_to_text(1), longest_label)
+         call h5dvlen_reclaim_f(type_id, space, H5P_DEFAULT_F, address, calls%status)
+      else
+         call h5tget_size_f(type_id, length, calls%status)
+         call calls%check()
+         if (.not. calls%is_good()) return
+         allocate (letters(length))
+         letters = c_null_char
+         address = c_loc(letters)
+         call h5aread_f(attribute, type_id, address, calls%status)
+         if (calls%status >= 0) label = text_at(address, int(min(length, int(longest_label, size_t))))
+      end if
+      call calls%check()
+   end subroutine read_text
+
+   !> The text at an address, without blanks at its end.
+   function text_at(address, most) result(text)
+      !> Address of the first letter; null for no text.
+      type(c_ptr), intent(in) :: address
+      !> Largest length; a longer text is cut.
+      integer, intent(in) :: most
+      character(:), allocatable :: text
+      character(kind=c_char), pointer :: letters(:)
+      integer :: i, n
+
+      text = ''
+      if (.not. c_associated(address)) return
+      n = int(strnlen(address, int(most, c_size_t)))
+      call c_f_pointer(address, letters, [n])
+      text = repeat(' ', n)
+      do i = 1, n
+         text(i:i) = letters(i)
+      end do
+      text = trim(text)
+   end function text_at
+
+end module adfric_hdf5_labels

@@ -1,0 +1,223 @@
+!> A run as the user describes it, in two steps: which model is wanted, then its case and sweep.
+!>
+!> Between them the caller makes the model, so that nothing here knows of any particular one.
+module adfric_input_run
+   use adfric_base_error, only: error_t
+   use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: join_words, longest_name, show_count, show_text
+   use adfric_input_case, only: case_t, read_groups
+   use adfric_input_consistency, only: check_consistency
+   use adfric_input_dataset, only: dataset_t
+   use adfric_input_dataset_loading, only: load_datasets, list_sources
+   use adfric_input_item, only: take_only_word
+   use adfric_input_literal, only: convert
+   use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file
+   use adfric_input_suggestion, only: find_nearest, did_you_mean
+   use adfric_input_sweep, only: read_sweeps, find_size_problem
+   use adfric_input_vocabulary, only: job_names, has_word, report_unknown_names
+   use adfric_model_model, only: model_t
+   use adfric_run_plan, only: plan_t
+   implicit none (type, external)
+   private
+   public :: run_input_t, read_job, read_case
+
+   !> A run.
+   type :: run_input_t
+      !> Name of the model; empty if the file names none that is known.
+      character(:), allocatable :: model
+      !> Title; empty if there is none.
+      character(:), allocatable :: title
+      !> Name of the results file.
+      character(:), allocatable :: output
+      !> The whole text of the input.
+      character(:), allocatable :: text
+      !> Every point; only to be used when there are no problems.
+      type(plan_t) :: plan
+      !> Which variables the file gives in their groups, shape `(n_variables)`.
+      logical, allocatable :: is_given(:)
+      !> Which variables the file sweeps, shape `(n_variables)`.
+      logical, allocatable :: is_swept(:)
+      !> Datasets that the file names, shape `(n_variables)`; without a text where a variable names none.
+      type(dataset_t), allocatable :: datasets(:)
+   end type run_input_t
+
+contains
+
+   !> Open an input and find out which model it wants.
+   subroutine read_job(path, known_models, file, run, problems, error)
+      !> Name of the input, with or without a folder.
+      character(*), intent(in) :: path
+      !> Names of the models, separated by a blank.
+      character(*), intent(in) :: known_models
+      !> Receives the input, cut into groups and assignments, for `read_case`.
+      type(namelist_file_t), intent(out) :: file
+      !> Receives the names of the model and of the results file, the title and the text.
+      type(run_input_t), intent(out) :: run
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      !> Allocated if the file cannot be read, or is no text.
+      type(error_t), allocatable, intent(out) :: error
+      integer :: group
+
+      run%model = ''
+      run%title = ''
+      run%output = default_output(path)
+      call open_namelist_file(file, path, problems, error)
+      if (allocated(error)) return
+      ! of a file that has not been looked at to its end nothing more can be said
+      if (problems%is_enough()) return
+      run%text = file%text
+      group = file%find_group('job')
+      if (group == 0) then
+         ! a file without any group is no input, and that has been said
+         if (size(file%groups) > 0 .or. problems%count() == 0) call report_missing_job(file, known_models, problems)
+         return
+      end if
+      call report_unknown_names(file, group, job_names, problems)
+      call read_word(file, group, 'title', run%title, problems)
+      call read_output(file, group, run%output, problems)
+      call read_model(file, group, known_models, run%model, problems)
+   end subroutine read_job
+
+   !> Read the case and the sweep of the model that the input wants, and hand the model its datasets.
+   subroutine read_case(file, model, run, problems)
+      !> The input, cut into groups and assignments by `read_job`.
+      type(namelist_file_t), intent(in) :: file
+      !> The model that the input wants; it takes over the values of the datasets.
+      class(model_t), intent(inout) :: model
+      !> In: what `read_job` has found. Out: also the points, the datasets, and what is given or swept.
+      type(run_input_t), intent(inout) :: run
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      type(case_t) :: input
+      character(:), allocatable :: text
+
+      call read_groups(file, model, input, problems)
+      if (.not. problems%is_enough()) call read_sweeps(file, model, input, run%plan%axes, problems)
+      ! what has not been read is not missing
+      if (problems%is_enough()) return
+      call load_datasets(model, input, problems)
+      call check_consistency(file, model, input, run%plan%axes, problems)
+      text = find_size_problem(run%plan)
+      if (len(text) > 0) call problems%add('sweep', '', text)
+      call move_alloc(input%values, run%plan%base)
+      call move_alloc(input%is_given, run%is_given)
+      call move_alloc(input%is_swept, run%is_swept)
+      call move_alloc(input%datasets, run%datasets)
+      call list_sources(run%datasets, run%plan%sources)
+   end subroutine read_case
+
+   !> The name of the input, without folder and with `.h5` for its extension.
+   pure function default_output(path) result(name)
+      !> Name of the input, with or without a folder.
+      character(*), intent(in) :: path
+      character(:), allocatable :: name
+      integer :: dot
+
+      name = path(index(path, '/', back=.true.) + 1:)
+      dot = index(name, '.', back=.true.)
+      if (dot > 1) name = name(:dot - 1)
+      name = name//'.h5'
+   end function default_output
+
+   !> Report that there is no `&job`.
+   subroutine report_missing_job(file, known_models, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Names of the models, separated by a blank.
+      character(*), intent(in) :: known_models
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: text
+      integer :: i
+
+      text = 'the group is missing, needed: &job model = '''//join_words(known_models, ''' or ''')//''' /'
+      do i = 1, size(file%groups)
+         if (find_nearest(trim(file%groups(i)%name), 'job') /= 'job') cycle
+         text = text//'; did you mean it by &'//trim(file%groups(i)%name)//' in line '// &
+            show_count(file%line_of(file%groups(i)%first))//'?'
+         exit
+      end do
+      call problems%add('job', '', text)
+   end subroutine report_missing_job
+
+   !> Read a text of `&job`; what is wrong, or not given, leaves it as it is.
+   subroutine read_word(file, group, name, word, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
+      integer, intent(in) :: group
+      !> Name of the variable of `&job`.
+      character(*), intent(in) :: name
+      !> Receives the text without its quotes; left as it is if something is wrong or nothing is given.
+      character(:), allocatable, intent(inout) :: word
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: quoted, given, flaw
+      integer :: number, place
+
+      number = file%find_assignment(group, name)
+      if (number == 0) return
+      call take_only_word(file%value_of(number), quoted, flaw, place)
+      if (len(flaw) == 0) call convert(quoted, given, flaw)
+      if (len(flaw) == 0) then
+         word = given
+      else
+         call file%report_variable(problems, group, name, flaw//', allowed: a text in quotes', place)
+      end if
+   end subroutine read_word
+
+   !> Read the name of the results file.
+   subroutine read_output(file, group, output, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
+      integer, intent(in) :: group
+      !> In: the name for an input that gives none. Out: the name that is given, if one is.
+      character(:), allocatable, intent(inout) :: output
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call read_word(file, group, 'output', output, problems)
+      if (len(output) == 0) then
+         call file%report_variable(problems, group, 'output', 'empty, allowed: the name of a file')
+      else if (len(output) > longest_name) then
+         call file%report_variable(problems, group, 'output', 'too long for the name of a file, given '//show_text(output)// &
+            ', allowed: at most '//show_count(longest_name)//' letters')
+      else if (output == file%path) then
+         call file%report_variable(problems, group, 'output', 'the results would replace the input, given '''// &
+            show_text(output)//''', allowed: the name of another file')
+      end if
+   end subroutine read_output
+
+   !> Read the name of the model; empty if it is unknown.
+   subroutine read_model(file, group, known_models, model, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
+      integer, intent(in) :: group
+      !> Names of the models, separated by a blank.
+      character(*), intent(in) :: known_models
+      !> In: empty. Out: the name of a known model; empty if something is wrong.
+      character(:), allocatable, intent(inout) :: model
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: choices
+      integer :: n_before
+
+      choices = ''''//join_words(known_models, ''', ''')//''''
+      if (file%find_assignment(group, 'model') == 0) then
+         if (.not. file%groups(group)%is_garbled) &
+            call file%report_variable(problems, group, 'model', 'not given, allowed: '//choices)
+         return
+      end if
+      n_before = problems%count()
+      call read_word(file, group, 'model', model, problems)
+      if (problems%count() > n_before) return
+      if (has_word(known_models, model)) return
+      call file%report_variable(problems, group, 'model', 'unknown model, given '''//show_text(model)//''', allowed: '// &
+         choices//did_you_mean(model, known_models))
+      model = ''
+   end subroutine read_model
+
+end module adfric_input_run

@@ -1,0 +1,449 @@
+!> What the program knows of a model: its namelist variables, its results, and how to solve points.
+!>
+!> A model declares its variables and results in tables. Input, help, sweeps and the results file are
+!> driven by these tables, so a new model needs no change in any of them.
+module adfric_model_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set, unset
+   use adfric_base_words, only: count_words, get_word
+   use adfric_model_derived, only: derived_t
+   use adfric_model_profile_receiver, only: profile_receiver_t
+   implicit none (type, external)
+   private
+   public :: model_t, variable_t, result_t, profile_t, attribute_t, derived_t
+   public :: positive_variable
+   public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
+   public :: status_solved, status_no_equilibrium, status_not_converged, n_status
+   public :: status_meanings, explain_status, results_of_every_run
+
+   !> Kinds of namelist variables.
+   integer, parameter :: kind_real = 1, kind_integer = 2, kind_logical = 3, kind_choice = 4, kind_dataset = 5
+
+   !> Status of a point, as it stands in the file.
+   integer, parameter :: status_solved = 0, status_no_equilibrium = 1, status_not_converged = 2
+   integer, parameter :: n_status = 3
+   !> Names of the states, in the order of their numbers from 0.
+   character(*), parameter :: status_meanings = 'solved no_equilibrium not_converged'
+
+   !> A namelist variable. Every kind is held as a real number: integers as they are, logicals as 0 and 1,
+   !> choices as their place in `choices` (from 1), datasets of a file as 1, and what was not given as `unset`.
+   type :: variable_t
+      !> Group it stands in, without `&`.
+      character(:), allocatable :: group
+      character(:), allocatable :: name
+      !> One of `kind_...`.
+      integer :: kind = kind_real
+      !> SI unit, `-` for a pure number, empty for logicals and choices.
+      character(:), allocatable :: unit
+      !> What it is, for `adfric help`.
+      character(:), allocatable :: meaning
+      !> Allowed words, separated by a blank (choices only).
+      character(:), allocatable :: choices
+      !> Value where the user gives none; `unset` if there is no default.
+      real(dp) :: default = unset
+      !> Allowed range, of a dataset that of every value; a bound that is not itself allowed is marked open.
+      real(dp) :: lower = -unset, upper = unset
+      logical :: lower_open = .false., upper_open = .false.
+      !> Number of dimensions that a dataset may have at most, 1 or 2, and of values that it needs along each.
+      integer :: largest_rank = 1, least_count = 1
+      !> Where several groups have the name: may a sweep mean this one without the group?
+      logical :: has_bare_name = .true.
+      !> Sizes that it usually has, where they are others than those of its unit (`adfric_model_plausible_range`).
+      real(dp) :: usual_lower = unset, usual_upper = unset
+   end type variable_t
+
+   !> A result per point.
+   type :: result_t
+      character(:), allocatable :: name
+      !> SI unit, `-` for a pure number.
+      character(:), allocatable :: unit
+      character(:), allocatable :: long_name
+      !> Meanings of 0, 1, 2, ... separated by a blank, where the result is an enumerated state; else empty.
+      character(:), allocatable :: flag_meanings
+      !> Main results stand in the table at the end of a run.
+      logical :: is_main = .false.
+   contains
+      procedure :: n_states
+   end type result_t
+
+   !> A result along the profile axes, or one of these axes.
+   type :: profile_t
+      character(:), allocatable :: name
+      character(:), allocatable :: unit
+      character(:), allocatable :: long_name
+   end type profile_t
+
+   !> A number that describes a whole run, such as the mean count of strips per point.
+   type :: attribute_t
+      character(:), allocatable :: name
+      real(dp) :: value = 0
+   end type attribute_t
+
+   !> A model.
+   type, abstract :: model_t
+      !> Name in `&job model = ...`.
+      character(:), allocatable :: name
+      !> One line for `adfric help`.
+      character(:), allocatable :: summary
+      !> Where the model was published, for the results file; empty if nowhere.
+      character(:), allocatable :: references
+      !> Namelist variables, shape `(n_variables)`; values are passed in this order.
+      type(variable_t), allocatable :: variables(:)
+      !> Results, shape `(n_results)`, without `status` and `error_estimate`, which every model has.
+      type(result_t), allocatable :: results(:)
+      !> Profiles; size 0 if the model has none.
+      type(profile_t), allocatable :: profiles(:)
+      !> Names of the profile axes, at most two, the slowest first, separated by a blank: 'x' or 'y x'.
+      character(:), allocatable :: profile_axes
+      !> Most points of a block, for points that take long and have little of their neighbours: other threads take the rest.
+      integer :: largest_block = huge(1)
+   contains
+      procedure(check_values_i), deferred :: check_values
+      procedure(wants_profiles_i), deferred :: wants_profiles
+      procedure(get_profile_axis_i), deferred :: get_profile_axis
+      procedure(solve_block_i), deferred :: solve_block
+      procedure(solve_profiles_i), deferred :: solve_profiles
+      procedure :: prepare
+      procedure :: solve_block_and_profiles
+      procedure :: take_dataset
+      procedure :: describe_results
+      procedure :: derive_quantities
+      procedure :: get_derived
+      procedure :: describe_case
+      procedure :: describe_doubts
+      procedure :: describe_profiles
+      procedure :: describe_profile_axis
+      procedure :: unit_of
+      procedure :: index_of
+   end type model_t
+
+   abstract interface
+
+      !> Add to `problems` whatever is contradictory or impossible in the values together.
+      subroutine check_values_i(self, values, is_swept, problems)
+         import :: model_t, dp, problems_t
+         implicit none (type, external)
+         !> The model, whose table of variables is read.
+         class(model_t), intent(in) :: self
+         !> Values of the variables; shape `(n_variables)`. Of a swept variable one of its values stands here.
+         real(dp), intent(in) :: values(:)
+         !> Is the variable swept? Shape `(n_variables)`.
+         logical, intent(in) :: is_swept(:)
+         !> Receives what is wrong with the input; nothing is removed.
+         type(problems_t), intent(inout) :: problems
+      end subroutine check_values_i
+
+      !> Does the user ask for profiles?
+      pure logical function wants_profiles_i(self, values)
+         import :: model_t, dp
+         implicit none (type, external)
+         !> The model, whose `profiles` may be empty.
+         class(model_t), intent(in) :: self
+         !> Values of the variables; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+      end function wants_profiles_i
+
+      !> Coordinates along a profile axis, in the unit of `describe_profile_axis`; size 1 for an axis that the case does not have.
+      function get_profile_axis_i(self, values, axis) result(coordinate)
+         import :: model_t, dp
+         implicit none (type, external)
+         !> The model, whose `profile_axes` are read.
+         class(model_t), intent(in) :: self
+         !> Values of the variables; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> Place of the axis in `profile_axes`, from 1.
+         integer, intent(in) :: axis
+         real(dp), allocatable :: coordinate(:)
+      end function get_profile_axis_i
+
+      !> Solve neighbouring points. What one point finds may start the next one within this block only.
+      subroutine solve_block_i(self, values, results, error_estimate, status, attributes)
+         import :: model_t, dp, attribute_t
+         implicit none (type, external)
+         !> The model; all threads solve with the same one.
+         class(model_t), intent(in) :: self
+         !> Values of the variables for each point; shape `(n_variables, n_points)`.
+         real(dp), intent(in) :: values(:, :)
+         !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
+         real(dp), intent(out) :: results(:, :)
+         !> Relative error of the main result, estimated; shape `(n_points)`.
+         real(dp), intent(out) :: error_estimate(:)
+         !> One of `status_...` for each point; shape `(n_points)`.
+         integer, intent(out) :: status(:)
+         !> Counts that are summed over all blocks and stand in the file divided by the number of points: the same names for every
+         !> block, even for one of no points.
+         type(attribute_t), allocatable, intent(out) :: attributes(:)
+      end subroutine solve_block_i
+
+      !> Profiles of one solved point.
+      subroutine solve_profiles_i(self, values, results, profiles)
+         import :: model_t, dp
+         implicit none (type, external)
+         !> The model; all threads solve with the same one.
+         class(model_t), intent(in) :: self
+         !> Values of the variables; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> Results that `solve_block` found for this point; shape `(n_results)`.
+         real(dp), intent(in) :: results(:)
+         !> Receives the profiles; shape `(n_last_axis, n_first_axis, n_profiles)`: x runs fastest; a missing axis has size 1.
+         real(dp), intent(out) :: profiles(:, :, :)
+      end subroutine solve_profiles_i
+
+   end interface
+
+contains
+
+   !> What a status means, in a sentence.
+   pure function explain_status(status) result(text)
+      !> One of `status_...`.
+      integer, intent(in) :: status
+      character(:), allocatable :: text
+
+      select case (status)
+      case (status_solved)
+         text = 'the state was found; the point has its results'
+      case (status_no_equilibrium)
+         text = 'there is no such state, which is an answer; results that need one are NaN'
+      case default
+         text = 'the state was not found to the tolerance; the results are NaN'
+      end select
+   end function explain_status
+
+   !> The results that every model has beside those of its table: of a point, the last ones of the file.
+   pure function results_of_every_run() result(results)
+      type(result_t) :: results(2)
+
+      results(1)%name = 'error_estimate'
+      results(1)%unit = '-'
+      results(1)%long_name = 'relative error of the main result, estimated'
+      results(1)%flag_meanings = ''
+      results(2)%name = 'status'
+      results(2)%unit = '-'
+      results(2)%long_name = 'whether the point was solved'
+      results(2)%flag_meanings = status_meanings
+   end function results_of_every_run
+
+   !> A real variable > 0 without default.
+   function positive_variable(group, name, unit, meaning) result(variable)
+      !> Group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable.
+      character(*), intent(in) :: name
+      !> SI unit, `-` for a pure number.
+      character(*), intent(in) :: unit
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
+      type(variable_t) :: variable
+
+      variable = variable_t(group, name, kind_real, unit, meaning, '', unset, 0.0_dp, lower_open=.true.)
+   end function positive_variable
+
+   !> Find out what all points of a run have in common, once, before the first block is solved. It saves time and changes no
+   !> bit of the results. Here there is nothing; a model with something costly of that kind overrides it.
+   subroutine prepare(self, values, is_swept)
+      !> The model, which may keep what it finds out.
+      class(model_t), intent(inout) :: self
+      !> Values of the variables at the first point; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+
+      associate (unused => self, unused_values => values, unused_is_swept => is_swept)
+      end associate
+   end subroutine prepare
+
+   !> Solve neighbouring points as `solve_block` does, to the same bits, and hand over the profiles of those that are solved. A
+   !> model whose points would be solved once more for their profiles overrides it.
+   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, attributes, profiles, receiver)
+      !> The model; all threads solve with the same one.
+      class(model_t), intent(in) :: self
+      !> Values of the variables for each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
+      real(dp), intent(out) :: results(:, :)
+      !> Relative error of the main result, estimated; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> One of `status_...` for each point; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> Counts that are summed over all blocks, as those of `solve_block`.
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      !> Room for the profiles of one point, of their shape; what stands in it at the end has no meaning.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      !> Takes the profiles of one solved point after the other, and says whether more are wanted.
+      class(profile_receiver_t), intent(inout) :: receiver
+      integer :: i
+      logical :: goes_on
+
+      call self%solve_block(values, results, error_estimate, status, attributes)
+      do i = 1, size(status)
+         if (status(i) /= status_solved) cycle
+         call self%solve_profiles(values(:, i), results(:, i), profiles)
+         call receiver%take(i, profiles, goes_on)
+         if (.not. goes_on) return
+      end do
+   end subroutine solve_block_and_profiles
+
+   !> Take over the values of a dataset; called for every one that is given, in the order of the table, before the values are
+   !> checked. They are finite and within the table's bounds. A model with such variables overrides it; here nothing is kept.
+   subroutine take_dataset(self, place, values, problems)
+      !> The model, which may keep the values.
+      class(model_t), intent(inout) :: self
+      !> Place of the dataset in `variables`.
+      integer, intent(in) :: place
+      !> Values of the dataset; shape `(n_last, n_first)`, the dimensions of the file in reverse: what h5py shows as `(ny, nx)` is
+      !> `(nx, ny)` here. A dataset of one dimension is `(n, 1)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      associate (unused => self, unused_place => place, unused_values => values, unused_problems => problems)
+      end associate
+   end subroutine take_dataset
+
+   !> The results with their units for this case (forces per width in N/m or forces in N); here those of the table. A model whose
+   !> units depend on the case overrides it.
+   function describe_results(self, values) result(results)
+      !> The model, whose table of results is read.
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      results = self%results
+      associate (unused => values)
+      end associate
+   end function describe_results
+
+   !> Quantities that follow from the values, which have been checked, for `adfric check` and the results file: none here. A
+   !> model that has some overrides it.
+   function derive_quantities(self, values) result(derived)
+      !> The model; nothing of it is read here.
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+
+      allocate (derived(0))
+      associate (unused => self, unused_too => values)
+      end associate
+   end function derive_quantities
+
+   !> The derived quantities but for those that the user has given by a variable of the same name.
+   function get_derived(self, values) result(derived)
+      !> The model, whose table of variables and derived quantities are read.
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+      logical, allocatable :: is_given(:)
+      integer :: i, k
+
+      derived = self%derive_quantities(values)
+      allocate (is_given(size(derived)), source=.false.)
+      do i = 1, size(derived)
+         do k = 1, size(self%variables)
+            if (self%variables(k)%name == derived(i)%name) is_given(i) = is_given(i) .or. is_set(values(k))
+         end do
+      end do
+      derived = pack(derived, .not. is_given)
+   end function get_derived
+
+   !> What else there is to say of the resolved case, a line each, for `adfric check`: nothing here.
+   function describe_case(self, values) result(text)
+      !> The model; nothing of it is read here.
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      associate (unused => self, unused_too => values)
+      end associate
+   end function describe_case
+
+   !> What in the case may not be what the user means, a line each, for `adfric check` and the summary of a run. Here nothing is
+   !> doubted.
+   function describe_doubts(self, values) result(text)
+      !> The model; nothing of it is read here.
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      associate (unused => self, unused_too => values)
+      end associate
+   end function describe_doubts
+
+   !> Number of states of an enumerated result; 0 for a number.
+   pure integer function n_states(self)
+      !> The result, whose `flag_meanings` are counted.
+      class(result_t), intent(in) :: self
+
+      n_states = 0
+      if (allocated(self%flag_meanings)) n_states = count_words(self%flag_meanings)
+   end function n_states
+
+   !> The profiles with their units for this case: those of the table. A model whose units depend on the case
+   !> (reduced units) overrides it.
+   function describe_profiles(self, values) result(profiles)
+      !> The model, whose table of profiles is read.
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(profile_t), allocatable :: profiles(:)
+
+      profiles = self%profiles
+      associate (unused => values)
+      end associate
+   end function describe_profiles
+
+   !> A profile axis with its unit for this case: a coordinate [m]. A model may override it.
+   function describe_profile_axis(self, values, axis) result(profile)
+      !> The model, whose `profile_axes` are read.
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the axis in `profile_axes`, from 1.
+      integer, intent(in) :: axis
+      type(profile_t) :: profile
+
+      profile%name = get_word(self%profile_axes, axis)
+      profile%unit = 'm'
+      profile%long_name = 'coordinate '//profile%name//' of the profiles'
+      associate (unused => values)
+      end associate
+   end function describe_profile_axis
+
+   !> Unit of a variable for this case: that of the table. A model whose units depend on the case overrides it.
+   function unit_of(self, values, place) result(unit)
+      !> The model, whose table of variables is read.
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%variables(place)%unit
+      associate (unused => values)
+      end associate
+   end function unit_of
+
+   !> Place of a variable in `variables`; 0 if there is none of that name.
+   pure integer function index_of(self, group, name)
+      !> The model, whose table of variables is searched.
+      class(model_t), intent(in) :: self
+      !> Group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable.
+      character(*), intent(in) :: name
+
+      do index_of = size(self%variables), 1, -1
+         if (self%variables(index_of)%group /= group) cycle
+         if (self%variables(index_of)%name == name) return
+      end do
+   end function index_of
+
+end module adfric_model_model

@@ -1,0 +1,68 @@
+!> Area of contact from a map of cells, and its error from coarser maps.
+!>
+!> Cells at the perimeter S_d are counted as a whole and so the area is too large by ((pi - 1 + ln 2)/24) S_d dx on average
+!> (V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114, 2017, 161). In one dimension there is nothing to correct.
+module adfric_periodic_area
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   implicit none (type, external)
+   private
+   public :: area_t, area_of_cells, refine_area
+
+   real(dp), parameter :: excess_of_perimeter = (pi - 1 + log(2.0_dp))/24
+   !> Scatter of the corrected area, as a part of S_d dx: what is left when two grids agree by accident.
+   real(dp), parameter :: scatter = 0.03_dp
+
+   !> Fractions of the surface.
+   type :: area_t
+      !> Cells in contact.
+      real(dp) :: cells = 0
+      !> S_d dx: as many cells as there are sides between contact and gap.
+      real(dp) :: perimeter = 0
+      !> One cell: contacts and gaps that are smaller go unseen.
+      real(dp) :: resolution = 0
+      !> `cells` less the excess at the perimeter.
+      real(dp) :: corrected = 0
+      !> Bound of the error of `corrected`; the whole surface if there was no coarser grid.
+      real(dp) :: error = 1
+   end type area_t
+
+contains
+
+   !> Count cells and sides.
+   pure type(area_t) function area_of_cells(is_contact, is_quarter) result(area)
+      !> Is the cell in contact? Shape `(nx, ny)`.
+      logical, intent(in) :: is_contact(:, :)
+      !> Is the map a quarter between planes of symmetry (else it goes on periodically)?
+      logical, intent(in) :: is_quarter
+      integer :: nx, ny, n_sides
+
+      nx = size(is_contact, 1)
+      ny = size(is_contact, 2)
+      n_sides = count(is_contact(2:, :) .neqv. is_contact(:nx - 1, :)) + count(is_contact(:, 2:) .neqv. is_contact(:, :ny - 1))
+      if (.not. is_quarter) n_sides = n_sides + count(is_contact(1, :) .neqv. is_contact(nx, :)) + &
+         count(is_contact(:, 1) .neqv. is_contact(:, ny))
+      area%cells = real(count(is_contact), dp)/size(is_contact)
+      area%perimeter = real(n_sides, dp)/size(is_contact)
+      area%resolution = 1/real(size(is_contact), dp)
+      area%corrected = area%cells
+      if (min(nx, ny) > 1) area%corrected = area%cells - excess_of_perimeter*area%perimeter
+   end function area_of_cells
+
+   !> Estimate the error from the areas on grids of half and a quarter of the cells in each direction: the larger of the last
+   !> change and half the one before, the scatter, and a cell. In one dimension each end of a contact is uncertain by a cell.
+   pure subroutine refine_area(area, coarse, coarsest, is_line)
+      !> Areas on the finest grid; the error is set.
+      type(area_t), intent(inout) :: area
+      !> Areas on the grid of half the cells in each direction.
+      type(area_t), intent(in) :: coarse
+      !> Areas on the grid of a quarter of the cells in each direction.
+      type(area_t), intent(in) :: coarsest
+      !> Does the surface not vary along y?
+      logical, intent(in) :: is_line
+
+      area%error = max(abs(area%corrected - coarse%corrected), abs(coarse%corrected - coarsest%corrected)/2) + &
+         merge(1.0_dp, scatter, is_line)*area%perimeter + area%resolution
+   end subroutine refine_area
+
+end module adfric_periodic_area

@@ -1,0 +1,384 @@
+!> What the models of a periodic surface on an elastic half-space share; a model says what its surface is.
+module adfric_periodic_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_classical_model, only: contact_profiles
+   use adfric_material_contact_modulus, only: check_contact_modulus, derive_contact_modulus
+   use adfric_model_derived, only: derived_t, add_derived
+   use adfric_model_model, only: model_t, variable_t, attribute_t, status_solved, status_no_equilibrium, &
+      & status_not_converged
+   use adfric_model_profile_receiver, only: profile_receiver_t
+   use adfric_model_requirements, only: need, need_one
+   use adfric_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, &
+      & find_full_pressure
+   use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
+   use adfric_periodic_table
+   implicit none (type, external)
+   private
+   public :: periodic_model_t
+
+   type, abstract, extends(model_t) :: periodic_model_t
+      !> Rows of the variables before those that all these models share.
+      integer :: n_own = 0
+   contains
+      procedure :: set_tables
+      procedure :: check_values
+      procedure :: wants_profiles
+      procedure :: get_profile_axis
+      procedure :: solve_block
+      procedure :: solve_profiles
+      procedure :: solve_block_and_profiles
+      procedure :: derive_quantities
+      procedure :: describe_case
+      procedure :: describe_surface
+      procedure(check_surface_i), deferred :: check_surface
+      procedure(get_surface_i), deferred :: get_surface
+      procedure(get_full_pressure_i), deferred :: get_full_pressure
+      procedure(get_peak_pressure_i), deferred :: get_peak_pressure
+   end type periodic_model_t
+
+   abstract interface
+
+      !> Add to `problems` what is missing or impossible of the surface.
+      subroutine check_surface_i(self, values, is_swept, problems)
+         import :: periodic_model_t, dp, problems_t
+         implicit none (type, external)
+         !> The model; its tables give the variables their names.
+         class(periodic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> Is the variable swept? Shape `(n_variables)`.
+         logical, intent(in) :: is_swept(:)
+         !> Receives what is wrong with the input; nothing is removed.
+         type(problems_t), intent(inout) :: problems
+      end subroutine check_surface_i
+
+      !> The surface of a point; its values have been checked.
+      subroutine get_surface_i(self, values, surface)
+         import :: periodic_model_t, dp, periodic_surface_t
+         implicit none (type, external)
+         !> The model whose surface is wanted.
+         class(periodic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> Periods and undeformed gap of the point.
+         type(periodic_surface_t), intent(out) :: surface
+      end subroutine get_surface_i
+
+      !> Mean pressure at which contact becomes full [Pa].
+      pure real(dp) function get_full_pressure_i(self, values, on_cells)
+         import :: periodic_model_t, dp
+         implicit none (type, external)
+         !> The model whose pressure of full contact is wanted.
+         class(periodic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> Pressure of full contact of the surface as its cells have it [E*].
+         real(dp), intent(in) :: on_cells
+      end function get_full_pressure_i
+
+      !> The largest pressure [Pa] of a map [E*].
+      real(dp) function get_peak_pressure_i(self, values, pressure)
+         import :: periodic_model_t, dp
+         implicit none (type, external)
+         !> The model whose largest pressure is wanted.
+         class(periodic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> Pressure in the middles of the cells [E*]; shape `(nx, ny)`.
+         real(dp), intent(in) :: pressure(:, :)
+      end function get_peak_pressure_i
+
+   end interface
+
+   !> Points that share their transforms.
+   integer, parameter :: most_neighbours = 4
+
+contains
+
+   !> Set the tables of the model.
+   subroutine set_tables(self, name, summary, variables)
+      !> The model, which receives the tables.
+      class(periodic_model_t), intent(inout) :: self
+      !> Name of the model in `&job model = ...`.
+      character(*), intent(in) :: name
+      !> What the model is, in one line for `adfric help`.
+      character(*), intent(in) :: summary
+      !> Variables of the surface; those that all these models share follow them in the table.
+      type(variable_t), intent(in) :: variables(:)
+
+      self%name = name
+      self%summary = summary
+      self%references = 'K. L. Johnson, J. A. Greenwood, J. G. Higginson, Int. J. Mech. Sci. 27 (1985) 383'
+      self%n_own = size(variables)
+      allocate (self%variables(self%n_own + n_periodic_variables))
+      self%variables(:self%n_own) = variables
+      call set_periodic_variables(self%variables(self%n_own + 1:))
+      self%results = get_periodic_results()
+      self%profiles = contact_profiles()
+      self%profile_axes = 'y x'
+      self%largest_block = most_neighbours
+   end subroutine set_tables
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      !> The model; its tables give the variables their names.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call self%check_surface(values, is_swept, problems)
+      associate (first => self%n_own + v_contact_modulus, last => self%n_own + v_second_poisson_ratio)
+         call check_contact_modulus(self%variables(first:last), values(first:last), problems, .false.)
+      end associate
+      call need_one(self%variables, values, self%n_own + [v_mean_pressure, v_penetration], .true., problems)
+   end subroutine check_values
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      !> The model, for the place of its switch of the profiles.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = values(self%n_own + v_profiles) > 0
+   end function wants_profiles
+
+   !> See `model_t`: the middles of the cells.
+   function get_profile_axis(self, values, axis) result(coordinate)
+      !> The model, for its surface.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the axis in `profile_axes`, from 1.
+      integer, intent(in) :: axis
+      real(dp), allocatable :: coordinate(:)
+      type(periodic_surface_t) :: surface
+      integer :: i, n, along
+
+      call self%get_surface(values, surface)
+      ! the slowest axis of the file is y
+      along = 3 - axis
+      n = size(surface%shape, along)
+      coordinate = [(surface%period(along)*(i - 0.5_dp)/(n*merge(2, 1, surface%is_quarter)), i=1, n)]
+   end function get_profile_axis
+
+   !> What is held at a point.
+   type(periodic_goal_t) function get_goal(self, values) result(goal)
+      !> The model, for the places of the shared variables.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      associate (v => values(self%n_own + 1:))
+         goal%tolerance = v(v_relative_tolerance)
+         goal%is_pressure = is_set(v(v_mean_pressure))
+         if (goal%is_pressure) goal%value = v(v_mean_pressure)/modulus_of(v)
+         if (.not. goal%is_pressure) goal%value = v(v_penetration)
+      end associate
+   end function get_goal
+
+   !> See `model_t`.
+   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      !> The model that solves each point; it is not changed.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables of each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
+      real(dp), intent(out) :: results(:, :)
+      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> Status of each point, one of `status_...`; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> One number: the iterations on the finest grid, summed over the points.
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+
+      call solve_points(self, values, results, error_estimate, status, attributes)
+   end subroutine solve_block
+
+   !> See `model_t`: the maps are those of the solutions that the results are taken from.
+   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, attributes, profiles, receiver)
+      !> The model that solves each point; it is not changed.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables of each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
+      real(dp), intent(out) :: results(:, :)
+      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> Status of each point, one of `status_...`; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> One number: the iterations on the finest grid, summed over the points.
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      !> Room for the maps of one point, of the shape that they have; left undefined.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      !> Takes the maps of each solved point, and says whether more of the block is wanted.
+      class(profile_receiver_t), intent(inout) :: receiver
+
+      call solve_points(self, values, results, error_estimate, status, attributes, profiles, receiver)
+   end subroutine solve_block_and_profiles
+
+   !> Solve the points of a block, with their maps or without.
+   subroutine solve_points(self, values, results, error_estimate, status, attributes, profiles, receiver)
+      !> The model that solves each point; it is not changed.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables of each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
+      real(dp), intent(out) :: results(:, :)
+      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> Status of each point, one of `status_...`; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> One number: the iterations on the finest grid, summed over the points.
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      !> Room for the maps of one point, of the shape that they have; present if `receiver` is.
+      real(dp), intent(inout), optional :: profiles(:, :, :)
+      !> Takes the maps of each solved point, and says whether more is wanted; not present: no maps are made.
+      class(profile_receiver_t), intent(inout), optional :: receiver
+      type(periodic_memory_t) :: memory
+      type(periodic_surface_t) :: surface
+      type(periodic_solution_t) :: solution
+      type(error_t), allocatable :: error
+      integer :: i
+      logical :: goes_on
+
+      allocate (attributes(1))
+      attributes(1)%name = 'iterations_per_point'
+      results = not_a_number()
+      error_estimate = not_a_number()
+      status = status_not_converged
+      do i = 1, size(values, 2)
+         call self%get_surface(values(:, i), surface)
+         call solve_periodic(surface, get_goal(self, values(:, i)), memory, solution, error)
+         if (allocated(error)) cycle
+         if (solution%status == contact_out_of_range) status(i) = status_no_equilibrium
+         attributes(1)%value = attributes(1)%value + solution%n_iterations
+         if (solution%status /= contact_solved) cycle
+         status(i) = status_solved
+         call store(self, values(:, i), solution, results(:, i))
+         error_estimate(i) = 0
+         if (solution%area%error > 0) error_estimate(i) = solution%area%error/max(solution%area%corrected, solution%area%error)
+         if (.not. present(receiver)) cycle
+         call set_maps(solution, modulus_of(values(self%n_own + 1:, i)), profiles)
+         call receiver%take(i, profiles, goes_on)
+         if (.not. goes_on) return
+      end do
+   end subroutine solve_points
+
+   !> Set the maps of pressure and gap.
+   pure subroutine set_maps(solution, modulus, profiles)
+      !> Solution whose pressure and gap are taken.
+      type(periodic_solution_t), intent(in) :: solution
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Receives the maps of pressure [Pa] and gap [m]; shape `(nx, ny, 2)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
+
+      profiles(:, :, 1) = solution%pressure*modulus
+      profiles(:, :, 2) = solution%gap
+   end subroutine set_maps
+
+   !> Set the results of a point.
+   subroutine store(self, values, solution, results)
+      !> The model, which finds peak pressure and pressure of full contact.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Solution of the point; lengths in m, pressures in E*.
+      type(periodic_solution_t), intent(in) :: solution
+      !> Results of the point; shape `(n_results)`.
+      real(dp), intent(out) :: results(:)
+
+      associate (s => solution, v => values(self%n_own + 1:))
+         results(r_mean_pressure) = s%mean_pressure*modulus_of(v)
+         results(r_penetration) = s%penetration
+         ! what was given comes back to the last digit
+         if (is_set(v(v_mean_pressure))) results(r_mean_pressure) = v(v_mean_pressure)
+         if (is_set(v(v_penetration))) results(r_penetration) = v(v_penetration)
+         results(r_contact_fraction) = s%area%corrected
+         results(r_contact_fraction_error) = s%area%error
+         results(r_peak_pressure) = self%get_peak_pressure(values, s%pressure)
+         results(r_mean_gap) = sum(s%gap)/size(s%gap)
+         results(r_full_contact_pressure) = self%get_full_pressure(values, s%full_pressure)
+         results(r_contact_violation) = s%residual
+      end associate
+   end subroutine store
+
+   !> See `model_t`.
+   subroutine solve_profiles(self, values, results, profiles)
+      !> The model that finds the profiles; it is not changed.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> Profiles of the point, NaN where there is no value; shape `(n_last_axis, n_first_axis, n_profiles)`.
+      real(dp), intent(out) :: profiles(:, :, :)
+      type(periodic_memory_t) :: memory
+      type(periodic_surface_t) :: surface
+      type(periodic_solution_t) :: solution
+      type(error_t), allocatable :: error
+
+      profiles = not_a_number()
+      if (.not. results(r_mean_pressure) < huge(1.0_dp)) return
+      call self%get_surface(values, surface)
+      call solve_periodic(surface, get_goal(self, values), memory, solution, error)
+      if (allocated(error)) return
+      call set_maps(solution, modulus_of(values(self%n_own + 1:)), profiles)
+   end subroutine solve_profiles
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(derived)
+      !> The model, for its surface and the rows of its contact modulus.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+      type(periodic_surface_t) :: surface
+      real(dp) :: mean
+
+      associate (first => self%n_own + v_contact_modulus, last => self%n_own + v_second_poisson_ratio)
+         derived = derive_contact_modulus(self%variables(first:last), values(first:last))
+      end associate
+      call self%get_surface(values, surface)
+      call add_derived(derived, 'full_contact_pressure', 'Pa', 'pressure of full contact p*', &
+         & self%get_full_pressure(values, find_full_pressure(surface)))
+      mean = sum(surface%shape)/size(surface%shape)
+      call add_derived(derived, 'full_contact_penetration', 'm', 'penetration of full contact', mean)
+      call add_derived(derived, 'root_mean_square_height', 'm', 'root of the mean square of the heights', &
+         & sqrt(sum((surface%shape - mean)**2)/size(surface%shape)))
+   end function derive_quantities
+
+   !> See `model_t`.
+   function describe_case(self, values) result(text)
+      !> The model that describes its surface.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, not used here.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = self%describe_surface()
+      associate (unused => values)
+      end associate
+   end function describe_case
+
+   !> What else there is to say of the surface, a line each: nothing. A model may override it.
+   function describe_surface(self) result(text)
+      !> The model; nothing is read from it here.
+      class(periodic_model_t), intent(in) :: self
+      character(:), allocatable :: text
+
+      text = ''
+      associate (unused => self)
+      end associate
+   end function describe_surface
+
+end module adfric_periodic_model

@@ -1,0 +1,134 @@
+!> The surface of an elastic half-space under pressures periodic in x and y.
+!>
+!> A mode of pressure p exp(i k.x) displaces the surface by u = 2 p/(E* |k|) (K. L. Johnson, Contact Mechanics, 1985,
+!> section 13.2); its inverse, the stiffness E* |k|/2, takes displacements to pressures. Pressures are in units of E*, lengths
+!> in any unit, displacements and pressures positive into the solid. Constants have no stiffness: the mean displacement is 0.
+module adfric_periodic_operator
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
+   implicit none (type, external)
+   private
+   public :: periodic_operator_t, new_periodic_operator, is_too_long
+
+   !> Cells may be so many times as long as wide; beyond that modes along and across differ by more digits than there are.
+   real(dp), parameter :: longest_cell = 1.0e6_dp
+
+   !> Stiffness and compliance on a grid of cells. Not to be copied; one for each thread.
+   type :: periodic_operator_t
+      !> Number of cells in each direction; 1 along y for a surface that does not vary there.
+      integer :: n_cells(2) = 0
+      !> Size of a cell.
+      real(dp) :: cell_size(2) = 0
+      !> Is the grid a quarter of the period, between two pairs of planes of symmetry?
+      logical :: is_quarter = .false.
+      !> How often stiffness or compliance were applied.
+      integer :: n_applied = 0
+      type(spectral_filter_t), private :: filter
+      !> Symbols, shape of the modes.
+      real(dp), allocatable, private :: stiffness(:, :), compliance(:, :)
+   contains
+      procedure :: apply_stiffness
+      procedure :: apply_compliance
+   end type periodic_operator_t
+
+contains
+
+   !> Set up the operator on a grid.
+   subroutine new_periodic_operator(self, n_cells, period, is_quarter, is_measured, error)
+      !> The operator; not to be used after an error.
+      type(periodic_operator_t), intent(out) :: self
+      !> Number of cells in each direction, of the quarter if it is one.
+      integer, intent(in) :: n_cells(2)
+      !> Periods in x and y, in any unit of length, > 0.
+      real(dp), intent(in) :: period(2)
+      !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
+      logical, intent(in) :: is_quarter
+      !> Shall trials tell the fastest transform?
+      logical, intent(in) :: is_measured
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i, j
+      real(dp) :: k
+
+      if (.not. all(period > 0)) then
+         call set_error(error, input_failure, 'the periods of a surface must be positive')
+         return
+      else if (is_too_long(n_cells, period)) then
+         call set_error(error, input_failure, 'the cells of a surface are far longer than wide')
+         return
+      end if
+      call new_spectral_filter(self%filter, n_cells(1), n_cells(2), is_quarter, is_measured, error)
+      if (allocated(error)) return
+      self%n_cells = n_cells
+      self%is_quarter = is_quarter
+      self%cell_size = period/(n_cells*merge(2, 1, is_quarter))
+      associate (n => self%filter%n_modes, gain => self%filter%gain)
+         allocate (self%stiffness(n(1), n(2)), self%compliance(n(1), n(2)))
+         do j = 1, n(2)
+            do i = 1, n(1)
+               k = two_pi*hypot((i - 1)/period(1), wave_number(j - 1, n_cells(2), is_quarter)/period(2))
+               self%stiffness(i, j) = k/2/gain
+               ! the mean has none; the value stands for that of the ring around a small contact
+               self%compliance(i, j) = maxval(period)/gain
+               if (k > 0) self%compliance(i, j) = 2/k/gain
+            end do
+         end do
+      end associate
+   end subroutine new_periodic_operator
+
+   !> Are the cells longer, or wider, than can be?
+   pure logical function is_too_long(n_cells, period)
+      !> Number of cells in each direction; a line has 1 in one of them.
+      integer, intent(in) :: n_cells(2)
+      !> Periods in x and y, in any unit of length, > 0.
+      real(dp), intent(in) :: period(2)
+
+      is_too_long = .false.
+      if (any(n_cells <= 1)) return
+      associate (sizes => period/n_cells)
+         is_too_long = .not. maxval(sizes) <= longest_cell*minval(sizes)
+      end associate
+   end function is_too_long
+
+   !> Number of waves of a mode along the second direction.
+   pure real(dp) function wave_number(mode, n_points, is_quarter) result(number)
+      !> Number of the mode along the second direction, from 0.
+      integer, intent(in) :: mode
+      !> Number of cells along the second direction.
+      integer, intent(in) :: n_points
+      !> Is the grid a quarter of the period, whose modes are cosines?
+      logical, intent(in) :: is_quarter
+
+      number = merge(mode, min(mode, n_points - mode), is_quarter)
+   end function wave_number
+
+   !> Pressures that make given displacements, up to their mean.
+   subroutine apply_stiffness(self, displacement, pressure)
+      !> The operator, which counts how often it is applied.
+      class(periodic_operator_t), intent(inout) :: self
+      !> Displacement of the surface in the middles of the cells; shape `n_cells`.
+      real(dp), intent(in) :: displacement(:, :)
+      !> Pressure in the middles of the cells [E*]; shape `n_cells`.
+      real(dp), intent(out) :: pressure(:, :)
+
+      call self%filter%apply(self%stiffness, displacement, pressure)
+      self%n_applied = self%n_applied + 1
+   end subroutine apply_stiffness
+
+   !> Displacements under given pressures; a positive multiple of the mean pressure in place of their mean, so that
+   !> the operator is positive definite.
+   subroutine apply_compliance(self, pressure, displacement)
+      !> The operator, which counts how often it is applied.
+      class(periodic_operator_t), intent(inout) :: self
+      !> Pressure in the middles of the cells [E*]; shape `n_cells`.
+      real(dp), intent(in) :: pressure(:, :)
+      !> Displacement of the surface in the middles of the cells; shape `n_cells`.
+      real(dp), intent(out) :: displacement(:, :)
+
+      call self%filter%apply(self%compliance, pressure, displacement)
+      self%n_applied = self%n_applied + 1
+   end subroutine apply_compliance
+
+end module adfric_periodic_operator

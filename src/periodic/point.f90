@@ -1,0 +1,112 @@
+!> One contact of a periodic surface, in the units of its case: lengths in periods along x, pressures in E*.
+module adfric_periodic_point
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
+   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
+   implicit none (type, external)
+   private
+   public :: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, find_full_pressure
+
+   !> A surface.
+   type :: periodic_surface_t
+      !> Periods along x and y [m].
+      real(dp) :: period(2) = 0
+      !> Is it even about 0 and half a period in both directions, and only that quarter given?
+      logical :: is_quarter = .false.
+      !> Gap of the undeformed surfaces in the middles of the cells, 0 at first touch [m].
+      real(dp), allocatable :: shape(:, :)
+   end type periodic_surface_t
+
+   !> What is held at a point.
+   type :: periodic_goal_t
+      !> Is it the mean pressure [E*], or else the penetration [m]?
+      logical :: is_pressure = .true.
+      real(dp) :: value = 0
+      !> Largest residual.
+      real(dp) :: tolerance = 1.0e-10_dp
+   end type periodic_goal_t
+
+   !> Solver of the last point, for the next one.
+   type :: periodic_memory_t
+      private
+      integer :: n_cells(2) = 0
+      real(dp) :: period(2) = 0
+      logical :: is_quarter = .false.
+      type(periodic_solver_t), allocatable :: solver
+   end type periodic_memory_t
+
+contains
+
+   !> Solve a point; an error means that there is no memory.
+   subroutine solve_periodic(surface, goal, memory, solution, error)
+      !> Periods and undeformed gap of the surface [m].
+      type(periodic_surface_t), intent(in) :: surface
+      !> What is held at the point, and the largest residual.
+      type(periodic_goal_t), intent(in) :: goal
+      !> Solver of the last point; made anew where cells, ratio of the periods or symmetry are others.
+      type(periodic_memory_t), intent(inout) :: memory
+      !> The solution; lengths in m, pressures in E*.
+      type(periodic_solution_t), intent(out) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      real(dp) :: unit
+
+      unit = surface%period(1)
+      call prepare(surface, memory, error)
+      if (allocated(error)) return
+      if (goal%is_pressure) then
+         call memory%solver%solve_load(surface%shape/unit, goal%value, goal%tolerance, solution, error)
+      else
+         call memory%solver%solve_penetration(surface%shape/unit, goal%value/unit, goal%tolerance, solution, error)
+      end if
+      if (allocated(error)) return
+      solution%penetration = solution%penetration*unit
+      if (allocated(solution%gap)) solution%gap = solution%gap*unit
+   end subroutine solve_periodic
+
+   !> Mean pressure at which contact becomes full on the cells of the surface: the largest tension under a flat surface, without a
+   !> mean, that follows it everywhere. NaN if there is no memory.
+   real(dp) function find_full_pressure(surface) result(pressure)
+      !> Periods and undeformed gap of the surface [m].
+      type(periodic_surface_t), intent(in) :: surface
+      type(periodic_operator_t) :: operator
+      type(error_t), allocatable :: error
+      real(dp), allocatable :: tension(:, :)
+
+      pressure = not_a_number()
+      call new_periodic_operator(operator, shape(surface%shape), surface%period/surface%period(1), surface%is_quarter, .false., &
+         & error)
+      if (allocated(error)) return
+      allocate (tension, mold=surface%shape)
+      call operator%apply_stiffness(surface%shape/surface%period(1), tension)
+      pressure = maxval(tension)
+   end function find_full_pressure
+
+   !> A solver of the surface's size, where the last point has not left it.
+   subroutine prepare(surface, memory, error)
+      !> Periods and undeformed gap of the surface [m].
+      type(periodic_surface_t), intent(in) :: surface
+      !> Solver of the last point; made anew where cells, ratio of the periods or symmetry are others.
+      type(periodic_memory_t), intent(inout) :: memory
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      real(dp) :: period(2)
+
+      period = surface%period/surface%period(1)
+      associate (n => shape(surface%shape))
+         if (all(memory%n_cells == n) .and. .not. any(abs(memory%period - period) > 0) &
+            & .and. (memory%is_quarter .eqv. surface%is_quarter)) return
+         memory%n_cells = 0
+         if (allocated(memory%solver)) deallocate (memory%solver)
+         allocate (memory%solver)
+         call new_periodic_solver(memory%solver, n, period, surface%is_quarter, error)
+         if (allocated(error)) return
+         memory%n_cells = n
+      end associate
+      memory%period = period
+      memory%is_quarter = surface%is_quarter
+   end subroutine prepare
+
+end module adfric_periodic_point

@@ -1,0 +1,281 @@
+!> Contact of a periodic surface with an elastic half-space: load or penetration to pressure, gap and area.
+!>
+!> The contact is solved on the coarsest grid first and carried from grid to grid, each of half the cell size, so that on the
+!> finest one only cells at the perimeter are wrong. Frictionless, without adhesion; equations in
+!> `adfric_periodic_contact`. Pressures are in units of E*, lengths in any unit.
+module adfric_periodic_solver
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_periodic_area, only: area_t, area_of_cells, refine_area
+   use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact, residual_of
+   use adfric_periodic_face, only: face_t, new_face
+   use adfric_periodic_grids, only: coarsen, refine, n_grids_of
+   use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
+   implicit none (type, external)
+   private
+   public :: periodic_solver_t, periodic_solution_t, new_periodic_solver
+   public :: contact_solved, contact_not_converged, contact_out_of_range, grids_for_error
+
+   !> How a solution ended.
+   integer, parameter :: contact_solved = 0, contact_not_converged = 1
+   !> A load that is negative, or a penetration that no pressure reaches: full contact has the mean of the undeformed gap.
+   integer, parameter :: contact_out_of_range = 2
+   !> Grids that it takes to estimate the error of the area.
+   integer, parameter :: grids_for_error = 3
+   !> Largest residual that a grid other than the finest needs.
+   real(dp), parameter :: coarse_tolerance = 1.0e-4_dp
+
+   !> What a solution is; the maps have the shape of the cells.
+   type :: periodic_solution_t
+      !> Pressure in the cells [E*].
+      real(dp), allocatable :: pressure(:, :)
+      real(dp), allocatable :: gap(:, :)
+      !> Mean pressure [E*].
+      real(dp) :: mean_pressure = 0
+      !> How far the surfaces approached from first touch, at the mean of the deformed surface.
+      real(dp) :: penetration = 0
+      type(area_t) :: area
+      !> Mean pressure at which contact becomes full on these cells, the largest of A g0 [E*].
+      real(dp) :: full_pressure = 0
+      !> Largest violation of the conditions of contact, see `adfric_periodic_contact`.
+      real(dp) :: residual = huge(1.0_dp)
+      !> Iterations and applied operators on the finest grid.
+      integer :: n_iterations = 0, n_applied = 0
+      !> `contact_solved`, `contact_not_converged` or `contact_out_of_range`.
+      integer :: status = contact_not_converged
+   end type periodic_solution_t
+
+   !> One grid.
+   type :: grid_t
+      type(periodic_operator_t) :: operator
+      type(face_t) :: face
+   end type grid_t
+
+   !> Plans and workspaces for one size of surface. Not to be copied; one for each thread.
+   type :: periodic_solver_t
+      private
+      !> The finest is the last.
+      type(grid_t), allocatable :: grids(:)
+   contains
+      procedure :: solve_load
+      procedure :: solve_penetration
+      procedure, private :: solve
+      procedure, private :: set_touch
+   end type periodic_solver_t
+
+contains
+
+   !> Set up grids, plans and workspaces.
+   subroutine new_periodic_solver(self, n_cells, period, is_quarter, error, is_measured)
+      !> The solver; not to be used after an error.
+      type(periodic_solver_t), intent(out) :: self
+      !> Number of cells along x and y, of the quarter if it is one; best with many factors of 2. One cell along y makes a line.
+      integer, intent(in) :: n_cells(2)
+      !> Periods in x and y, in any unit of length, > 0.
+      real(dp), intent(in) :: period(2)
+      !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
+      logical, intent(in) :: is_quarter
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      !> Shall trials tell the fastest transforms? Worth it for hundreds of solutions.
+      logical, intent(in), optional :: is_measured
+      integer :: k, n_grids
+      logical :: measured
+
+      measured = .false.
+      if (present(is_measured)) measured = is_measured
+      n_grids = n_grids_of(n_cells)
+      allocate (self%grids(n_grids))
+      do k = 1, n_grids
+         associate (n => max(n_cells/2**(n_grids - k), min(n_cells, 1)))
+            call new_periodic_operator(self%grids(k)%operator, n, period, is_quarter, measured, error)
+            if (allocated(error)) return
+            call new_face(self%grids(k)%face, n)
+         end associate
+      end do
+   end subroutine new_periodic_solver
+
+   !> Solve under a mean pressure.
+   subroutine solve_load(self, shape, mean_pressure, tolerance, solution, error)
+      !> Solver for surfaces of these cells and periods.
+      class(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> Mean pressure [E*]; a negative one is out of range.
+      real(dp), intent(in) :: mean_pressure
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> The solution; `status` tells how it ended.
+      type(periodic_solution_t), intent(out) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(contact_state_t) :: goal
+
+      call check_shape(self, shape, error)
+      if (allocated(error)) return
+      if (mean_pressure > 0) then
+         goal%mean_pressure = mean_pressure
+         call self%solve(shape, goal, tolerance, solution)
+      else if (mean_pressure < 0) then
+         solution%status = contact_out_of_range
+      else
+         call self%set_touch(shape, 0.0_dp, solution)
+      end if
+   end subroutine solve_load
+
+   !> Solve at a penetration.
+   subroutine solve_penetration(self, shape, penetration, tolerance, solution, error)
+      !> Solver for surfaces of these cells and periods.
+      class(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> Penetration from first touch, at the mean of the deformed surface; in the unit of `shape`.
+      real(dp), intent(in) :: penetration
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> The solution; `status` tells how it ended.
+      type(periodic_solution_t), intent(out) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(contact_state_t) :: goal
+
+      call check_shape(self, shape, error)
+      if (allocated(error)) return
+      goal%has_fixed_mean = .true.
+      goal%mean_gap = sum(shape)/size(shape) - penetration
+      if (penetration <= minval(shape)) then
+         call self%set_touch(shape, penetration, solution)
+      else if (goal%mean_gap > 0) then
+         call self%solve(shape, goal, tolerance, solution)
+      else
+         solution%status = contact_out_of_range
+      end if
+   end subroutine solve_penetration
+
+   !> The shape must be one of the finest grid.
+   pure subroutine check_shape(self, shape, error)
+      !> Solver whose finest grid says how many cells there must be.
+      class(periodic_solver_t), intent(in) :: self
+      !> Gap of the undeformed surfaces, whose number of cells is checked.
+      real(dp), intent(in) :: shape(:, :)
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+
+      if (any(ubound(shape) /= self%grids(size(self%grids))%operator%n_cells)) &
+         call set_error(error, input_failure, 'the surface does not have the number of cells of its solver')
+   end subroutine check_shape
+
+   !> Set the state without contact.
+   subroutine set_touch(self, shape, penetration, solution)
+      !> Solver whose finest operator finds the pressure of full contact.
+      class(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> Penetration from first touch, at most the least value of `shape`.
+      real(dp), intent(in) :: penetration
+      !> Receives the state without contact.
+      type(periodic_solution_t), intent(inout) :: solution
+
+      solution%gap = shape - penetration
+      allocate (solution%pressure, mold=shape)
+      call self%grids(size(self%grids))%operator%apply_stiffness(shape, solution%pressure)
+      solution%full_pressure = maxval(solution%pressure)
+      solution%pressure = 0*shape
+      solution%penetration = penetration
+      solution%area%error = 0
+      ! a contact smaller than a cell goes unseen
+      if (penetration > 0) solution%area%error = 1/real(size(shape), dp)
+      solution%residual = 0
+      solution%status = contact_solved
+   end subroutine set_touch
+
+   !> Solve on each grid, from the coarsest that has contact to the finest.
+   subroutine solve(self, shape, goal, tolerance, solution)
+      !> Solver for surfaces of these cells and periods.
+      class(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> What is given: the mean pressure or the mean gap.
+      type(contact_state_t), intent(in) :: goal
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> Receives the solution, and how often the finest operator was applied for it.
+      type(periodic_solution_t), intent(inout) :: solution
+      type(contact_state_t), allocatable :: states(:)
+      integer :: k, n, first
+
+      n = size(self%grids)
+      allocate (states(n), source=goal)
+      states(n)%shape = shape
+      first = n
+      do k = n - 1, 1, -1
+         states(k)%shape = coarsen(states(k + 1)%shape)
+         if (touches(states(k))) first = k
+         if (first > k) exit
+      end do
+      do k = first, n
+         associate (grid => self%grids(k))
+            if (k == n) solution%n_applied = -grid%operator%n_applied
+            if (k == first) call start_contact(states(k), grid%operator)
+            if (k > first) call start_from_coarse(states(k), states(k - 1), grid%operator)
+            call solve_contact(states(k), grid%operator, grid%face, merge(tolerance, coarse_tolerance, k == n))
+         end associate
+      end do
+      solution%n_applied = solution%n_applied + self%grids(n)%operator%n_applied
+      call set_solution(states(first:), self%grids(n)%operator%is_quarter, solution)
+   end subroutine solve
+
+   !> Is there contact? Under given penetration a coarse grid may have lost the summits that touch.
+   pure logical function touches(state)
+      !> Shape on one grid and what is given.
+      type(contact_state_t), intent(in) :: state
+
+      touches = .not. state%has_fixed_mean
+      if (.not. touches) touches = minval(state%shape) < sum(state%shape)/size(state%shape) - state%mean_gap
+   end function touches
+
+   !> Begin from gap and open region of the next coarser grid. A function that changes its sign at the edge of the contact tells
+   !> where this edge lies.
+   subroutine start_from_coarse(state, coarse, operator)
+      !> Contact on the finer grid; receives gap, open region and mean pressure to begin from.
+      type(contact_state_t), intent(inout) :: state
+      !> Solved contact on the next coarser grid.
+      type(contact_state_t), intent(in) :: coarse
+      !> Operator of the finer grid, for its cells and symmetry.
+      type(periodic_operator_t), intent(in) :: operator
+      real(dp) :: sign_function(size(coarse%gap, 1), size(coarse%gap, 2))
+
+      sign_function = merge(-coarse%gap/maxval(operator%cell_size), coarse%pressure, coarse%is_open)
+      state%is_open = refine(sign_function, state%shape, operator%is_quarter) < 0
+      state%gap = max(refine(coarse%gap, state%shape, operator%is_quarter), 0.0_dp)
+      state%mean_pressure = coarse%mean_pressure
+   end subroutine start_from_coarse
+
+   !> Collect what the grids have found.
+   pure subroutine set_solution(states, is_quarter, solution)
+      !> Contacts on the grids that were used, the finest last.
+      type(contact_state_t), intent(in) :: states(:)
+      !> Are the maps a quarter between planes of symmetry (else they go on periodically)?
+      logical, intent(in) :: is_quarter
+      !> Receives the contact on the finest grid, and the area with its error from coarser ones.
+      type(periodic_solution_t), intent(inout) :: solution
+      type(area_t) :: areas(size(states))
+      integer :: k, n
+
+      n = size(states)
+      do k = max(1, n - grids_for_error + 1), n
+         areas(k) = area_of_cells(.not. states(k)%is_open, is_quarter)
+      end do
+      if (n >= grids_for_error) call refine_area(areas(n), areas(n - 1), areas(n - 2), size(states(n)%shape, 2) == 1)
+      solution%area = areas(n)
+      solution%residual = residual_of(states(n))
+      solution%status = merge(contact_solved, contact_not_converged, states(n)%is_converged)
+      solution%n_iterations = states(n)%n_iterations
+      solution%mean_pressure = states(n)%mean_pressure
+      solution%penetration = sum(states(n)%shape - states(n)%gap)/size(states(n)%shape)
+      solution%full_pressure = -minval(states(n)%rest_pressure)
+      solution%gap = max(states(n)%gap, 0.0_dp)
+      solution%pressure = merge(0.0_dp, max(states(n)%pressure, 0.0_dp), states(n)%is_open)
+   end subroutine set_solution
+
+end module adfric_periodic_solver

@@ -1,0 +1,62 @@
+!> Rows of the tables that all models of a periodic surface share.
+module adfric_periodic_table
+   use adfric_base_kinds, only: dp
+   use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of
+   use adfric_model_model, only: variable_t, result_t, kind_real, kind_logical
+   use adfric_model_rows, only: positive, number
+   implicit none (type, external)
+   private
+   public :: set_periodic_variables, get_periodic_results, modulus_of
+
+   !> Places among the last rows of the variables.
+   integer, parameter, public :: v_relative_tolerance = 1, v_contact_modulus = 2, v_second_poisson_ratio = 6, &
+      & v_mean_pressure = 7, v_penetration = 8, v_profiles = 9
+   integer, parameter, public :: n_periodic_variables = 9
+
+   !> Places of the results.
+   integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_fraction = 3, r_contact_fraction_error = 4, &
+      & r_peak_pressure = 5, r_mean_gap = 6, r_full_contact_pressure = 7, r_contact_violation = 8
+   integer, parameter, public :: n_periodic_results = 8
+
+contains
+
+   !> Rows of the tolerance, the solid, what is held and the maps.
+   subroutine set_periodic_variables(v)
+      !> Receives the rows that all models of a periodic surface share; shape `(n_periodic_variables)`.
+      type(variable_t), intent(inout) :: v(:)
+
+      call set_modulus_rows(positive('solid', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_second_poisson_ratio))
+      v(v_mean_pressure) = number('operating', 'mean_pressure', 'Pa', 'load over nominal area')
+      v(v_mean_pressure)%lower = 0
+      v(v_penetration) = number('operating', 'penetration', 'm', &
+         & 'approach from first touch, at the mean of the deformed surface, instead')
+      v(v_relative_tolerance) = variable_t('numerics', 'relative_tolerance', kind_real, '-', &
+         & 'largest violation of the conditions of contact', '', 1.0e-10_dp, 1.0e-13_dp, 1.0e-3_dp)
+      v(v_profiles) = variable_t('output', 'profiles', kind_logical, '', 'write maps of pressure and gap for every point', '', &
+         & 0.0_dp)
+   end subroutine set_periodic_variables
+
+   !> E* [Pa].
+   pure real(dp) function modulus_of(values)
+      !> Values of these rows alone; shape `(n_periodic_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+   end function modulus_of
+
+   !> The table of results.
+   function get_periodic_results() result(r)
+      type(result_t), allocatable :: r(:)
+
+      allocate (r(n_periodic_results))
+      r(r_mean_pressure) = result_t('mean_pressure', 'Pa', 'load over nominal area', '', .true.)
+      r(r_penetration) = result_t('penetration', 'm', 'approach from first touch, at the mean of the deformed surface', '', .true.)
+      r(r_contact_fraction) = result_t('contact_fraction', '-', 'share of the area in contact', '', .true.)
+      r(r_contact_fraction_error) = result_t('contact_fraction_error', '-', 'bound of its error, from coarser grids', '')
+      r(r_peak_pressure) = result_t('peak_pressure', 'Pa', 'largest pressure', '', .true.)
+      r(r_mean_gap) = result_t('mean_gap', 'm', 'volume between the surfaces over nominal area', '')
+      r(r_full_contact_pressure) = result_t('full_contact_pressure', 'Pa', 'p*, where full contact begins', '')
+      r(r_contact_violation) = result_t('contact_violation', '-', 'largest violation of g >= 0, p >= 0, g p = 0', '')
+   end function get_periodic_results
+
+end module adfric_periodic_table

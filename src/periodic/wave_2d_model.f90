@@ -1,0 +1,116 @@
+!> The model `wave_2d_elastic`: a rigid bi-sinusoidal wave on an elastic half-space, without friction and adhesion.
+!>
+!> Full contact is reached at the mean pressure p* = 2 pi E* D/l (K. L. Johnson, J. A. Greenwood, J. G. Higginson, Int. J. Mech.
+!> Sci. 27, 1985, 383, on axes turned by 45 degrees), at the penetration 2 D. The wave is even about its crests and troughs, so
+!> a quarter of its cell is all that is solved.
+module adfric_periodic_wave_2d_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_base_problems, only: problems_t
+   use adfric_model_model, only: variable_t, kind_integer
+   use adfric_model_requirements, only: need, refuse_swept_axes
+   use adfric_model_rows, only: positive
+   use adfric_periodic_model, only: periodic_model_t
+   use adfric_periodic_point, only: periodic_surface_t
+   use adfric_periodic_table, only: modulus_of
+   implicit none (type, external)
+   private
+   public :: wave_2d_model_t, new_wave_2d_model
+
+   !> Places of the wave's own variables; those of `adfric_periodic_table` follow.
+   integer, parameter, public :: v_period = 1, v_amplitude = 2, v_cells = 3
+   integer, parameter, public :: n_wave_2d_own = 3
+   !> Cells come in multiples of this, so that grids of half and a quarter of them tell the error of the area.
+   integer, parameter :: multiple_of_cells = 64
+
+   type, extends(periodic_model_t) :: wave_2d_model_t
+   contains
+      procedure :: check_surface
+      procedure :: get_surface
+      procedure :: get_full_pressure
+      procedure :: get_peak_pressure
+   end type wave_2d_model_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_wave_2d_model(self)
+      !> The new model; receives its tables.
+      type(wave_2d_model_t), intent(out) :: self
+      type(variable_t) :: v(n_wave_2d_own)
+
+      v(v_period) = positive('surface', 'period', 'm', 'period l in x and y')
+      v(v_amplitude) = positive('surface', 'amplitude', 'm', 'D of the wave z = D (2 - cos 2 pi x/l - cos 2 pi y/l)')
+      v(v_cells) = variable_t('numerics', 'cells', kind_integer, '-', &
+         & 'cells along a period, a multiple of 64; the error of the area falls with their number', '', &
+         & 512.0_dp, 64.0_dp, 8192.0_dp)
+      call self%set_tables('wave_2d_elastic', &
+         & 'a rigid wave in two directions on an elastic half-space: area, pressure and gap up to full contact', v)
+   end subroutine new_wave_2d_model
+
+   !> See `periodic_model_t`.
+   subroutine check_surface(self, values, is_swept, problems)
+      !> The model; its tables give the variables their names.
+      class(wave_2d_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call need(self%variables, values, [v_period, v_amplitude], problems)
+      if (modulo(nint(values(v_cells)), multiple_of_cells) /= 0) &
+         & call problems%add('numerics', 'cells', 'is no multiple of 64')
+      if (self%wants_profiles(values)) call refuse_swept_axes(self%variables, is_swept, [v_period, v_cells], problems)
+   end subroutine check_surface
+
+   !> See `periodic_model_t`.
+   subroutine get_surface(self, values, surface)
+      !> The model; nothing is read from it here.
+      class(wave_2d_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Periods and undeformed gap of the point.
+      type(periodic_surface_t), intent(out) :: surface
+      real(dp), allocatable :: trough(:)
+      integer :: i, n
+
+      n = nint(values(v_cells))/2
+      trough = [(values(v_amplitude)*(1 - cos(two_pi*(i - 0.5_dp)/(2*n))), i=1, n)]
+      surface%period = values(v_period)
+      surface%is_quarter = .true.
+      surface%shape = spread(trough, 1, n) + spread(trough, 2, n)
+      associate (unused => self)
+      end associate
+   end subroutine get_surface
+
+   !> See `periodic_model_t`: that of the wave itself.
+   pure real(dp) function get_full_pressure(self, values, on_cells)
+      !> The model, for the places of the shared variables.
+      class(wave_2d_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Pressure of full contact of the surface as its cells have it [E*], not used here.
+      real(dp), intent(in) :: on_cells
+
+      get_full_pressure = two_pi*modulus_of(values(self%n_own + 1:))*(values(v_amplitude)/values(v_period))
+      associate (unused => on_cells)
+      end associate
+   end function get_full_pressure
+
+   !> See `periodic_model_t`: that of the crest, about which pressure is even in both directions.
+   real(dp) function get_peak_pressure(self, values, pressure)
+      !> The model, for the places of the shared variables.
+      class(wave_2d_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Pressure in the middles of the cells [E*]; shape `(nx, ny)`.
+      real(dp), intent(in) :: pressure(:, :)
+
+      associate (p => pressure)
+         get_peak_pressure = modulus_of(values(self%n_own + 1:))*(81*p(1, 1) - 9*p(2, 1) - 9*p(1, 2) + p(2, 2))/64
+      end associate
+   end function get_peak_pressure
+
+end module adfric_periodic_wave_2d_model

@@ -1,0 +1,359 @@
+!> Solve the blocks that a source gives, with all threads, and hand the results to a sink.
+!>
+!> Each thread takes a few neighbouring blocks, solves them one by one and leaves their results to one more thread, which
+!> puts them into the sink, again and again. Blocks may be taken and put in any order: the results do not depend on it.
+!> Batches are small where points take long, so that little is lost when a run is killed, and large where points take
+!> next to no time, so that few calls of the sink are needed. Memory does not grow with the number of points.
+module adfric_run_runner
+   use omp_lib, only: omp_get_max_threads, omp_get_num_threads, omp_get_thread_num
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_error, only: error_t
+   use adfric_base_words, only: count_words
+   use adfric_model_model, only: model_t, attribute_t
+   use adfric_run_batch, only: batch_bytes
+   use adfric_run_blocks, only: blocks_t, new_blocks, block_size_of
+   use adfric_run_block_source, only: block_source_t, block_list_t, new_block_list
+   use adfric_run_counts, only: find_counts, pick_counts
+   use adfric_run_delivery, only: delivery_t, new_delivery, profile_gate_t, prepare_sink, leave_batch, &
+      & end_leaving, deliver, has_failed, most_waiting
+   use adfric_run_plan, only: plan_t
+   use adfric_run_progress, only: progress_t
+   use adfric_run_sink, only: sink_t
+   use adfric_run_summary, only: run_summary_t, new_summary
+   use adfric_system_clock, only: wall_clock
+   use adfric_system_interruption, only: caught_signal
+   implicit none (type, external)
+   private
+   public :: run_sweep, memory_needed, profile_shape_of
+
+   !> Largest number of blocks of a batch.
+   integer, parameter :: largest_batch = 16
+   !> A batch that is solved faster is followed by a larger one, one that takes longer by a smaller one [s].
+   real(dp), parameter :: short_batch = 0.02_dp, long_batch = 0.1_dp
+   !> Results of whole blocks wait no longer than this for the rest of their batch [s].
+   real(dp), parameter :: longest_wait = 0.2_dp
+
+   !> What the threads share.
+   type :: sweep_t
+      !> Number of points solved by this process, and before this run.
+      integer(i8) :: n_solved = 0
+      !> The way of the results to the sink.
+      type(delivery_t) :: delivery
+      !> Shape of the profiles of a point; (0, 0, 0) if there are none.
+      integer :: profile_shape(3) = 0
+      !> What the model counts.
+      type(attribute_t), allocatable :: counts(:)
+      !> What the threads that have ended have found.
+      type(run_summary_t) :: summary
+   end type sweep_t
+
+   !> What each thread has for itself.
+   type :: worker_t
+      !> Values of the variables at the points of a block; shape `(n_variables, block_size)`.
+      real(dp), allocatable :: values(:, :)
+      !> Results of the points of a block; shape `(n_results, block_size)`.
+      real(dp), allocatable :: results(:, :)
+      !> Profiles of a point; shape `profile_shape` of `sweep_t`.
+      real(dp), allocatable :: profiles(:, :, :)
+      !> Place of the batch that the thread fills.
+      integer :: place = 0
+      !> Number of blocks that the thread takes next.
+      integer :: n_wanted = 1
+      !> What this thread has found so far.
+      type(run_summary_t) :: summary
+   end type worker_t
+
+contains
+
+   !> Solve every block of the source. The run ends before that when a signal asks for it; `summary%signal` says so.
+   subroutine run_sweep(model, plan, sink, progress, summary, error, source)
+      !> The model that solves the points.
+      class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
+      type(plan_t), intent(in) :: plan
+      !> Receives the results.
+      class(sink_t), intent(inout) :: sink
+      !> Is told from time to time how many points are solved.
+      class(progress_t), intent(inout) :: progress
+      !> Counts, ranges and times of the points that are solved now.
+      type(run_summary_t), intent(out) :: summary
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      !> Says which blocks are solved; if absent, every block of the plan is.
+      class(block_source_t), intent(inout), optional :: source
+      type(block_list_t) :: every_block
+      type(blocks_t) :: blocks
+
+      if (present(source)) then
+         call run_source(model, plan, sink, progress, summary, error, source)
+      else
+         call new_blocks(blocks, plan%n_points(), most=model%largest_block)
+         call new_block_list(every_block, blocks)
+         call run_source(model, plan, sink, progress, summary, error, every_block)
+      end if
+   end subroutine run_sweep
+
+   !> Solve every block of a source.
+   subroutine run_source(model, plan, sink, progress, summary, error, source)
+      !> The model that solves the points.
+      class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
+      type(plan_t), intent(in) :: plan
+      !> Receives the results.
+      class(sink_t), intent(inout) :: sink
+      !> Is told from time to time how many points are solved.
+      class(progress_t), intent(inout) :: progress
+      !> Counts, ranges and times of the points that are solved now.
+      type(run_summary_t), intent(out) :: summary
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      !> Says which blocks are solved; they are taken from it.
+      class(block_source_t), intent(inout) :: source
+      type(sweep_t) :: sweep
+      real(dp) :: start
+      integer :: n_threads
+
+      start = wall_clock()
+      if (model%wants_profiles(plan%base)) sweep%profile_shape = profile_shape_of(model, plan)
+      call find_counts(model, sweep%counts)
+      call new_summary(sweep%summary, model%results)
+      sweep%n_solved = source%n_points_before
+      call progress%report(sweep%n_solved, source%blocks%n_points())
+      n_threads = omp_get_max_threads()
+      !$omp parallel default(none) shared(model, plan, sink, progress, source, sweep, n_threads) &
+      !$omp& num_threads(n_threads + merge(1, 0, sink%has_own_thread))
+      !$omp single
+      call share_work(sink, source, size(model%results), n_threads, sweep)
+      !$omp end single
+      ! the last thread is the one that writes
+      if (omp_get_thread_num() < sweep%delivery%n_workers) then
+         call work(model, plan, sink, progress, source, sweep)
+         call end_leaving(sweep%delivery)
+      else if (sweep%delivery%has_writer) then
+         call deliver(sink, sweep%delivery)
+      end if
+      !$omp end parallel
+      call sweep%delivery%remove_writer()
+      if (allocated(sweep%delivery%error)) call move_alloc(sweep%delivery%error, error)
+      summary = sweep%summary
+      summary%output_seconds = sweep%delivery%seconds
+      if (sweep%n_solved < source%blocks%n_points()) summary%signal = int(caught_signal())
+      summary%wall_seconds = wall_clock() - start
+   end subroutine run_source
+
+   !> Say who solves and who writes, as far as the threads that there are allow it.
+   subroutine share_work(sink, source, n_results, n_threads, sweep)
+      !> The sink, which is made ready here if no thread writes for the others.
+      class(sink_t), intent(inout) :: sink
+      !> Says how large the blocks are.
+      class(block_source_t), intent(in) :: source
+      !> Number of results per point.
+      integer, intent(in) :: n_results
+      !> Number of threads that may solve.
+      integer, intent(in) :: n_threads
+      !> In: what the model counts. Out: also the delivery, ready to take batches.
+      type(sweep_t), intent(inout) :: sweep
+
+      call new_delivery(sweep%delivery, min(n_threads, omp_get_num_threads()), n_results, size(sweep%counts), source%blocks%size, &
+         largest_batch)
+      if (omp_get_num_threads() > sweep%delivery%n_workers) call sweep%delivery%make_writer()
+      ! the thread that writes does that itself, while the others begin
+      if (.not. sweep%delivery%has_writer) call prepare_sink(sink, sweep%delivery)
+   end subroutine share_work
+
+   !> Memory that a run needs beside that of its plan [bytes].
+   real(dp) function memory_needed(model, plan)
+      !> The model, whose numbers of variables and results count.
+      class(model_t), intent(in) :: model
+      !> The run, whose number of points and lengths of profiles count.
+      type(plan_t), intent(in) :: plan
+      integer, parameter :: real_bytes = 8
+      real(dp) :: per_thread, batch
+      integer :: block_size, n_threads
+
+      block_size = block_size_of(plan%n_points())
+      n_threads = omp_get_max_threads()
+      batch = batch_bytes(size(model%results), largest_batch*block_size)
+      per_thread = real(real_bytes, dp)*block_size*(size(model%variables) + size(model%results))
+      if (model%wants_profiles(plan%base)) per_thread = per_thread &
+         + real_bytes*product(real(profile_shape_of(model, plan), dp))
+      memory_needed = per_thread*n_threads + batch*(n_threads + most_waiting)
+   end function memory_needed
+
+   !> Shape of the profiles of a point: the axis that runs fastest first.
+   function profile_shape_of(model, plan) result(counts)
+      !> The model, with its profiles and their axes.
+      class(model_t), intent(in) :: model
+      !> The run, whose base values say how long the profiles are.
+      type(plan_t), intent(in) :: plan
+      integer :: counts(3)
+      integer :: k, n_axes
+
+      n_axes = count_words(model%profile_axes)
+      counts = [1, 1, size(model%profiles)]
+      do k = 1, n_axes
+         counts(n_axes + 1 - k) = size(model%get_profile_axis(plan%base, k))
+      end do
+   end function profile_shape_of
+
+   !> What each thread does.
+   subroutine work(model, plan, sink, progress, source, sweep)
+      !> The model that solves the points.
+      class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
+      type(plan_t), intent(in) :: plan
+      !> Receives the results.
+      class(sink_t), intent(inout) :: sink
+      !> Is told from time to time how many points are solved.
+      class(progress_t), intent(inout) :: progress
+      !> Says which blocks are solved; they are taken from it.
+      class(block_source_t), intent(inout) :: source
+      !> What the threads share; receives what this thread has found.
+      type(sweep_t), intent(inout) :: sweep
+      type(worker_t) :: worker
+      integer(i8) :: first, n_solved
+      real(dp) :: start, waiting, waiting_since
+      integer :: n, i
+      logical :: is_cut_short
+
+      call new_worker(worker, model, source%blocks, sweep)
+      do
+         call take_blocks(source, sweep, worker%n_wanted, first, n)
+         if (n == 0) exit
+         sweep%delivery%store%batches(worker%place)%first = source%blocks%first_point(first)
+         start = wall_clock()
+         waiting_since = start
+         do i = 0, n - 1
+            call solve_one_block(model, plan, source%blocks, first + i, sink, sweep, worker)
+            waiting = wall_clock() - waiting_since
+            if (i == n - 1 .or. waiting > longest_wait) then
+               call leave_batch(sink, sweep%delivery, worker%place)
+               waiting_since = wall_clock()
+            end if
+            !$omp critical (adfric_run_shared)
+            sweep%n_solved = sweep%n_solved + source%blocks%n_points_of(first + i)
+            n_solved = sweep%n_solved + source%n_points_elsewhere
+            !$omp end critical (adfric_run_shared)
+            if (omp_get_thread_num() == 0) call progress%report(n_solved, source%blocks%n_points())
+            if (must_end(sweep)) exit
+         end do
+         call leave_batch(sink, sweep%delivery, worker%place)
+         call choose_batch_size(wall_clock() - start, worker%n_wanted)
+      end do
+      is_cut_short = must_end(sweep)
+      !$omp critical (adfric_run_shared)
+      if (is_cut_short) call source%end_early()
+      call sweep%summary%merge(worker%summary)
+      !$omp end critical (adfric_run_shared)
+   end subroutine work
+
+   !> Make ready what a thread has for itself.
+   subroutine new_worker(self, model, blocks, sweep)
+      !> Receives room for the values, results and profiles of a block.
+      type(worker_t), intent(out) :: self
+      !> The model, whose numbers of variables and results count.
+      class(model_t), intent(in) :: model
+      !> The blocks of the run, which say how many points one has.
+      type(blocks_t), intent(in) :: blocks
+      !> What the threads share; it says which shape profiles have.
+      type(sweep_t), intent(in) :: sweep
+
+      associate (n => blocks%size, shape => sweep%profile_shape)
+         allocate (self%values(size(model%variables), n), self%results(size(model%results), n))
+         allocate (self%profiles(shape(1), shape(2), shape(3)))
+      end associate
+      self%place = omp_get_thread_num() + 1
+      call new_summary(self%summary, model%results)
+   end subroutine new_worker
+
+   !> Take the next blocks: less of them towards the end of the run, so that all threads end at about the same time.
+   subroutine take_blocks(source, sweep, n_wanted, first, n)
+      !> The source, which has these blocks no more.
+      class(block_source_t), intent(inout) :: source
+      !> What the threads share; it says whether something has failed.
+      type(sweep_t), intent(in) :: sweep
+      !> Largest number of blocks to take, at least 1.
+      integer, intent(in) :: n_wanted
+      !> Number in the run of the first block that is taken; undefined if there is none.
+      integer(i8), intent(out) :: first
+      !> Number of blocks that are taken; 0 if none is left, or if the run must end.
+      integer, intent(out) :: n
+      integer(i8) :: share
+
+      n = 0
+      if (must_end(sweep)) return
+      !$omp critical (adfric_run_shared)
+      share = source%n_left/(2*sweep%delivery%n_workers)
+      call source%take_blocks(int(max(1_i8, min(share, int(n_wanted, i8)))), first, n)
+      !$omp end critical (adfric_run_shared)
+   end subroutine take_blocks
+
+   !> Has something failed, or does the user want the run to end?
+   logical function must_end(sweep)
+      !> What the threads share; it says whether something has failed.
+      type(sweep_t), intent(in) :: sweep
+
+      must_end = has_failed(sweep%delivery)
+      if (.not. must_end) must_end = caught_signal() /= 0
+   end function must_end
+
+   !> Number of blocks of the next batch.
+   pure subroutine choose_batch_size(duration, n)
+      !> Time that the last batch took [s].
+      real(dp), intent(in) :: duration
+      !> In: number of blocks of the last batch. Out: that of the next one.
+      integer, intent(inout) :: n
+
+      if (duration < short_batch) n = min(2*n, largest_batch)
+      if (duration > long_batch) n = max(n/2, 1)
+   end subroutine choose_batch_size
+
+   !> Solve a block and add it to the batch; profiles go to the sink at once. Where that fails, nothing is added.
+   subroutine solve_one_block(model, plan, blocks, block, sink, sweep, worker)
+      !> The model that solves the points.
+      class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
+      type(plan_t), intent(in) :: plan
+      !> The blocks of the run, which say where this one begins and ends.
+      type(blocks_t), intent(in) :: blocks
+      !> Number of the block in the run, from 1.
+      integer(i8), intent(in) :: block
+      !> Receives the profiles.
+      class(sink_t), intent(inout), target :: sink
+      !> What the threads share; the results are added to the thread's batch in its store.
+      type(sweep_t), intent(inout), target :: sweep
+      !> What the thread has for itself; the points are added to its summary.
+      type(worker_t), intent(inout) :: worker
+      type(attribute_t), allocatable :: found(:)
+      type(profile_gate_t) :: gate
+      real(dp) :: start
+      integer :: offset, n, i
+
+      start = wall_clock()
+      n = blocks%n_points_of(block)
+      gate%first = blocks%first_point(block)
+      call plan%get_values(gate%first, worker%values(:, :n))
+      associate (batch => sweep%delivery%store%batches(worker%place), results => worker%results(:, :n))
+         offset = batch%n_points
+         if (size(worker%profiles) > 0) then
+            gate%sink => sink
+            gate%delivery => sweep%delivery
+            call model%solve_block_and_profiles(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
+               batch%status(offset + 1:offset + n), found, worker%profiles, gate)
+            if (gate%is_closed) return
+         else
+            call model%solve_block(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
+               batch%status(offset + 1:offset + n), found)
+         end if
+         call worker%summary%add_points(results, batch%status(offset + 1:offset + n))
+         do i = 1, size(results, 1)
+            batch%results(offset + 1:offset + n, i) = results(i, :)
+         end do
+         batch%n_points = offset + n
+         batch%n_blocks = batch%n_blocks + 1
+         batch%counts(batch%n_blocks, :) = pick_counts(sweep%counts, found)
+      end associate
+      worker%summary%solver_seconds = worker%summary%solver_seconds + wall_clock() - start - gate%seconds
+   end subroutine solve_one_block
+
+end module adfric_run_runner

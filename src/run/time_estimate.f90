@@ -1,0 +1,221 @@
+!> How long a run will take on a machine that has nothing else to do, from a few of its points that are solved in another process
+!> for a fraction of a second.
+module adfric_run_time_estimate
+   use omp_lib, only: omp_get_max_threads, omp_get_num_procs
+   use adfric_base_kinds, only: dp, i8
+   use adfric_model_model, only: model_t, attribute_t
+   use adfric_model_profile_receiver, only: profile_receiver_t
+   use adfric_run_blocks, only: blocks_t, new_blocks
+   use adfric_run_plan, only: plan_t
+   use adfric_run_runner, only: profile_shape_of
+   use adfric_system_clock, only: wall_clock
+   use adfric_system_child_process, only: child_process_t, start_child
+   implicit none (type, external)
+   private
+   public :: time_estimate_t, estimate_time
+
+   !> Time after which no trial is begun, and after which one that has been begun is given up [s].
+   real(dp), parameter :: time_for_trials = 0.3_dp, longest_trial = 0.6_dp
+   !> The other process ends so long after the last trial should have, even if this one is gone [s].
+   real(dp), parameter :: time_to_end = 1.0_dp
+   !> A trial that takes longer has enough points [s].
+   real(dp), parameter :: long_trial = 0.02_dp
+
+   !> What is known of the time of a run.
+   type :: time_estimate_t
+      !> Time of all points with the threads that there are [s].
+      real(dp) :: seconds = 0
+      !> Number of threads that solve.
+      integer :: n_threads = 1
+      !> Was at least one trial made to its end? Else the time is only known to be longer.
+      logical :: is_complete = .false.
+      !> Is anything known?
+      logical :: is_known = .false.
+   end type time_estimate_t
+
+   !> Takes profiles and forgets them.
+   type, extends(profile_receiver_t) :: waste_t
+   contains
+      procedure :: take => take_waste
+   end type waste_t
+
+contains
+
+   !> Estimate the time of a run. It takes no longer than `patience`, whatever becomes of the trials.
+   subroutine estimate_time(model, plan, estimate, patience)
+      !> The model that solves the points.
+      class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
+      type(plan_t), intent(in) :: plan
+      !> Receives the time, or that it is not known.
+      type(time_estimate_t), intent(out) :: estimate
+      !> Time after which a trial is given up [s]; `longest_trial` if absent.
+      real(dp), intent(in), optional :: patience
+      type(blocks_t) :: blocks
+      type(child_process_t) :: child
+      real(dp) :: start, trial(2), points, seconds, seconds_of_all, waited, longest
+      logical :: is_there
+
+      longest = longest_trial
+      if (present(patience)) longest = patience
+      call new_blocks(blocks, plan%n_points(), most=model%largest_block)
+      estimate%n_threads = omp_get_max_threads()
+      start = wall_clock()
+      call start_child(child, ceiling(longest + time_to_end), is_there)
+      if (child%is_child) then
+         call try_points(model, plan, blocks, child)
+         call child%end_child()
+      end if
+      if (.not. is_there) return
+      points = 0
+      seconds = 0
+      do
+         call child%receive(trial, start + longest - wall_clock(), is_there)
+         if (.not. is_there) exit
+         points = points + trial(1)
+         seconds = seconds + trial(2)
+      end do
+      waited = wall_clock() - start
+      call child%stop(seconds_of_all)
+      call conclude(points, seconds, seconds_of_all, blocks, estimate)
+      ! one point takes longer than all the time there was; or the trial was no success
+      estimate%is_known = estimate%is_complete .or. waited >= longest
+   end subroutine estimate_time
+
+   !> The time of all points from that of some.
+   subroutine conclude(points, seconds, seconds_of_all, blocks, estimate)
+      !> Number of points that the trials have solved.
+      real(dp), intent(in) :: points
+      !> Time that these points took on a processor [s].
+      real(dp), intent(in) :: seconds
+      !> Time of all trials on a processor, whether they came to an end or not [s].
+      real(dp), intent(in) :: seconds_of_all
+      !> The blocks of the run, which say how many points and blocks it has.
+      type(blocks_t), intent(in) :: blocks
+      !> In: the number of threads. Out: also the time, and whether a trial came to its end.
+      type(time_estimate_t), intent(inout) :: estimate
+      real(dp) :: per_point
+      integer(i8) :: n_at_once
+
+      n_at_once = min(int(min(estimate%n_threads, omp_get_num_procs()), i8), blocks%n_blocks_of_run)
+      estimate%is_complete = points > 0
+      per_point = seconds_of_all
+      if (estimate%is_complete) per_point = seconds/points
+      estimate%seconds = per_point*real(blocks%n_points_of_run, dp)/n_at_once
+   end subroutine conclude
+
+   !> In the other process: solve neighbouring points here and there in the run, more of them at once as long as that is quick, and
+   !> tell how long it takes once there are as many as there will be: the first point of a block takes longer than the others. Where
+   !> the time is over before, the last trial has to do.
+   subroutine try_points(model, plan, blocks, child)
+      !> The model that solves the points.
+      class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
+      type(plan_t), intent(in) :: plan
+      !> The blocks of the run, of which some are tried.
+      type(blocks_t), intent(in) :: blocks
+      !> Sends the number of points and the time [s] of each trial to the process that waits for them.
+      type(child_process_t), intent(in) :: child
+      real(dp) :: start, seconds
+      integer(i8) :: n_done
+      integer :: k, n, n_solved, largest
+      logical :: is_told
+
+      start = wall_clock()
+      largest = int(min(int(blocks%size, i8), blocks%n_points_of_run))
+      n = 1
+      n_done = 0
+      k = 0
+      n_solved = 0
+      seconds = 0
+      is_told = .false.
+      do while (wall_clock() - start < time_for_trials .and. n_done < 2*blocks%n_points_of_run)
+         k = k + 1
+         call try_block(model, plan, blocks, block_of_trial(blocks, k), n, seconds, n_solved)
+         n_done = n_done + n_solved
+         if (seconds < long_trial .and. n < largest) then
+            n = min(2*n, largest)
+         else
+            call child%send([real(n_solved, dp), seconds])
+            is_told = .true.
+         end if
+      end do
+      if (.not. is_told) call child%send([real(n_solved, dp), seconds])
+   end subroutine try_points
+
+   !> The block of a trial: the first one in the middle, the others where the run is tried least so far.
+   pure integer(i8) function block_of_trial(blocks, trial) result(block)
+      !> The blocks of the run, which say how many there are.
+      type(blocks_t), intent(in) :: blocks
+      !> Number of the trial, from 1.
+      integer, intent(in) :: trial
+      real(dp) :: place, step
+      integer :: rest
+
+      ! the digits of the number behind the point, in reverse (van der Corput)
+      place = 0
+      step = 0.5_dp
+      rest = trial
+      do while (rest > 0)
+         place = place + step*modulo(rest, 2)
+         rest = rest/2
+         step = step/2
+      end do
+      block = min(int(place*real(blocks%n_blocks_of_run, dp), i8) + 1, blocks%n_blocks_of_run)
+   end function block_of_trial
+
+   !> Solve the first points of a block.
+   subroutine try_block(model, plan, blocks, block, n_wanted, seconds, n)
+      !> The model that solves the points.
+      class(model_t), intent(in) :: model
+      !> Every point of the run: the base values and the swept axes.
+      type(plan_t), intent(in) :: plan
+      !> The blocks of the run, which say where this one begins and ends.
+      type(blocks_t), intent(in) :: blocks
+      !> Number of the block in the run, from 1.
+      integer(i8), intent(in) :: block
+      !> Number of points to solve; fewer are if the block has fewer.
+      integer, intent(in) :: n_wanted
+      !> Time that the points took on a processor [s].
+      real(dp), intent(out) :: seconds
+      !> Number of points that were solved.
+      integer, intent(out) :: n
+      real(dp), allocatable :: values(:, :), results(:, :), errors(:), profiles(:, :, :)
+      integer, allocatable :: status(:)
+      type(attribute_t), allocatable :: attributes(:)
+      type(waste_t) :: waste
+      real(dp) :: start, finish
+      integer :: shape(3)
+
+      n = min(n_wanted, blocks%n_points_of(block))
+      allocate (values(size(model%variables), n), results(size(model%results), n), errors(n), status(n))
+      call plan%get_values(blocks%first_point(block), values)
+      call cpu_time(start)
+      if (model%wants_profiles(plan%base)) then
+         shape = profile_shape_of(model, plan)
+         allocate (profiles(shape(1), shape(2), shape(3)))
+         call model%solve_block_and_profiles(values, results, errors, status, attributes, profiles, waste)
+      else
+         call model%solve_block(values, results, errors, status, attributes)
+      end if
+      call cpu_time(finish)
+      seconds = finish - start
+   end subroutine try_block
+
+   !> Forget the profiles of a point.
+   subroutine take_waste(self, place, profiles, goes_on)
+      !> The receiver, which keeps nothing.
+      class(waste_t), intent(inout) :: self
+      !> Place of the point in its block, from 1; not used.
+      integer, intent(in) :: place
+      !> Profiles of the point, which are forgotten; shape `(n_last_axis, n_first_axis, n_profiles)`.
+      real(dp), intent(in) :: profiles(:, :, :)
+      !> Always true: the rest of the block is wanted, so that its time is known.
+      logical, intent(out) :: goes_on
+
+      goes_on = .true.
+      associate (unused => self, unused_place => place, unused_profiles => profiles)
+      end associate
+   end subroutine take_waste
+
+end module adfric_run_time_estimate

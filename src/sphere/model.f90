@@ -1,0 +1,300 @@
+!> The model `sphere`: a smooth sphere on a plane, its adhesion and its friction (Johnson 1997).
+module adfric_sphere_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_material_contact_modulus, only: derive_contact_modulus, modulus_names
+   use adfric_model_derived, only: derived_t, add_derived
+   use adfric_model_model, only: model_t, result_t, profile_t, attribute_t, status_solved
+   use adfric_model_requirements, only: refuse_swept_axes
+   use adfric_sphere_case, only: sphere_case_t, resolve_case
+   use adfric_sphere_check, only: check_sphere_values
+   use adfric_sphere_contact, only: theory_maugis_dugdale, theory_dmt
+   use adfric_sphere_point, only: sphere_point_t, sphere_memory_t, solve_point
+   use adfric_sphere_profiles, only: contact_profile_t, new_profile
+   use adfric_sphere_static_friction, only: shear_traction
+   use adfric_sphere_variables
+   implicit none (type, external)
+   private
+   public :: sphere_model_t, new_sphere_model
+
+   type, extends(model_t) :: sphere_model_t
+   contains
+      procedure :: check_values
+      procedure :: describe_results
+      procedure :: describe_profiles
+      procedure :: describe_profile_axis
+      procedure :: wants_profiles
+      procedure :: get_profile_axis
+      procedure :: solve_block
+      procedure :: solve_profiles
+      procedure :: derive_quantities
+      procedure :: unit_of
+   end type sphere_model_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_sphere_model(self)
+      !> Receives its names and its tables.
+      type(sphere_model_t), intent(out) :: self
+
+      self%name = 'sphere'
+      self%summary = 'a smooth sphere on a plane: adhesion, static friction, sliding, and what friction does to adhesion'
+      self%references = 'K. L. Johnson, Proc. R. Soc. Lond. A 453 (1997) 163; D. Maugis, J. Colloid Interface Sci. 150 (1992) 243'
+      self%variables = get_sphere_variables()
+      self%results = get_sphere_results(.false.)
+      self%profiles = get_sphere_profiles(.false.)
+      self%profile_axes = 'r'
+   end subroutine new_sphere_model
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      !> The model, whose table of variables is read.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call check_sphere_values(self%variables, values, problems)
+      if (self%wants_profiles(values)) call refuse_swept_axes(self%variables, is_swept, [v_r_max, v_n_r], problems)
+   end subroutine check_values
+
+   !> See `model_t`.
+   function describe_results(self, values) result(results)
+      !> The model, whose table of results is read.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      results = self%results
+      if (is_reduced(values)) results = get_sphere_results(.true.)
+   end function describe_results
+
+   !> See `model_t`.
+   function describe_profiles(self, values) result(profiles)
+      !> The model, whose table of profiles is read.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(profile_t), allocatable :: profiles(:)
+
+      profiles = self%profiles
+      if (is_reduced(values)) profiles = get_sphere_profiles(.true.)
+   end function describe_profiles
+
+   !> See `model_t`.
+   function describe_profile_axis(self, values, axis) result(profile)
+      !> The model, whose `profile_axes` are read.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the axis in `profile_axes`, from 1.
+      integer, intent(in) :: axis
+      type(profile_t) :: profile
+
+      profile%name = 'r'
+      if (axis /= 1) profile%name = self%profile_axes
+      profile%long_name = 'distance from the axis'
+      profile%unit = 'm'
+      if (is_reduced(values)) profile%unit = '-'
+   end function describe_profile_axis
+
+   !> See `model_t`.
+   function unit_of(self, values, place) result(unit)
+      !> The model, whose table of variables is read.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%variables(place)%unit
+      if (is_reduced(values) .and. len(unit) > 0) unit = '-'
+   end function unit_of
+
+   !> Are all quantities reduced?
+   pure logical function is_reduced(values)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      is_reduced = nint(values(v_units)) == units_reduced
+   end function is_reduced
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      !> The model, whose `profiles` may be empty.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = size(self%profiles) > 0 .and. values(v_profiles) > 0
+   end function wants_profiles
+
+   !> See `model_t`.
+   function get_profile_axis(self, values, axis) result(coordinate)
+      !> The model, whose `profiles` may be empty.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the axis in `profile_axes`, from 1.
+      integer, intent(in) :: axis
+      real(dp), allocatable :: coordinate(:)
+      integer :: n, k
+
+      n = nint(values(v_n_r))
+      allocate (coordinate(n), source=0.0_dp)
+      if (axis /= 1 .or. size(self%profiles) == 0 .or. .not. is_set(values(v_r_max))) return
+      coordinate = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
+   end function get_profile_axis
+
+   !> See `model_t`.
+   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      !> The model; all threads solve with the same one.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables for each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
+      real(dp), intent(out) :: results(:, :)
+      !> Relative error of the main result, estimated; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> One of `status_...` for each point; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> Receives the number of points solved by a limit theory, under its name in the file.
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      type(sphere_case_t) :: case
+      type(sphere_point_t) :: point
+      type(sphere_memory_t) :: memory
+      real(dp) :: n_closed_form
+      integer :: i
+
+      n_closed_form = 0
+      do i = 1, size(values, 2)
+         call resolve_case(values(:, i), case)
+         call solve_point(case, values(v_events, i) > 0, memory, point)
+         status(i) = point%status
+         error_estimate(i) = point%error_estimate
+         call store(case, point, values(:, i), results(:, i))
+         if (point%status /= status_solved) error_estimate(i) = not_a_number()
+         if (point%theory < theory_maugis_dugdale) n_closed_form = n_closed_form + 1
+      end do
+      allocate (attributes(merge(1, 0, size(self%variables) > 0)))
+      if (size(attributes) > 0) attributes(1) = attribute_t('share_of_limit_theories', n_closed_form)
+   end subroutine solve_block
+
+   !> Results of a point in the units of the case.
+   pure subroutine store(case, point, values, results)
+      !> The point in reduced variables, with its units.
+      type(sphere_case_t), intent(in) :: case
+      !> What has been found of the point, reduced.
+      type(sphere_point_t), intent(in) :: point
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the results of the point in the units of the case; shape `(n_results)`; NaN where there is no value.
+      real(dp), intent(out) :: results(:)
+      real(dp) :: area_unit
+
+      area_unit = case%length_unit**2
+      results = not_a_number()
+      ! these say why there is no state
+      results(r_pull_off_load) = point%pull_off_load*case%force_unit
+      associate (events => point%events)
+         results([r_peak_force, r_sliding_force, r_force_drop, r_snap_off_force]) = case%force_unit &
+            & *[events%peak_force, events%sliding_force, events%force_drop, events%snap_off_force]
+         results([r_peak_displacement, r_snap_off_displacement]) = case%approach_unit &
+            & *[events%peak_displacement, events%snap_off_displacement]
+      end associate
+      if (point%status /= status_solved) return
+      associate (contact => point%contact)
+         results(r_load) = contact%load*case%force_unit
+         results(r_approach) = contact%approach*case%approach_unit
+         results(r_contact_radius) = contact%radius*case%length_unit
+         results(r_contact_area) = pi*contact%radius**2*area_unit
+         ! what was given comes back to the last digit
+         if (is_set(values(v_load))) results(r_load) = values(v_load)
+         if (is_set(values(v_approach))) results(r_approach) = values(v_approach)
+         if (is_set(values(v_contact_radius))) results(r_contact_radius) = values(v_contact_radius)
+         if (point%theory /= theory_dmt) results(r_adhesion_radius) = contact%adhesion_radius*case%length_unit
+         results(r_stable) = merge(1, 0, contact%is_stable)
+      end associate
+      results(r_friction_radius) = point%friction_radius*case%length_unit
+      results(r_adhesion_ratio) = point%ratio
+      results(r_theory_used) = point%theory
+      results(r_theory_error) = point%theory_error
+      if (.not. case%has_friction) return
+      results(r_friction_area) = pi*point%friction_radius**2*area_unit
+      results(r_friction_force) = point%friction_force*case%force_unit
+      results(r_stick_radius) = point%gamma*point%friction_radius*case%length_unit
+      results(r_slip) = point%slip*case%approach_unit
+      results(r_largest_slip) = point%largest_slip*case%approach_unit
+      results(r_tangential_displacement) = point%displacement*case%approach_unit
+      if (is_set(values(v_tangential_force))) results(r_friction_force) = values(v_tangential_force)
+      if (is_set(values(v_tangential_displacement))) results(r_tangential_displacement) = values(v_tangential_displacement)
+   end subroutine store
+
+   !> See `model_t`.
+   subroutine solve_profiles(self, values, results, profiles)
+      !> The model; all threads solve with the same one.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results that `solve_block` found for this point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> Receives the profiles; shape `(n_r, 1, n_profiles)`.
+      real(dp), intent(out) :: profiles(:, :, :)
+      type(sphere_case_t) :: case
+      type(sphere_point_t) :: point
+      type(sphere_memory_t) :: memory
+      type(contact_profile_t) :: profile
+      real(dp), allocatable :: r(:)
+
+      profiles = not_a_number()
+      if (.not. results(r_load) < huge(1.0_dp)) return
+      call resolve_case(values, case)
+      case%theory = nint(results(r_theory_used))
+      call solve_point(case, .false., memory, point)
+      call new_profile(profile, memory%theory, point%contact)
+      r = self%get_profile_axis(values, 1)/case%length_unit
+      profiles(:, 1, 1) = profile%pressure(r)*case%stress_unit
+      if (case%has_friction) then
+         profiles(:, 1, 2) = case%strength*case%stress_unit*shear_traction(r, point%friction_radius, point%gamma)
+      end if
+      profiles(:, 1, 3) = profile%gap(r)*case%approach_unit
+   end subroutine solve_profiles
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(derived)
+      !> The model, whose table of variables is read.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+      character(*), parameter :: of_units = 'units radius work_of_adhesion theory '//modulus_names
+      character(*), parameter :: of_lambda = of_units//' adhesion_stress adhesion_range lambda'
+      type(sphere_case_t) :: case
+
+      associate (first => v_contact_modulus, last => v_second_poisson_ratio)
+         derived = derive_contact_modulus(self%variables(first:last), values(first:last))
+      end associate
+      call resolve_case(values, case)
+      call add_derived(derived, 'lambda', '-', 'Maugis''s parameter lambda', case%lambda, of_lambda)
+      if (.not. is_reduced(values)) then
+         call add_derived(derived, 'radius_unit', 'm', 'unit of radii', case%length_unit, of_units)
+         call add_derived(derived, 'approach_unit', 'm', 'unit of the approach', case%approach_unit, of_units)
+         call add_derived(derived, 'force_unit', 'N', 'unit of forces', case%force_unit, of_units)
+         call add_derived(derived, 'stress_unit', 'Pa', 'unit of stresses', case%stress_unit, of_units)
+      end if
+      if (case%has_friction) call add_derived(derived, 'reduced_shear_strength', '-', 'shear strength in the scale of lambda', &
+         & case%strength, of_units//' shear_strength')
+      if (case%slip_energy_ratio < huge(1.0_dp)) call add_derived(derived, 'slip_energy_ratio', '-', &
+         & 'slip energy ratio g0', case%slip_energy_ratio, of_units//' shear_strength critical_slip slip_energy_ratio')
+   end function derive_quantities
+
+end module adfric_sphere_model

@@ -1,0 +1,106 @@
+!> What is missing, contradictory or impossible in an input of the model `wavy_sliding`.
+module adfric_wavy_check
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_model_model, only: variable_t
+   use adfric_model_requirements, only: need
+   use adfric_wavy_case, only: wavy_case_t, resolve_case
+   use adfric_wavy_variables, only: v_height, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_poisson_ratio, &
+      & v_profiles, v_range, &
+      & v_relaxation_time, v_retardation_ratio, v_stiffness, v_stress, v_surface_energy, v_thickness, &
+      & v_velocity, v_young_modulus
+   implicit none (type, external)
+   private
+   public :: check_wavy_values
+
+contains
+
+   !> Add to `problems` what is wrong with the values together.
+   subroutine check_wavy_values(variables, values, is_swept, problems)
+      !> Table of the variables; their names stand in the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values in the order of `variables`, `unset` where none is given; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: before
+
+      before = problems%count()
+      call need(variables, values, [v_kind, v_period, v_height], problems)
+      call check_foundation()
+      call check_adhesion()
+      call need(variables, values, [v_velocity], problems)
+      if (is_set(values(v_load)) .and. is_set(values(v_penetration))) then
+         call add(v_load, 'stands beside penetration; give one of them')
+      else if (.not. is_set(values(v_load)) .and. .not. is_set(values(v_penetration))) then
+         call add(v_load, 'is missing; load or penetration is needed')
+      end if
+      if (values(v_profiles) > 0 .and. is_swept(v_period)) then
+         call add(v_profiles, 'need one period, which is swept; sweep another variable or switch profiles off')
+      end if
+      if (values(v_profiles) > 0 .and. (is_swept(v_n_x) .or. is_swept(v_n_y))) then
+         call add(v_profiles, 'need one axis, and its samples are swept; sweep another variable or switch profiles off')
+      end if
+      if (problems%count() == before) call check_reduced()
+
+   contains
+
+      subroutine add(v, text)
+         !> Place of the variable in the table, one of `v_...`.
+         integer, intent(in) :: v
+         !> What is wrong with the variable; its name is put before this.
+         character(*), intent(in) :: text
+
+         call problems%add(variables(v)%group, variables(v)%name, text)
+      end subroutine add
+
+      subroutine check_foundation()
+         logical :: has_layer(3)
+         integer, parameter :: layer(3) = [v_young_modulus, v_poisson_ratio, v_thickness]
+
+         has_layer = is_set(values(layer))
+         if (is_set(values(v_stiffness)) .and. any(has_layer)) then
+            call add(v_stiffness, 'stands beside '//variables(layer(findloc(has_layer, .true., 1)))%name// &
+               & '; give stiffness, or young_modulus, poisson_ratio and thickness')
+         else if (.not. is_set(values(v_stiffness)) .and. .not. any(has_layer)) then
+            call add(v_stiffness, 'is missing [Pa/m]; give it, or young_modulus, poisson_ratio and thickness')
+         else if (any(has_layer)) then
+            call need(variables, values, layer, problems)
+         end if
+         call need(variables, values, [v_relaxation_time, v_retardation_ratio], problems)
+      end subroutine check_foundation
+
+      subroutine check_adhesion()
+         if (.not. is_set(values(v_stress))) then
+            if (is_set(values(v_surface_energy))) call add(v_stress, 'is missing [Pa]; surface_energy needs it')
+            if (is_set(values(v_range))) call add(v_stress, 'is missing [Pa]; range needs it')
+         else if (is_set(values(v_surface_energy)) .and. is_set(values(v_range))) then
+            call add(v_surface_energy, 'stands beside range; give one of them, their ratio is the stress')
+         else if (.not. is_set(values(v_surface_energy)) .and. .not. is_set(values(v_range))) then
+            if (values(v_stress) > 0) call add(v_surface_energy, &
+               & 'is missing [J/m^2]; stress needs it, or range')
+         end if
+      end subroutine check_adhesion
+
+      !> Values that are possible one by one, and beyond all numbers together.
+      subroutine check_reduced()
+         type(wavy_case_t) :: resolved
+         real(dp), parameter :: largest = 1.0e100_dp
+
+         call resolve_case(values, resolved)
+         associate (s => resolved%surface)
+            if (.not. s%foundation%v < largest) call add(v_velocity, &
+               & 'times relaxation_time and retardation_ratio is too large for the period')
+            if (.not. max(s%stress, s%range) < largest) call add(v_stress, &
+               & 'or its range is too large for this height and stiffness')
+            if (.not. max(abs(resolved%load), abs(resolved%penetration)) < largest) call add(merge(v_load, &
+               & v_penetration, resolved%is_load_given), 'is too large for this height and stiffness')
+         end associate
+      end subroutine check_reduced
+
+   end subroutine check_wavy_values
+
+end module adfric_wavy_check

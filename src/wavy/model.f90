@@ -1,0 +1,334 @@
+!> The model `wavy_sliding`: a rigid wavy surface sliding on a viscoelastic foundation (GM 2011).
+module adfric_wavy_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi, pi
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_model_derived, only: derived_t, add_derived
+   use adfric_model_model, only: model_t, result_t, attribute_t, status_solved, status_no_equilibrium
+   use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
+   use adfric_wavy_check, only: check_wavy_values
+   use adfric_wavy_crosswise, only: memory_t
+   use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load, leads_to
+   use adfric_wavy_profiles, only: get_profiles
+   use adfric_wavy_pull_off, only: pull_off_t, find_pull_off, is_below_pull_off
+   use adfric_wavy_steady_state, only: branch_adhered
+   use adfric_wavy_strip, only: regime_free, regime_adhesion_only
+   use adfric_wavy_surface, only: negligible, is_same_surface
+   use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
+      & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, &
+      & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_pull_off_load, &
+      & r_pull_off_penetration, r_regime, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_profiles
+   implicit none (type, external)
+   private
+   public :: wavy_model_t, new_wavy_model
+
+   !> Load or friction below this share of the sum of its terms is zero but for round-off.
+   real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
+
+   type, extends(model_t) :: wavy_model_t
+      private
+      !> The pull-off load of the surface of a run, if there is one surface.
+      type(pull_off_t) :: pull_off
+   contains
+      procedure :: prepare
+      procedure :: check_values
+      procedure :: describe_results
+      procedure :: wants_profiles
+      procedure :: get_profile_axis
+      procedure :: solve_block
+      procedure :: solve_profiles
+      procedure :: derive_quantities
+      procedure :: unit_of
+   end type wavy_model_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_wavy_model(self)
+      !> Receives its name and the tables of variables, results and profiles.
+      type(wavy_model_t), intent(out) :: self
+
+      self%name = 'wavy_sliding'
+      self%summary = 'a rigid wavy surface sliding on a viscoelastic foundation, with adhesion'
+      self%references = 'I. Goryacheva, Yu. Makhovskaya, acta mechanica et automatica 5(4) (2011)'
+      self%variables = get_wavy_variables()
+      self%results = get_wavy_results()
+      self%profiles = get_wavy_profiles()
+      self%profile_axes = 'y x'
+   end subroutine new_wavy_model
+
+   !> Add to `problems` what is contradictory or impossible in the values together.
+   subroutine check_values(self, values, is_swept, problems)
+      !> The model, whose table of variables is read.
+      class(wavy_model_t), intent(in) :: self
+      !> Values in the order of `self%variables`, of a swept variable one of its values; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call check_wavy_values(self%variables, values, is_swept, problems)
+   end subroutine check_values
+
+   !> The table of results, whose units are those of a 2-D or of a 3-D wave.
+   function describe_results(self, values) result(results)
+      !> The model, whose table of results serves a 2-D wave.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      results = self%results
+      if (is_set(values(v_kind))) results = get_wavy_results(nint(values(v_kind)) == kind_3d)
+   end function describe_results
+
+   !> SI unit of a variable: the load of a 2-D wave is one per width.
+   function unit_of(self, values, place) result(unit)
+      !> The model, whose table of variables is read.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable, one of `v_...`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%variables(place)%unit
+      if (place == v_load .and. nint(values(v_kind)) == kind_3d) unit = 'N'
+      if (place == v_load .and. nint(values(v_kind)) /= kind_3d) unit = 'N/m'
+   end function unit_of
+
+   !> Does the user ask for profiles?
+   pure logical function wants_profiles(self, values)
+      !> The model; one without tables has no profiles.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = size(self%profiles) > 0 .and. values(v_profiles) > 0
+   end function wants_profiles
+
+   !> Coordinates along a profile axis [m]: one period about the crest.
+   function get_profile_axis(self, values, axis) result(coordinate)
+      !> The model; one without tables has no profiles.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place in `profile_axes`: 1 is y, 2 is x.
+      integer, intent(in) :: axis
+      real(dp), allocatable :: coordinate(:)
+      integer :: n, k
+
+      n = nint(values(v_n_x))
+      if (axis == 1) n = merge(nint(values(v_n_y)), 1, nint(values(v_kind)) == kind_3d)
+      allocate (coordinate(n), source=0.0_dp)
+      if (n == 1 .or. size(self%profiles) == 0) return
+      ! as far on one side of the crest as on the other, to the last digit
+      coordinate = [(values(v_period)*(real(2*k - (n - 1), dp)/(2*(n - 1))), k=0, n - 1)]
+   end function get_profile_axis
+
+   !> Find the pull-off load once for all points, where they are of one surface.
+   subroutine prepare(self, values, is_swept)
+      !> The model; it keeps the pull-off load that all points have in common.
+      class(wavy_model_t), intent(inout) :: self
+      !> Values in the order of `self%variables`, of a swept variable one of its values; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      type(wavy_case_t) :: point
+      logical :: makes_surface(size(is_swept))
+
+      makes_surface = is_swept
+      makes_surface([v_load, v_penetration, v_profiles, v_n_x, v_n_y]) = .false.
+      call resolve_case(values, point)
+      if (point%wants_pull_off .and. .not. any(makes_surface)) call find_pull_off(point%surface, self%pull_off)
+   end subroutine prepare
+
+   !> Solve neighbouring points. Loads, and penetrations in 3-D and on the approach branch, are solved in the order in which each
+   !> leads to the next on its branch.
+   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+      !> The model, whose pull-off load is used where it is that of a point's surface.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of neighbouring points; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Results in SI units, NaN where there is no value; shape `(n_results, n_points)`.
+      real(dp), intent(out) :: results(:, :)
+      !> Relative error of load and friction [-], NaN where the point is not solved; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> How each point was solved, one of `status_...`; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> Strips solved for all points of the block, and those of them in closed form.
+      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      type(wavy_case_t) :: point, last, hopeless
+      type(equilibrium_t) :: equilibrium
+      type(memory_t) :: memory
+      type(neighbour_t) :: neighbour
+      type(pull_off_t) :: pull_off
+      real(dp) :: n_strips, n_closed_form
+      integer :: i, k, n
+      logical :: is_reversed
+
+      n_strips = 0
+      n_closed_form = 0
+      n = size(values, 2)
+      pull_off = self%pull_off
+      is_reversed = .false.
+      if (n > 1 .and. size(self%variables) > 0) is_reversed = leads_backwards(values(:, 1), values(:, 2))
+      do k = 1, n
+         i = merge(n + 1 - k, k, is_reversed)
+         call resolve_case(values(:, i), point)
+         if (point%wants_pull_off) call find_pull_off(point%surface, pull_off)
+         memory%is_even = .not. point%is_load_given
+         memory%needs_slope = point%is_load_given
+         if (point%is_load_given) then
+            if (neighbour%n > 0) then
+               if (.not. leads_to(last%surface, last%load, point%surface, point%load)) neighbour%n = 0
+            end if
+            if (is_below_pull_off(pull_off, point%surface, point%load) .or. is_hopeless(hopeless, point)) then
+               equilibrium = equilibrium_t(status_no_equilibrium)
+            else
+               call solve_load(point%surface, point%load, neighbour, memory, equilibrium)
+            end if
+            if (equilibrium%status == status_no_equilibrium) hopeless = point
+            last = point
+         else
+            call solve_penetration(point%surface, point%penetration, memory, equilibrium)
+         end if
+         call store(point, equilibrium, pull_off, results(:, i))
+         status(i) = equilibrium%status
+         error_estimate(i) = equilibrium%error_estimate
+         if (status(i) /= status_solved) error_estimate(i) = not_a_number()
+         n_strips = n_strips + equilibrium%totals%n_strips
+         n_closed_form = n_closed_form + equilibrium%totals%n_closed_form
+      end do
+      allocate (attributes(2))
+      attributes(1) = attribute_t('strips_per_point', n_strips)
+      attributes(2) = attribute_t('closed_form_strips_per_point', n_closed_form)
+   end subroutine solve_block
+
+   !> Is a load without equilibrium for sure, because a larger one had none on the same surface? The load rises with the
+   !> penetration without jumps, so where one load has no state all penetrations carry more.
+   pure logical function is_hopeless(known, point)
+      !> A point without equilibrium, or a default one before there is any.
+      type(wavy_case_t), intent(in) :: known
+      !> The point that is judged.
+      type(wavy_case_t), intent(in) :: point
+
+      is_hopeless = known%is_load_given .and. point%load <= known%load
+      if (is_hopeless) is_hopeless = is_same_surface(known%surface, point%surface)
+   end function is_hopeless
+
+   !> Does a point lead to the one before it, and not the other way round?
+   pure logical function leads_backwards(first, second)
+      !> Values of two points, one after the other in the block; shape `(n_variables)`.
+      real(dp), intent(in) :: first(:), second(:)
+      type(wavy_case_t) :: one, two
+
+      call resolve_case(first, one)
+      call resolve_case(second, two)
+      if (one%is_load_given) then
+         leads_backwards = leads_to(two%surface, two%load, one%surface, one%load) &
+            & .and. .not. leads_to(one%surface, one%load, two%surface, two%load)
+      else
+         leads_backwards = one%surface%stress > 0 .and. is_same_surface(one%surface, two%surface)
+         if (one%surface%branch == branch_adhered) then
+            leads_backwards = leads_backwards .and. two%surface%is_3d .and. two%penetration > one%penetration
+         else
+            leads_backwards = leads_backwards .and. two%penetration < one%penetration
+         end if
+      end if
+   end function leads_backwards
+
+   !> Results of a point in SI units.
+   pure subroutine store(point, equilibrium, pull_off, results)
+      !> The point in reduced units, and what these units are in SI units.
+      type(wavy_case_t), intent(in) :: point
+      !> What was found at the point, in reduced units.
+      type(equilibrium_t), intent(in) :: equilibrium
+      !> Pull-off load of the surface of the point, if it is asked for.
+      type(pull_off_t), intent(in) :: pull_off
+      !> Results in SI units, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(out) :: results(:)
+      real(dp) :: width, losses
+
+      results = not_a_number()
+      if (equilibrium%status /= status_solved) return
+      associate (t => equilibrium%totals)
+         results(r_load) = t%load*point%load_unit
+         if (point%is_load_given) results(r_load) = point%load*point%load_unit
+         results(r_penetration) = equilibrium%penetration*point%height
+         results(r_friction_force) = t%friction*point%friction_unit
+         if (abs(results(r_load)) > as_good_as_zero*t%load_scale*point%load_unit) then
+            results(r_friction_coefficient) = results(r_friction_force)/results(r_load)
+         end if
+         results(r_contact_area) = t%contact*point%area_unit
+         results(r_adhesion_area) = t%adhesion*point%area_unit
+         results(r_dissipation) = t%dissipation*point%friction_unit
+         results(r_edge_loss) = t%edge_loss*point%friction_unit
+         ! friction that is nothing beside the load has no digits of its own
+         losses = max(t%friction_scale + t%dissipation + abs(t%edge_loss), negligible*t%load_scale)
+         results(r_energy_imbalance) = 0
+         if (losses > 0) results(r_energy_imbalance) = t%energy_mismatch/losses
+      end associate
+      associate (crest => equilibrium%crest)
+         width = 2*crest%half_width
+         if (crest%regime == regime_free .or. crest%regime == regime_adhesion_only) width = 0
+         results(r_contact_width) = width/two_pi*point%period
+         results(r_contact_shift) = merge(crest%shift, 0.0_dp, width > 0 .and. crest%half_width < pi)/two_pi*point%period
+         results(r_regime) = crest%regime
+      end associate
+      if (.not. point%wants_pull_off .or. .not. pull_off%is_converged) return
+      results(r_pull_off_load) = pull_off%load*point%load_unit
+      results(r_pull_off_penetration) = pull_off%penetration*point%height
+   end subroutine store
+
+   !> Profiles of one solved point.
+   subroutine solve_profiles(self, values, results, profiles)
+      !> The model, which knows the profile axes.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, of which the penetration is read; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> Pressure and shear stress [Pa], displacement and gap [m]; shape `(n_x, n_y, 4)`.
+      real(dp), intent(out) :: profiles(:, :, :)
+      type(wavy_case_t) :: point
+
+      call resolve_case(values, point)
+      call get_profiles(point, results(r_penetration), self%get_profile_axis(values, 2), &
+         & self%get_profile_axis(values, 1), profiles)
+   end subroutine solve_profiles
+
+   !> Quantities that follow from the values of a point, for `adfric check` and the results file.
+   function derive_quantities(self, values) result(derived)
+      !> The model; one without tables derives nothing.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+      character(*), parameter :: of_stiffness = 'stiffness young_modulus poisson_ratio thickness'
+      character(*), parameter :: of_phase = 'period velocity relaxation_time', of_viscosity = of_phase//' retardation_ratio'
+      character(*), parameter :: of_range = 'stress surface_energy range'
+      type(wavy_case_t) :: point
+
+      allocate (derived(0))
+      if (size(self%variables) == 0) return
+      call resolve_case(values, point)
+      associate (s => point%surface, f => point%surface%foundation)
+         call add_derived(derived, 'relaxation_phase', '-', 'relaxation phase k V Ts', f%u, of_phase)
+         call add_derived(derived, 'retardation_phase', '-', 'retardation phase k V Te', f%v, of_viscosity)
+         call add_derived(derived, 'loss_ratio', '-', 'loss modulus over stiffness', f%loss, of_viscosity)
+         call add_derived(derived, 'stiffness', 'Pa/m', 'long-time stiffness', point%pressure_unit/point%height, &
+            & of_stiffness)
+         call add_derived(derived, 'pressure_unit', 'Pa', 'pressure unit, height times stiffness', point%pressure_unit, &
+            & of_stiffness//' height')
+         call add_derived(derived, 'reduced_stress', '-', 'adhesion stress over the pressure unit', s%stress, &
+            & of_stiffness//' height stress')
+         if (s%stress > 0) call add_derived(derived, 'range', 'm', 'range of adhesion', s%range*point%height, of_range)
+         call add_derived(derived, 'reduced_range', '-', 'range of adhesion over height', s%range, of_range//' height')
+      end associate
+   end function derive_quantities
+
+end module adfric_wavy_model
