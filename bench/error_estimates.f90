@@ -10,7 +10,8 @@ program error_estimates
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
-   use adfric_model_model, only: attribute_t, status_solved
+   use adfric_model_status, only: status_solved
+   use adfric_model_table, only: attribute_t
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_sphere_variables
    use adfric_wavy_crosswise, only: memory_t

@@ -7,7 +7,9 @@ program scenes
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_unset, only: unset
-   use adfric_model_model, only: model_t, attribute_t, status_solved
+   use adfric_model_model, only: model_t
+   use adfric_model_status, only: status_solved
+   use adfric_model_table, only: attribute_t
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model

@@ -4,7 +4,8 @@
 program sphere
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
-   use adfric_model_model, only: attribute_t, status_solved
+   use adfric_model_status, only: status_solved
+   use adfric_model_table, only: attribute_t
    use adfric_sphere_contact, only: contact_t, find_contact, theory_maugis_dugdale, control_load, control_approach, &
       control_radius, branch_stable
    use adfric_sphere_maugis_dugdale, only: maugis_t

@@ -6,7 +6,8 @@ program surface_3d
    use adfric_base_constants, only: two_pi
    use adfric_base_kinds, only: dp, i8
    use adfric_base_unset, only: unset
-   use adfric_model_model, only: attribute_t, status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_table, only: attribute_t
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_run_blocks, only: block_size_of
    use adfric_system_clock, only: wall_clock

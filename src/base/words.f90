@@ -2,7 +2,7 @@
 module adfric_base_words
    implicit none (type, external)
    private
-   public :: count_words, get_word, pad
+   public :: count_words, get_word, has_word, pad
 
 contains
 
@@ -49,5 +49,15 @@ contains
 
       padded = text//repeat(' ', max(1, width - len(text)))
    end function pad
+
+   !> Is a word in a blank-separated list?
+   pure logical function has_word(list, word)
+      !> Words, separated by a blank.
+      character(*), intent(in) :: list
+      !> The word to look for; an empty one stands in no list.
+      character(*), intent(in) :: word
+
+      has_word = len_trim(word) > 0 .and. index(' '//list//' ', ' '//trim(word)//' ') > 0
+   end function has_word
 
 end module adfric_base_words

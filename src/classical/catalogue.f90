@@ -1,4 +1,4 @@
-!> The models of the half-space.
+!> The classical models of the half-space.
 module adfric_classical_catalogue
    use adfric_classical_hertz_model, only: hertz_model_t, new_hertz_model
    use adfric_classical_line_load_model, only: line_load_model_t, new_line_load_model, strip_load_model_t, new_strip_load_model
@@ -6,29 +6,21 @@ module adfric_classical_catalogue
    use adfric_classical_punch_model, only: punch_model_t, new_punch_model
    use adfric_classical_wave_model, only: wave_model_t, new_wave_model
    use adfric_model_model, only: model_t
-   use adfric_periodic_surface_model, only: surface_model_t, new_surface_model
-   use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
    implicit none (type, external)
    private
-   public :: halfspace_models, new_halfspace_model
-
-   !> Names of these models, separated by a blank.
-   character(*), parameter :: halfspace_models = 'hertz rigid_punch wave_1d wave_2d_elastic surface_elastic line_load '// &
-      & 'strip_load point_load'
+   public :: new_classical_model
 
 contains
 
    !> The model of a name; none if it is not one of these.
-   subroutine new_halfspace_model(model, name)
-      !> The new model with its tables; not allocated if the name is not one of `halfspace_models`.
+   subroutine new_classical_model(model, name)
+      !> Not allocated if the name is that of no model of this folder.
       class(model_t), allocatable, intent(out) :: model
-      !> Name of the model, as in `&job model = ...`.
+      !> As it stands in `&job`.
       character(*), intent(in) :: name
       type(hertz_model_t), allocatable :: hertz
       type(punch_model_t), allocatable :: punch
       type(wave_model_t), allocatable :: wave
-      type(wave_2d_model_t), allocatable :: wave_2d
-      type(surface_model_t), allocatable :: surface
       type(line_load_model_t), allocatable :: line
       type(strip_load_model_t), allocatable :: strip
       type(point_load_model_t), allocatable :: point
@@ -46,14 +38,6 @@ contains
          allocate (wave)
          call new_wave_model(wave)
          call move_alloc(wave, model)
-      case ('wave_2d_elastic')
-         allocate (wave_2d)
-         call new_wave_2d_model(wave_2d)
-         call move_alloc(wave_2d, model)
-      case ('surface_elastic')
-         allocate (surface)
-         call new_surface_model(surface)
-         call move_alloc(surface, model)
       case ('line_load')
          allocate (line)
          call new_line_load_model(line)
@@ -67,6 +51,6 @@ contains
          call new_point_load_model(point)
          call move_alloc(point, model)
       end select
-   end subroutine new_halfspace_model
+   end subroutine new_classical_model
 
 end module adfric_classical_catalogue

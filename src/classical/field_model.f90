@@ -4,7 +4,8 @@ module adfric_classical_field_model
    use adfric_base_words, only: get_word, count_words
    use adfric_classical_model, only: halfspace_model_t
    use adfric_classical_point_memory, only: point_memory_t
-   use adfric_model_model, only: result_t, profile_t, status_solved
+   use adfric_model_status, only: status_solved
+   use adfric_model_table, only: result_t, profile_t
    implicit none (type, external)
    private
    public :: field_model_t, set_stresses, set_plane_stresses, set_displacements, maps_of

@@ -4,17 +4,17 @@ module adfric_classical_hertz_model
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_classical_model, only: halfspace_model_t, contact_profiles
+   use adfric_classical_model, only: halfspace_model_t
    use adfric_classical_hertz_ellipse, only: ellipse_t, ellipse_shape_t, find_curvatures, find_shape, ellipse_of_load, &
       & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
    use adfric_classical_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap, line_misfit
    use adfric_classical_hertz_unit, only: unit_contact_t, find_unit_line, find_unit_ellipse
    use adfric_classical_point_memory, only: point_memory_t
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
-   use adfric_model_model, only: result_t, variable_t, status_solved, status_no_equilibrium, &
-      & status_not_converged
    use adfric_model_requirements, only: need, need_one
-   use adfric_model_rows, only: positive, choice, number
+   use adfric_model_rows, only: positive, choice, number, contact_profiles
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_table, only: result_t, variable_t
    implicit none (type, external)
    private
    public :: hertz_model_t, new_hertz_model

@@ -11,9 +11,10 @@ module adfric_classical_line_load_model
    use adfric_classical_sampled_traction, only: sampled_traction_t, every_second
    use adfric_classical_strip_tractions, only: uniform_strip_stress, hertz_strip_stress, uniform_strip_integral, &
       & hertz_strip_integral
-   use adfric_model_model, only: result_t, variable_t, status_solved
    use adfric_model_requirements, only: need
    use adfric_model_rows, only: positive, number, choice, dataset, poisson_ratio_row
+   use adfric_model_status, only: status_solved
+   use adfric_model_table, only: result_t, variable_t
    implicit none (type, external)
    private
    public :: line_load_model_t, new_line_load_model, strip_load_model_t, new_strip_load_model

@@ -1,4 +1,5 @@
-!> What all models of the half-space share: points that are solved one by one, and profiles along axes that the user sets.
+!> What the classical models of the half-space share: points that are solved one by one, and profiles along axes that the
+!> user sets.
 module adfric_classical_model
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
@@ -7,12 +8,14 @@ module adfric_classical_model
    use adfric_base_words, only: count_words, get_word
    use adfric_classical_point_memory, only: point_memory_t
    use adfric_material_contact_modulus, only: derive_contact_modulus
-   use adfric_model_model, only: model_t, variable_t, result_t, attribute_t, profile_t, derived_t, status_solved
+   use adfric_model_model, only: model_t, derived_t
    use adfric_model_requirements, only: need
    use adfric_model_rows, only: set_output_axis, output_switch
+   use adfric_model_status, only: status_solved
+   use adfric_model_table, only: variable_t, result_t, attribute_t, profile_t
    implicit none (type, external)
    private
-   public :: halfspace_model_t, contact_profiles
+   public :: halfspace_model_t
 
    !> Samples along the last axis of the profiles; along the first of two there is one.
    integer, parameter :: n_samples = 201
@@ -123,14 +126,6 @@ contains
       self%profiles = profiles
       self%profile_axes = axes
    end subroutine set_tables
-
-   !> Rows of the profiles of pressure and gap.
-   function contact_profiles() result(p)
-      type(profile_t) :: p(2)
-
-      p(1) = profile_t('pressure', 'Pa', 'pressure, compression positive')
-      p(2) = profile_t('gap', 'm', 'gap')
-   end function contact_profiles
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)

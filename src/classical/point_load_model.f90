@@ -4,9 +4,9 @@ module adfric_classical_point_load_model
    use adfric_base_problems, only: problems_t
    use adfric_classical_boussinesq_cerruti, only: point_stress, point_displacement
    use adfric_classical_field_model, only: field_model_t, set_stresses, set_displacements, maps_of
-   use adfric_model_model, only: result_t, variable_t
    use adfric_model_requirements, only: need
    use adfric_model_rows, only: positive, number, poisson_ratio_row
+   use adfric_model_table, only: result_t, variable_t
    implicit none (type, external)
    private
    public :: point_load_model_t, new_point_load_model

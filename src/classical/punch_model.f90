@@ -7,17 +7,17 @@ module adfric_classical_punch_model
    use adfric_base_unset, only: is_set
    use adfric_classical_contact_conditions, only: largest_violation
    use adfric_classical_field_model, only: set_plane_stresses, maps_of
-   use adfric_classical_model, only: halfspace_model_t, contact_profiles
+   use adfric_classical_model, only: halfspace_model_t
    use adfric_classical_point_memory, only: point_memory_t
    use adfric_classical_punch_profiles, only: polynomial_t, power_load, wedge_load, wedge_pressure, wedge_gap
    use adfric_classical_punch_stress, only: punch_stress
    use adfric_classical_rigid_punch, only: punch_contact_t, solve_punch, solve_punch_of_width
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, has_contact_modulus, &
       & check_contact_modulus
-   use adfric_model_model, only: result_t, profile_t, variable_t, kind_integer, status_solved, status_no_equilibrium, &
-      & status_not_converged
    use adfric_model_requirements, only: need, need_one
-   use adfric_model_rows, only: positive, choice, number
+   use adfric_model_rows, only: positive, choice, number, contact_profiles
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_table, only: result_t, profile_t, variable_t, kind_integer
    implicit none (type, external)
    private
    public :: punch_model_t, new_punch_model

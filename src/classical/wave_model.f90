@@ -5,14 +5,15 @@ module adfric_classical_wave_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_classical_contact_conditions, only: largest_violation
-   use adfric_classical_model, only: halfspace_model_t, contact_profiles
+   use adfric_classical_model, only: halfspace_model_t
    use adfric_classical_point_memory, only: point_memory_t
    use adfric_classical_westergaard, only: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, &
       & find_wave_pressure
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
-   use adfric_model_model, only: result_t, variable_t, status_solved, status_no_equilibrium, status_not_converged
    use adfric_model_requirements, only: need, need_one
-   use adfric_model_rows, only: positive, number
+   use adfric_model_rows, only: positive, number, contact_profiles
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_table, only: result_t, variable_t
    implicit none (type, external)
    private
    public :: wave_model_t, new_wave_model

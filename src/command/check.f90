@@ -10,7 +10,8 @@ module adfric_command_check
    use adfric_command_plausibility, only: warn_of_values
    use adfric_command_values, only: show_input_value
    use adfric_input_run, only: run_input_t
-   use adfric_model_model, only: model_t, derived_t, kind_dataset
+   use adfric_model_model, only: model_t, derived_t
+   use adfric_model_table, only: kind_dataset
    use adfric_output_resources, only: file_size_of, show_bytes
    use adfric_run_time_estimate, only: time_estimate_t, estimate_time
    implicit none (type, external)

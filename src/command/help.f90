@@ -2,7 +2,7 @@
 module adfric_command_help
    use adfric, only: new_model, known_models
    use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_base_words, only: count_words, get_word
+   use adfric_base_words, only: count_words, get_word, has_word
    use adfric_base_text, only: newline, to_lower
    use adfric_command_help_entries, only: entries_t
    use adfric_command_help_lists, only: model_box_t, list_topics, show_list
@@ -11,7 +11,7 @@ module adfric_command_help
    use adfric_command_line, only: command_t, known_commands
    use adfric_command_outcome, only: outcome_t
    use adfric_input_suggestion, only: did_you_mean
-   use adfric_input_vocabulary, only: has_word, job_names, sweep_names
+   use adfric_input_vocabulary, only: job_names, sweep_names
    implicit none (type, external)
    private
    public :: give_help

@@ -1,8 +1,7 @@
 !> Entries of a page of help: what several models say in the same words stands there once, with the names of all of them.
 module adfric_command_help_entries
-   use adfric_base_words, only: count_words, get_word, pad
+   use adfric_base_words, only: count_words, get_word, pad, has_word
    use adfric_base_text, only: newline, join_words
-   use adfric_input_vocabulary, only: has_word
    implicit none (type, external)
    private
    public :: entries_t

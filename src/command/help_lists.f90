@@ -3,7 +3,8 @@ module adfric_command_help_lists
    use adfric_base_words, only: pad
    use adfric_base_text, only: newline
    use adfric_command_help_entries, only: entries_t
-   use adfric_model_model, only: model_t, result_t, results_of_every_run
+   use adfric_model_model, only: model_t
+   use adfric_model_table, only: result_t, results_of_every_run
    implicit none (type, external)
    private
    public :: model_box_t, list_topics, show_list

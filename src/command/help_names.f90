@@ -1,12 +1,14 @@
 !> What a model has to say of the names in its tables: groups, variables, results, profiles, and the words that they may be.
 module adfric_command_help_names
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: count_words, get_word, pad
+   use adfric_base_words, only: count_words, get_word, pad, has_word
    use adfric_base_text, only: newline
    use adfric_command_values, only: show_input_value
    use adfric_input_variable, only: describe_allowed
-   use adfric_input_vocabulary, only: has_word, list_groups, list_variables
-   use adfric_model_model, only: model_t, variable_t, result_t, explain_status, results_of_every_run, status_meanings, kind_choice
+   use adfric_model_model, only: model_t
+   use adfric_model_status, only: explain_status, status_meanings
+   use adfric_model_table, only: variable_t, result_t, results_of_every_run, kind_choice
+   use adfric_model_vocabulary, only: list_groups, list_variables
    implicit none (type, external)
    private
    public :: describe_model, describe_outputs, describe_name, describe_common, list_names

@@ -6,7 +6,7 @@ module adfric_command_merge
    use adfric_base_text, only: newline, show_count
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_not_converged
-   use adfric_model_model, only: status_meanings, status_not_converged, n_status
+   use adfric_model_status, only: status_meanings, status_not_converged, n_status
    use adfric_output_heading, only: heading_t
    use adfric_output_layout, only: layout_t
    use adfric_output_merging, only: write_merged

@@ -9,7 +9,8 @@ module adfric_command_run
    use adfric_command_outcome, only: outcome_t, exit_success, exit_not_converged, exit_signal
    use adfric_command_solve, only: solve_case, is_begun
    use adfric_input_run, only: run_input_t
-   use adfric_model_model, only: model_t, status_not_converged
+   use adfric_model_model, only: model_t
+   use adfric_model_status, only: status_not_converged
    use adfric_output_done_points, only: read_done_points
    use adfric_output_heading, only: heading_t, new_heading
    use adfric_output_layout, only: layout_t, new_layout

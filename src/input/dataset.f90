@@ -7,7 +7,7 @@ module adfric_input_dataset
    use adfric_hdf5_samples, only: read_numbers
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
-   use adfric_model_model, only: variable_t
+   use adfric_model_table, only: variable_t
    use adfric_system_checksum, only: checksum_t, checksum_length
    implicit none (type, external)
    private

@@ -5,6 +5,7 @@ module adfric_input_run
    use adfric_base_error, only: error_t
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: join_words, longest_name, show_count, show_text
+   use adfric_base_words, only: has_word
    use adfric_input_case, only: case_t, read_groups
    use adfric_input_consistency, only: check_consistency
    use adfric_input_dataset, only: dataset_t
@@ -14,7 +15,7 @@ module adfric_input_run
    use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_input_sweep, only: read_sweeps, find_size_problem
-   use adfric_input_vocabulary, only: job_names, has_word, report_unknown_names
+   use adfric_input_vocabulary, only: job_names, report_unknown_names
    use adfric_model_model, only: model_t
    use adfric_run_plan, only: plan_t
    implicit none (type, external)

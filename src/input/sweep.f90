@@ -11,8 +11,10 @@ module adfric_input_sweep
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_sweep_range, only: read_sweep_values
    use adfric_input_variable, only: is_in_range, describe_allowed, show_value
-   use adfric_input_vocabulary, only: sweep_names, list_groups_of, list_variables, report_unknown_names
-   use adfric_model_model, only: model_t, kind_real, kind_integer
+   use adfric_input_vocabulary, only: sweep_names, report_unknown_names
+   use adfric_model_model, only: model_t
+   use adfric_model_table, only: kind_real, kind_integer
+   use adfric_model_vocabulary, only: list_groups_of, list_variables
    use adfric_run_plan, only: axis_t, plan_t
    implicit none (type, external)
    private

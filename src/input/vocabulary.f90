@@ -2,12 +2,14 @@
 module adfric_input_vocabulary
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: join_words
+   use adfric_base_words, only: has_word
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_model_model, only: model_t
+   use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of
    implicit none (type, external)
    private
-   public :: job_names, sweep_names, list_groups, list_variables, list_groups_of, has_word
+   public :: job_names, sweep_names
    public :: say_unknown_group, say_unknown_variable, report_unknown_names
 
    !> Variables of `&job`.
@@ -16,63 +18,6 @@ module adfric_input_vocabulary
    character(*), parameter :: sweep_names = 'variable from to count spacing values'
 
 contains
-
-   !> Is a word in a blank-separated list?
-   pure logical function has_word(list, word)
-      !> Words, separated by a blank.
-      character(*), intent(in) :: list
-      !> The word to look for; an empty one stands in no list.
-      character(*), intent(in) :: word
-
-      has_word = len_trim(word) > 0 .and. index(' '//list//' ', ' '//trim(word)//' ') > 0
-   end function has_word
-
-   !> Groups of a model, separated by a blank.
-   pure function list_groups(model) result(list)
-      !> The model, whose table names groups and variables.
-      class(model_t), intent(in) :: model
-      character(:), allocatable :: list
-      integer :: i
-
-      list = ''
-      do i = 1, size(model%variables)
-         if (.not. has_word(list, model%variables(i)%group)) list = list//' '//model%variables(i)%group
-      end do
-      list = trim(adjustl(list))
-   end function list_groups
-
-   !> Variables of one group of a model, separated by a blank; of all groups if `group` is empty.
-   pure function list_variables(model, group) result(list)
-      !> The model, whose table names groups and variables.
-      class(model_t), intent(in) :: model
-      !> Name of the group; empty for all groups.
-      character(*), intent(in) :: group
-      character(:), allocatable :: list
-      integer :: i
-
-      list = ''
-      do i = 1, size(model%variables)
-         if (len_trim(group) > 0 .and. model%variables(i)%group /= group) cycle
-         if (.not. has_word(list, model%variables(i)%name)) list = list//' '//model%variables(i)%name
-      end do
-      list = trim(adjustl(list))
-   end function list_variables
-
-   !> Groups of a model that have a variable of this name, separated by a blank.
-   pure function list_groups_of(model, name) result(list)
-      !> The model, whose table names groups and variables.
-      class(model_t), intent(in) :: model
-      !> Name of the variable, in small letters.
-      character(*), intent(in) :: name
-      character(:), allocatable :: list
-      integer :: i
-
-      list = ''
-      do i = 1, size(model%variables)
-         if (model%variables(i)%name == name) list = list//' '//model%variables(i)%group
-      end do
-      list = trim(adjustl(list))
-   end function list_groups_of
 
    !> What to say of a group that a model does not have.
    pure function say_unknown_group(model, group) result(text)

@@ -9,7 +9,7 @@ module adfric_material_contact_modulus
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: unset, is_set
    use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_model, only: variable_t, kind_real
+   use adfric_model_table, only: variable_t, kind_real
    implicit none (type, external)
    private
    public :: set_modulus_rows, contact_modulus_of, has_contact_modulus, check_contact_modulus, derive_contact_modulus

@@ -5,80 +5,15 @@
 module adfric_model_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set, unset
-   use adfric_base_words, only: count_words, get_word
+   use adfric_base_unset, only: is_set
+   use adfric_base_words, only: get_word
    use adfric_model_derived, only: derived_t
    use adfric_model_profile_receiver, only: profile_receiver_t
+   use adfric_model_status, only: status_solved
+   use adfric_model_table, only: variable_t, result_t, profile_t, attribute_t
    implicit none (type, external)
    private
-   public :: model_t, variable_t, result_t, profile_t, attribute_t, derived_t
-   public :: positive_variable
-   public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
-   public :: status_solved, status_no_equilibrium, status_not_converged, n_status
-   public :: status_meanings, explain_status, results_of_every_run
-
-   !> Kinds of namelist variables.
-   integer, parameter :: kind_real = 1, kind_integer = 2, kind_logical = 3, kind_choice = 4, kind_dataset = 5
-
-   !> Status of a point, as it stands in the file.
-   integer, parameter :: status_solved = 0, status_no_equilibrium = 1, status_not_converged = 2
-   integer, parameter :: n_status = 3
-   !> Names of the states, in the order of their numbers from 0.
-   character(*), parameter :: status_meanings = 'solved no_equilibrium not_converged'
-
-   !> A namelist variable. Every kind is held as a real number: integers as they are, logicals as 0 and 1,
-   !> choices as their place in `choices` (from 1), datasets of a file as 1, and what was not given as `unset`.
-   type :: variable_t
-      !> Group it stands in, without `&`.
-      character(:), allocatable :: group
-      character(:), allocatable :: name
-      !> One of `kind_...`.
-      integer :: kind = kind_real
-      !> SI unit, `-` for a pure number, empty for logicals and choices.
-      character(:), allocatable :: unit
-      !> What it is, for `adfric help`.
-      character(:), allocatable :: meaning
-      !> Allowed words, separated by a blank (choices only).
-      character(:), allocatable :: choices
-      !> Value where the user gives none; `unset` if there is no default.
-      real(dp) :: default = unset
-      !> Allowed range, of a dataset that of every value; a bound that is not itself allowed is marked open.
-      real(dp) :: lower = -unset, upper = unset
-      logical :: lower_open = .false., upper_open = .false.
-      !> Number of dimensions that a dataset may have at most, 1 or 2, and of values that it needs along each.
-      integer :: largest_rank = 1, least_count = 1
-      !> Where several groups have the name: may a sweep mean this one without the group?
-      logical :: has_bare_name = .true.
-      !> Sizes that it usually has, where they are others than those of its unit (`adfric_model_plausible_range`).
-      real(dp) :: usual_lower = unset, usual_upper = unset
-   end type variable_t
-
-   !> A result per point.
-   type :: result_t
-      character(:), allocatable :: name
-      !> SI unit, `-` for a pure number.
-      character(:), allocatable :: unit
-      character(:), allocatable :: long_name
-      !> Meanings of 0, 1, 2, ... separated by a blank, where the result is an enumerated state; else empty.
-      character(:), allocatable :: flag_meanings
-      !> Main results stand in the table at the end of a run.
-      logical :: is_main = .false.
-   contains
-      procedure :: n_states
-   end type result_t
-
-   !> A result along the profile axes, or one of these axes.
-   type :: profile_t
-      character(:), allocatable :: name
-      character(:), allocatable :: unit
-      character(:), allocatable :: long_name
-   end type profile_t
-
-   !> A number that describes a whole run, such as the mean count of strips per point.
-   type :: attribute_t
-      character(:), allocatable :: name
-      real(dp) :: value = 0
-   end type attribute_t
+   public :: model_t, derived_t
 
    !> A model.
    type, abstract :: model_t
@@ -193,51 +128,6 @@ module adfric_model_model
    end interface
 
 contains
-
-   !> What a status means, in a sentence.
-   pure function explain_status(status) result(text)
-      !> One of `status_...`.
-      integer, intent(in) :: status
-      character(:), allocatable :: text
-
-      select case (status)
-      case (status_solved)
-         text = 'the state was found; the point has its results'
-      case (status_no_equilibrium)
-         text = 'there is no such state, which is an answer; results that need one are NaN'
-      case default
-         text = 'the state was not found to the tolerance; the results are NaN'
-      end select
-   end function explain_status
-
-   !> The results that every model has beside those of its table: of a point, the last ones of the file.
-   pure function results_of_every_run() result(results)
-      type(result_t) :: results(2)
-
-      results(1)%name = 'error_estimate'
-      results(1)%unit = '-'
-      results(1)%long_name = 'relative error of the main result, estimated'
-      results(1)%flag_meanings = ''
-      results(2)%name = 'status'
-      results(2)%unit = '-'
-      results(2)%long_name = 'whether the point was solved'
-      results(2)%flag_meanings = status_meanings
-   end function results_of_every_run
-
-   !> A real variable > 0 without default.
-   function positive_variable(group, name, unit, meaning) result(variable)
-      !> Group of the variable, without `&`.
-      character(*), intent(in) :: group
-      !> Name of the variable.
-      character(*), intent(in) :: name
-      !> SI unit, `-` for a pure number.
-      character(*), intent(in) :: unit
-      !> What the variable is, for `adfric help`.
-      character(*), intent(in) :: meaning
-      type(variable_t) :: variable
-
-      variable = variable_t(group, name, kind_real, unit, meaning, '', unset, 0.0_dp, lower_open=.true.)
-   end function positive_variable
 
    !> Find out what all points of a run have in common, once, before the first block is solved. It saves time and changes no
    !> bit of the results. Here there is nothing; a model with something costly of that kind overrides it.
@@ -375,15 +265,6 @@ contains
       associate (unused => self, unused_too => values)
       end associate
    end function describe_doubts
-
-   !> Number of states of an enumerated result; 0 for a number.
-   pure integer function n_states(self)
-      !> The result, whose `flag_meanings` are counted.
-      class(result_t), intent(in) :: self
-
-      n_states = 0
-      if (allocated(self%flag_meanings)) n_states = count_words(self%flag_meanings)
-   end function n_states
 
    !> The profiles with their units for this case: those of the table. A model whose units depend on the case
    !> (reduced units) overrides it.

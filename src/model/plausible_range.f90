@@ -3,7 +3,7 @@
 module adfric_model_plausible_range
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_model_model, only: variable_t, kind_real, kind_dataset
+   use adfric_model_table, only: variable_t, kind_real, kind_dataset
    implicit none (type, external)
    private
    public :: find_plausible_range, is_plausible

@@ -3,7 +3,7 @@ module adfric_model_requirements
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_model_model, only: variable_t, kind_choice
+   use adfric_model_table, only: variable_t, kind_choice
    implicit none (type, external)
    private
    public :: need, need_one, refuse_swept_axes

@@ -2,10 +2,10 @@
 module adfric_model_rows
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
-   use adfric_model_model, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
+   use adfric_model_table, only: variable_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
    implicit none (type, external)
    private
-   public :: positive, number, choice, dataset, set_output_axis, output_switch, poisson_ratio_row
+   public :: positive, number, choice, dataset, set_output_axis, output_switch, poisson_ratio_row, contact_profiles
 
    !> Sizes beyond these are those of a slip in the units.
    real(dp), parameter :: largest_unit = 1.0e30_dp, smallest_unit = 1.0e-30_dp
@@ -119,5 +119,13 @@ contains
       end do
       if (is_depth) variables(:2)%lower = 0
    end subroutine set_output_axis
+
+   !> Rows of the profiles of pressure and gap.
+   function contact_profiles() result(p)
+      type(profile_t) :: p(2)
+
+      p(1) = profile_t('pressure', 'Pa', 'pressure, compression positive')
+      p(2) = profile_t('gap', 'm', 'gap')
+   end function contact_profiles
 
 end module adfric_model_rows

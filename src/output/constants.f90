@@ -2,8 +2,9 @@
 module adfric_output_constants
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_input_vocabulary, only: has_word
-   use adfric_model_model, only: model_t, variable_t, derived_t, kind_choice, kind_dataset, kind_logical
+   use adfric_base_words, only: has_word
+   use adfric_model_model, only: model_t, derived_t
+   use adfric_model_table, only: variable_t, kind_choice, kind_dataset, kind_logical
    use adfric_run_plan, only: plan_t
    implicit none (type, external)
    private

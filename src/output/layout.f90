@@ -2,7 +2,8 @@
 module adfric_output_layout
    use adfric_base_kinds, only: dp, i8
    use adfric_base_words, only: count_words
-   use adfric_model_model, only: model_t, result_t, profile_t, attribute_t, results_of_every_run
+   use adfric_model_model, only: model_t
+   use adfric_model_table, only: result_t, profile_t, attribute_t, results_of_every_run
    use adfric_output_constants, only: constant_t, find_constants, file_unit
    use adfric_run_blocks, only: blocks_t, part_t, new_blocks
    use adfric_run_counts, only: find_counts

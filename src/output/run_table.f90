@@ -2,7 +2,8 @@
 module adfric_output_run_table
    use adfric_base_kinds, only: dp, i8
    use adfric_base_words, only: get_word, pad
-   use adfric_model_model, only: result_t, status_meanings, status_solved, n_status
+   use adfric_model_status, only: status_meanings, status_solved, n_status
+   use adfric_model_table, only: result_t
    use adfric_run_summary, only: run_summary_t
    implicit none (type, external)
    private

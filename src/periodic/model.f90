@@ -5,13 +5,14 @@ module adfric_periodic_model
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_classical_model, only: contact_profiles
    use adfric_material_contact_modulus, only: check_contact_modulus, derive_contact_modulus
    use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_model, only: model_t, variable_t, attribute_t, status_solved, status_no_equilibrium, &
-      & status_not_converged
+   use adfric_model_model, only: model_t
    use adfric_model_profile_receiver, only: profile_receiver_t
    use adfric_model_requirements, only: need, need_one
+   use adfric_model_rows, only: contact_profiles
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_table, only: variable_t, attribute_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, &
       & find_full_pressure
    use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range

@@ -7,9 +7,9 @@ module adfric_periodic_surface_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_model_model, only: variable_t
    use adfric_model_requirements, only: need, refuse_swept_axes
    use adfric_model_rows, only: positive, dataset
+   use adfric_model_table, only: variable_t
    use adfric_periodic_grids, only: n_grids_of
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_operator, only: is_too_long

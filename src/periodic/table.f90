@@ -2,8 +2,8 @@
 module adfric_periodic_table
    use adfric_base_kinds, only: dp
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of
-   use adfric_model_model, only: variable_t, result_t, kind_real, kind_logical
    use adfric_model_rows, only: positive, number
+   use adfric_model_table, only: variable_t, result_t, kind_real, kind_logical
    implicit none (type, external)
    private
    public :: set_periodic_variables, get_periodic_results, modulus_of

@@ -7,9 +7,9 @@ module adfric_periodic_wave_2d_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
-   use adfric_model_model, only: variable_t, kind_integer
    use adfric_model_requirements, only: need, refuse_swept_axes
    use adfric_model_rows, only: positive
+   use adfric_model_table, only: variable_t, kind_integer
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_table, only: modulus_of

@@ -1,7 +1,8 @@
 !> What a model counts while it solves: sums over blocks that describe a whole run.
 module adfric_run_counts
    use adfric_base_kinds, only: dp
-   use adfric_model_model, only: model_t, attribute_t
+   use adfric_model_model, only: model_t
+   use adfric_model_table, only: attribute_t
    implicit none (type, external)
    private
    public :: find_counts, pick_counts

@@ -9,7 +9,8 @@ module adfric_run_runner
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
    use adfric_base_words, only: count_words
-   use adfric_model_model, only: model_t, attribute_t
+   use adfric_model_model, only: model_t
+   use adfric_model_table, only: attribute_t
    use adfric_run_batch, only: batch_bytes
    use adfric_run_blocks, only: blocks_t, new_blocks, block_size_of
    use adfric_run_block_source, only: block_source_t, block_list_t, new_block_list

@@ -3,8 +3,9 @@
 module adfric_run_time_estimate
    use omp_lib, only: omp_get_max_threads, omp_get_num_procs
    use adfric_base_kinds, only: dp, i8
-   use adfric_model_model, only: model_t, attribute_t
+   use adfric_model_model, only: model_t
    use adfric_model_profile_receiver, only: profile_receiver_t
+   use adfric_model_table, only: attribute_t
    use adfric_run_blocks, only: blocks_t, new_blocks
    use adfric_run_plan, only: plan_t
    use adfric_run_runner, only: profile_shape_of

@@ -4,8 +4,8 @@ module adfric_sphere_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_material_contact_modulus, only: check_contact_modulus
-   use adfric_model_model, only: variable_t, kind_real
    use adfric_model_requirements, only: need, need_one
+   use adfric_model_table, only: variable_t, kind_real
    use adfric_sphere_case, only: sphere_case_t, resolve_case, theory_auto
    use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale, control_radius, branch_stable
    use adfric_sphere_interaction, only: is_valid_interaction

@@ -7,8 +7,10 @@ module adfric_sphere_model
    use adfric_base_unset, only: is_set
    use adfric_material_contact_modulus, only: derive_contact_modulus, modulus_names
    use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_model, only: model_t, result_t, profile_t, attribute_t, status_solved
+   use adfric_model_model, only: model_t
    use adfric_model_requirements, only: refuse_swept_axes
+   use adfric_model_status, only: status_solved
+   use adfric_model_table, only: result_t, profile_t, attribute_t
    use adfric_sphere_case, only: sphere_case_t, resolve_case
    use adfric_sphere_check, only: check_sphere_values
    use adfric_sphere_contact, only: theory_maugis_dugdale, theory_dmt

@@ -3,7 +3,7 @@ module adfric_sphere_point
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_model_model, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_sphere_case, only: sphere_case_t, theory_auto
    use adfric_sphere_contact, only: contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, friction_radius
    use adfric_sphere_interaction, only: adhesion_ratio

@@ -3,7 +3,7 @@ module adfric_sphere_variables
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
    use adfric_material_contact_modulus, only: set_modulus_rows
-   use adfric_model_model, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, &
+   use adfric_model_table, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, &
       & positive => positive_variable
    implicit none (type, external)
    private

@@ -3,8 +3,8 @@ module adfric_wavy_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_model_model, only: variable_t
    use adfric_model_requirements, only: need
+   use adfric_model_table, only: variable_t
    use adfric_wavy_case, only: wavy_case_t, resolve_case
    use adfric_wavy_variables, only: v_height, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_poisson_ratio, &
       & v_profiles, v_range, &

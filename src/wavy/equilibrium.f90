@@ -6,7 +6,7 @@
 !> adhesion in the whole gap it carries no more. Both are convex and rise, so each search starts next to where it may end.
 module adfric_wavy_equilibrium
    use adfric_base_kinds, only: dp
-   use adfric_model_model, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_load_search, only: search_down, search_up, search_found, search_empty
    use adfric_wavy_load_starts, only: start_above, start_below, search_without_adhesion, highest

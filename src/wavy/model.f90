@@ -6,7 +6,9 @@ module adfric_wavy_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_model, only: model_t, result_t, attribute_t, status_solved, status_no_equilibrium
+   use adfric_model_model, only: model_t
+   use adfric_model_status, only: status_solved, status_no_equilibrium
+   use adfric_model_table, only: result_t, attribute_t
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t

@@ -2,7 +2,7 @@
 module adfric_wavy_variables
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
-   use adfric_model_model, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, &
+   use adfric_model_table, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, &
       & positive => positive_variable
    use adfric_wavy_strip, only: regime_meanings
    implicit none (type, external)

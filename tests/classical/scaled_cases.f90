@@ -2,7 +2,7 @@
 module scaled_cases
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_model_model, only: result_t
+   use adfric_model_table, only: result_t
    use trial_case, only: trial_case_t
    implicit none (type, external)
    private

@@ -6,7 +6,9 @@ module search_rules
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: count_words
    use adfric_input_variable, only: is_in_range
-   use adfric_model_model, only: model_t, result_t, kind_real, status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_model, only: model_t
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_table, only: result_t, kind_real
    use adfric_wavy_case, only: wavy_case_t, resolve_case
    use adfric_wavy_surface, only: negligible
    use adfric_wavy_variables, only: r_adhesion_area, r_contact_area, r_friction_coefficient, r_friction_force, r_load, &

@@ -2,7 +2,8 @@
 module model_calls
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_model_model, only: model_t, attribute_t
+   use adfric_model_model, only: model_t
+   use adfric_model_table, only: attribute_t
    implicit none (type, external)
    private
    public :: set_value, find_problems, solve_values, solve_point

@@ -4,7 +4,8 @@ module trial_case
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_model_model, only: model_t, attribute_t
+   use adfric_model_model, only: model_t
+   use adfric_model_table, only: attribute_t
    implicit none (type, external)
    private
    public :: trial_case_t, new_case

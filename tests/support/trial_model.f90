@@ -11,9 +11,10 @@ module trial_model
    use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: get_word
    use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_model, only: model_t, variable_t, result_t, profile_t, attribute_t, &
-      kind_real, kind_integer, kind_logical, kind_choice, &
-      status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_model, only: model_t
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_table, only: variable_t, result_t, profile_t, attribute_t, kind_real, kind_integer, kind_logical, &
+      & kind_choice
    implicit none (type, external)
    private
    public :: trial_model_t, new_trial_model, trial_values, trial_force, trial_profile, largest_load

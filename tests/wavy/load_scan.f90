@@ -2,7 +2,7 @@
 !> is judged by.
 module load_scan
    use adfric_base_kinds, only: dp
-   use adfric_model_model, only: status_solved
+   use adfric_model_status, only: status_solved
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_equilibrium, only: equilibrium_t, solve_penetration
    use adfric_wavy_steady_state, only: branch_adhered

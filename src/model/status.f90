@@ -1,0 +1,31 @@
+!> What has become of a point.
+module adfric_model_status
+   implicit none (type, external)
+   private
+   public :: status_solved, status_no_equilibrium, status_not_converged, n_status, status_meanings, explain_status
+
+   !> Status of a point, as it stands in the file.
+   integer, parameter :: status_solved = 0, status_no_equilibrium = 1, status_not_converged = 2
+   integer, parameter :: n_status = 3
+   !> Names of the states, in the order of their numbers from 0.
+   character(*), parameter :: status_meanings = 'solved no_equilibrium not_converged'
+
+contains
+
+   !> What a status means, in a sentence.
+   pure function explain_status(status) result(text)
+      !> One of `status_...`.
+      integer, intent(in) :: status
+      character(:), allocatable :: text
+
+      select case (status)
+      case (status_solved)
+         text = 'the state was found; the point has its results'
+      case (status_no_equilibrium)
+         text = 'there is no such state, which is an answer; results that need one are NaN'
+      case default
+         text = 'the state was not found to the tolerance; the results are NaN'
+      end select
+   end function explain_status
+
+end module adfric_model_status

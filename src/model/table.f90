@@ -1,0 +1,109 @@
+!> The tables in which a model declares its variables, its results and its profiles.
+module adfric_model_table
+   use adfric_base_kinds, only: dp
+   use adfric_base_unset, only: unset
+   use adfric_base_words, only: count_words
+   use adfric_model_status, only: status_meanings
+   implicit none (type, external)
+   private
+   public :: variable_t, result_t, profile_t, attribute_t, positive_variable, results_of_every_run
+   public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
+
+   !> Kinds of namelist variables.
+   integer, parameter :: kind_real = 1, kind_integer = 2, kind_logical = 3, kind_choice = 4, kind_dataset = 5
+
+   !> A namelist variable. Every kind is held as a real number: integers as they are, logicals as 0 and 1,
+   !> choices as their place in `choices` (from 1), datasets of a file as 1, and what was not given as `unset`.
+   type :: variable_t
+      !> Group it stands in, without `&`.
+      character(:), allocatable :: group
+      character(:), allocatable :: name
+      !> One of `kind_...`.
+      integer :: kind = kind_real
+      !> SI unit, `-` for a pure number, empty for logicals and choices.
+      character(:), allocatable :: unit
+      !> What it is, for `adfric help`.
+      character(:), allocatable :: meaning
+      !> Allowed words, separated by a blank (choices only).
+      character(:), allocatable :: choices
+      !> Value where the user gives none; `unset` if there is no default.
+      real(dp) :: default = unset
+      !> Allowed range, of a dataset that of every value; a bound that is not itself allowed is marked open.
+      real(dp) :: lower = -unset, upper = unset
+      logical :: lower_open = .false., upper_open = .false.
+      !> Number of dimensions that a dataset may have at most, 1 or 2, and of values that it needs along each.
+      integer :: largest_rank = 1, least_count = 1
+      !> Where several groups have the name: may a sweep mean this one without the group?
+      logical :: has_bare_name = .true.
+      !> Sizes that it usually has, where they are others than those of its unit (`adfric_model_plausible_range`).
+      real(dp) :: usual_lower = unset, usual_upper = unset
+   end type variable_t
+
+   !> A result per point.
+   type :: result_t
+      character(:), allocatable :: name
+      !> SI unit, `-` for a pure number.
+      character(:), allocatable :: unit
+      character(:), allocatable :: long_name
+      !> Meanings of 0, 1, 2, ... separated by a blank, where the result is an enumerated state; else empty.
+      character(:), allocatable :: flag_meanings
+      !> Main results stand in the table at the end of a run.
+      logical :: is_main = .false.
+   contains
+      procedure :: n_states
+   end type result_t
+
+   !> A result along the profile axes, or one of these axes.
+   type :: profile_t
+      character(:), allocatable :: name
+      character(:), allocatable :: unit
+      character(:), allocatable :: long_name
+   end type profile_t
+
+   !> A number that describes a whole run, such as the mean count of strips per point.
+   type :: attribute_t
+      character(:), allocatable :: name
+      real(dp) :: value = 0
+   end type attribute_t
+
+contains
+
+   !> The results that every model has beside those of its table: of a point, the last ones of the file.
+   pure function results_of_every_run() result(results)
+      type(result_t) :: results(2)
+
+      results(1)%name = 'error_estimate'
+      results(1)%unit = '-'
+      results(1)%long_name = 'relative error of the main result, estimated'
+      results(1)%flag_meanings = ''
+      results(2)%name = 'status'
+      results(2)%unit = '-'
+      results(2)%long_name = 'whether the point was solved'
+      results(2)%flag_meanings = status_meanings
+   end function results_of_every_run
+
+   !> A real variable > 0 without default.
+   function positive_variable(group, name, unit, meaning) result(variable)
+      !> Group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable.
+      character(*), intent(in) :: name
+      !> SI unit, `-` for a pure number.
+      character(*), intent(in) :: unit
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
+      type(variable_t) :: variable
+
+      variable = variable_t(group, name, kind_real, unit, meaning, '', unset, 0.0_dp, lower_open=.true.)
+   end function positive_variable
+
+   !> Number of states of an enumerated result; 0 for a number.
+   pure integer function n_states(self)
+      !> The result, whose `flag_meanings` are counted.
+      class(result_t), intent(in) :: self
+
+      n_states = 0
+      if (allocated(self%flag_meanings)) n_states = count_words(self%flag_meanings)
+   end function n_states
+
+end module adfric_model_table
