@@ -55,6 +55,7 @@ contains
       !> It cannot be read, or is too large.
       type(error_t), allocatable, intent(out) :: error
       integer(c_int) :: file, number
+      integer :: room
 
       if (kind_of_path(path) == path_free) then
          call set_error(error, input_failure, path//': cannot open the input, there is no such file')
@@ -66,7 +67,8 @@ contains
          return
       end if
       ! one byte more than there should be, to meet the end
-      allocate (character(room_for(size_of_file(path))) :: text)
+      room = room_for(size_of_file(path))
+      allocate (character(room) :: text)
       call read_to_end(file, text, number)
       call c_close(file)
       if (number /= 0) then
