@@ -17,8 +17,8 @@ module adfric_wavy_pull_off
    public :: pull_off_t, find_pull_off, is_below_pull_off
 
    integer, parameter :: max_turns = 20, max_steps = 400, max_iterations = 80
-   !> A step that is short enough to tell the load's way by its ends, as a share of stress and range, the longest one [h], and by
-   !> how much each one is longer than the one before.
+   !> A step that is short enough to tell the load's way by its ends, as a share of stress and range, the longest one where these are
+   !> small [h], and by how much each one is longer than the one before.
    real(dp), parameter :: short_step = 2.0e-3_dp, longest_step = 0.1_dp, growth = 2.0_dp
    !> A step between the same regimes over which the load has one turn at most, where its slope is not known [h].
    real(dp), parameter :: smooth_step = 0.01_dp
@@ -73,6 +73,12 @@ contains
       self = pull_off_t(surface, is_known=.true.)
       adhered = surface
       adhered%branch = branch_adhered
+      ! nothing pulls with more than the stress: if all adheres where the crest loses contact, that is the least load
+      call try_penetration(adhered, -surface%stress, 0.0_dp, memory, low)
+      self%is_converged = low%totals%is_converged .and. low%totals%load <= -surface%stress*(1 - round_off)
+      self%load = -surface%stress
+      self%penetration = -surface%stress
+      if (self%is_converged) return
       call solve_load(adhered, 0.0_dp, neighbour, memory, unloaded)
       if (unloaded%totals%n_strips == 0 .or. .not. unloaded%totals%is_converged) return
       start = neighbour%last
@@ -151,7 +157,7 @@ contains
       here = start
       short = short_step*(surface%stress + surface%range)
       step = short
-      longest = longest_step
+      longest = longest_step*max(1.0_dp, surface%stress + surface%range)
       do k = 1, max_steps
          call try_near(surface, here%penetration - step, here%penetration, 0.0_dp, memory, beyond)
          if (.not. beyond%totals%is_converged) exit
