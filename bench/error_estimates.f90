@@ -9,13 +9,12 @@
 program error_estimates
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
-   use adfric_base_unset, only: unset
    use adfric_model_status, only: status_solved
    use adfric_model_table, only: attribute_t
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_sphere_variables
    use adfric_wavy_crosswise, only: memory_t
-   use adfric_wavy_equilibrium, only: equilibrium_t, solve_penetration, solve_load
+   use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load
    use adfric_wavy_foundation, only: new_foundation
    use adfric_wavy_surface, only: surface_t, negligible
    use estimate_counts, only: counts_t, count_case, report_counts
@@ -117,6 +116,7 @@ contains
       type(trial_t) :: trial
       type(memory_t) :: memory
       type(equilibrium_t) :: truth, check, found
+      type(neighbour_t) :: neighbour
       type(surface_t) :: surface
       real(dp) :: load
       integer :: k, j
@@ -152,12 +152,14 @@ contains
          load = truth%totals%load
          surface%tolerance = 1.0e-13_dp
          memory = memory_t()
-         call solve_load(surface, load, unset, memory, truth)
+         neighbour = neighbour_t()
+         call solve_load(surface, load, neighbour, memory, truth)
          if (truth%status /= status_solved) cycle
          do j = 1, size(digits)
             surface%tolerance = 10.0_dp**(-digits(j))
             memory = memory_t()
-            call solve_load(surface, load, unset, memory, found)
+            neighbour = neighbour_t()
+            call solve_load(surface, load, neighbour, memory, found)
             call keep(loaded, found, truth, .true.)
          end do
       end do
