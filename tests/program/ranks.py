@@ -1,5 +1,6 @@
 """Runs of several processes by MPI: the same file as that of one process, to the bit, whatever ends them on the way."""
 
+import contextlib
 import os
 import random
 import re
@@ -38,6 +39,15 @@ def launcher(n_ranks, *options):
 def children(process):
     """Numbers of the processes that a process has started itself."""
     return [int(number) for task in Path(f"/proc/{process.pid}/task").glob("*/children") for number in task.read_text().split()]
+
+
+def open_files(numbers):
+    """Names of the files that processes have open; none of one that has ended."""
+    names = set()
+    for number in numbers:
+        with contextlib.suppress(OSError):
+            names.update(os.path.basename(os.readlink(link)) for link in Path(f"/proc/{number}/fd").iterdir())
+    return names
 
 
 def without_mpirun(errors):
@@ -98,9 +108,9 @@ class Ranks(Runs):
         n_killed, n_resumed, most = 0, 0, 0
         while n_killed < N_KILLS:
             process = self.start_ranks(2 + n_killed % 2, "run", "--quiet", "--resume", "run.nml")
-            self.wait_for_children(process)
+            self.wait_for_file(process)
             try:
-                # mpirun takes about a second to start and to end; every other time at any moment
+                # every other time at any moment; mpirun takes about a second to end
                 if n_killed % 2 == 0:
                     self.wait_for_points("run.h5.partial", process)
                     process.communicate(timeout=moment.uniform(0.0, 0.3 * duration))
@@ -128,11 +138,14 @@ class Ranks(Runs):
         self.assert_same(self.snapshot("whole.h5"), self.snapshot("run.h5"))
         self.assertEqual(self.names(), ["run.h5", "run.nml", "whole.h5"])
 
-    def wait_for_children(self, process):
+    def wait_for_file(self, process):
+        """Wait until a process has the file of the run open: all have met by then, and mpirun knows of each of them.
+
+        Of a process that dies before, the mpirun of Open MPI may not hear, and waits for ever."""
         end = time.monotonic() + PATIENCE
-        while not children(process) and process.poll() is None:
+        while process.poll() is None and "run.h5.partial" not in open_files(children(process)):
             self.assertLess(time.monotonic(), end)
-            time.sleep(0.01)
+            time.sleep(0.005)
 
     def stop_run(self, choose, n_ranks=2):
         """End status and lines of a run that gets SIGTERM where `choose` says."""
