@@ -1,4 +1,4 @@
-!> What the program says at its end.
+!> Output and errors of a command, written when the command has ended.
 module adfric_driver_last_words
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_size_t
    use adfric_base_error, only: error_t, set_error, file_failure
@@ -9,23 +9,24 @@ module adfric_driver_last_words
    public :: write_outcome
 
    interface
-      !> Write a text; Fortran would not say whether it got where it should. See `last_resort.c`.
+      !> Write a text; 0 or an error number, which Fortran's own output would not give. See `last_resort.c`.
       integer(c_int) function write_text(file, text, length) bind(c, name='adfric_write_text')
          import :: c_char, c_int, c_size_t
          implicit none (type, external)
-         !> Number of the file.
+         !> Descriptor of the file.
          integer(c_int), intent(in), value :: file
-         !> The text, and its length.
+         !> The text.
          character(kind=c_char), intent(in) :: text(*)
+         !> Length of the text [bytes].
          integer(c_size_t), intent(in), value :: length
       end function write_text
    end interface
 
 contains
 
-   !> Write what a command has to say. What cannot be written is a failure, too.
+   !> Write the output and the errors of a command. Output that cannot be written is a failure, too.
    subroutine write_outcome(outcome)
-      !> Of the command; a failure if its output is lost.
+      !> Outcome of the command; it becomes a failure if its output is lost.
       type(outcome_t), intent(inout) :: outcome
       integer(c_int), parameter :: standard_output = 1, standard_error = 2
       type(error_t), allocatable :: error

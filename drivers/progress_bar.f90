@@ -9,21 +9,23 @@ module adfric_driver_progress_bar
    private
    public :: progress_bar_t, new_progress_bar
 
-   !> Time between two looks of the line [s].
+   !> Least time between two updates of the line [s].
    real(dp), parameter :: interval = 0.2_dp
-   !> Nothing is shown before it is known how fast the run is [s].
+   !> The line appears after this time, when the speed of the run is known [s].
    real(dp), parameter :: first_shown_after = 0.5_dp
    !> Length of the line.
    integer, parameter :: width = 78
+   !> Moves the cursor back to the beginning of the line.
    character, parameter :: carriage_return = achar(13)
 
-   !> The line.
+   !> The line on the terminal, and when it was last written.
    type, extends(progress_t) :: progress_bar_t
       private
       !> Is there a terminal, and does the user want to see it?
       logical :: is_shown = .false.
       !> Does the line stand on the terminal now?
       logical :: is_written = .false.
+      !> When the run began, and when the line was written last, by `wall_clock` [s].
       real(dp) :: started_at = 0, written_at = 0
       !> Points that were solved before the first report; negative before it.
       integer(i8) :: n_before = -1
@@ -33,18 +35,22 @@ module adfric_driver_progress_bar
    end type progress_bar_t
 
    interface
+      !> Is a file a terminal? 1 or 0.
       integer(c_int) function isatty(file) bind(c, name='isatty')
          import :: c_int
          implicit none (type, external)
+         !> Descriptor of the file.
          integer(c_int), intent(in), value :: file
       end function isatty
    end interface
 
 contains
 
-   !> Make ready; the time runs from now.
+   !> Make the line ready; the time of the run counts from now.
    subroutine new_progress_bar(self, is_quiet)
+      !> Receives the line, which is not yet shown.
       type(progress_bar_t), intent(out) :: self
+      !> Does the user want nothing but errors?
       logical, intent(in) :: is_quiet
       integer(c_int), parameter :: standard_error = 2
 
@@ -54,9 +60,11 @@ contains
       self%written_at = self%started_at
    end subroutine new_progress_bar
 
-   !> Write the line anew, now and then.
+   !> Update the line, if the last update was long enough ago.
    subroutine report(self, n_done, n_total)
+      !> The line.
       class(progress_bar_t), intent(inout) :: self
+      !> Points that are done, and all points.
       integer(i8), intent(in) :: n_done, n_total
       real(dp) :: now, rate
       character(2*width) :: line
@@ -76,8 +84,9 @@ contains
       self%written_at = now
    end subroutine report
 
-   !> Take the line away.
+   !> Remove the line from the terminal.
    subroutine clear(self)
+      !> The line; nothing is on the terminal afterwards.
       class(progress_bar_t), intent(inout) :: self
       integer :: status
 
@@ -88,7 +97,7 @@ contains
 
    !> A duration, in the unit that fits.
    function time_text(duration) result(text)
-      !> [s]
+      !> The duration [s].
       real(dp), intent(in) :: duration
       character(:), allocatable :: text
       real(dp), parameter :: minute = 60, hour = 3600, day = 86400

@@ -23,6 +23,7 @@ module adfric_base_problems
 
    !> The problems found so far, in the order in which they were found.
    type :: problems_t
+      !> The problems.
       type(problem_t), allocatable :: items(:)
       !> Has the reading been given up, so that nothing may be concluded from what has not been found?
       logical :: is_given_up = .false.

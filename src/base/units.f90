@@ -27,6 +27,7 @@ module adfric_base_units
    type :: row_t
       !> Its symbols and names, separated by a blank.
       character(40) :: names
+      !> The unit, without a prefix.
       type(unit_t) :: unit
       !> May a prefix stand before it?
       logical :: has_prefixes

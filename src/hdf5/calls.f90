@@ -41,6 +41,7 @@ module adfric_hdf5_calls
 
    !> A reason as it comes out of the stack of errors.
    type :: reason_t
+      !> The reason, padded with blanks; empty until one is found.
       character(reason_length) :: text = ''
       !> Does the text come from the operating system?
       logical :: is_final = .false.
@@ -48,8 +49,11 @@ module adfric_hdf5_calls
 
    !> `H5E_error2_t`.
    type, bind(c) :: stack_entry_t
+      !> Identifiers of the library that failed, and of its major and minor error.
       integer(c_int64_t) :: class_id, major, minor
+      !> Line of the source of HDF5.
       integer(c_int) :: line
+      !> Texts that end with a null character; only `description` is read.
       type(c_ptr) :: function_name, file_name, description
    end type stack_entry_t
 

@@ -55,7 +55,7 @@ contains
       if (.not. present(access)) call calls%close_id(list)
    end subroutine open_file
 
-   !> Open a file to read datasets that may be virtual, in the way in which HDF5 opens the files of their sources: where one of them is
+   !> Open a file to read datasets that may be virtual, as HDF5 opens the files of their sources: where one of them is
    !> this file by another name, HDF5 would give fill values otherwise.
    subroutine open_source(calls, path, file)
       !> The chain of calls that this is a part of.

@@ -28,6 +28,7 @@ module adfric_hdf5_reading
    end interface read_values
 
    interface
+      !> Length of a C text without its null character.
       integer(c_size_t) function strlen(text) bind(c)
          import :: c_ptr, c_size_t
          implicit none (type, external)

@@ -17,6 +17,7 @@ module adfric_input_whole_file
    !> See `file_bytes.c`.
    interface
 
+      !> Open a file to read it; its number, or minus an error number of the system.
       integer(c_int) function c_open(path) bind(c, name='adfric_open_to_read')
          import :: c_char, c_int
          implicit none (type, external)
@@ -24,6 +25,7 @@ module adfric_input_whole_file
          character(kind=c_char), intent(in) :: path(*)
       end function c_open
 
+      !> Read what comes next; the number of bytes, 0 at the end, or minus an error number of the system.
       integer(c_int64_t) function c_read(file, bytes, n) bind(c, name='adfric_read_next')
          import :: c_char, c_int, c_int64_t
          implicit none (type, external)
@@ -35,6 +37,7 @@ module adfric_input_whole_file
          integer(c_int64_t), intent(in), value :: n
       end function c_read
 
+      !> Close a file.
       subroutine c_close(file) bind(c, name='adfric_close_file')
          import :: c_int
          implicit none (type, external)

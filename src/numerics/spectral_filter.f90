@@ -16,11 +16,13 @@ module adfric_numerics_spectral_filter
    !> Plans and buffers of one size. Not to be copied.
    type :: spectral_filter_t
       private
+      !> Is the field even about the ends of its range, so that cosine transforms will do?
       logical :: is_even = .false.
       !> Factor of a transform followed by its inverse.
       real(dp), public :: gain = 1
       !> Number of modes in each direction.
       integer, public :: n_modes(2) = 0
+      !> FFTW's plans of both directions, and the memory of `field` and `modes`; null where there is none.
       type(c_ptr) :: forward = c_null_ptr, backward = c_null_ptr, field_memory = c_null_ptr, modes_memory = c_null_ptr
       !> Shape `(nx, ny)`.
       real(dp), pointer, contiguous :: field(:, :) => null()

@@ -20,15 +20,19 @@ module adfric_sphere_case
       real(dp) :: lambda = 1
       !> One of `theory_...`.
       integer :: theory = theory_auto
+      !> Relative error that a theory chosen by `theory_auto` may have [-].
       real(dp) :: tolerance = 1.0e-8_dp
       !> What is held (`control_...`), its value, and the branch.
       integer :: control = control_load, branch = 1
+      !> Load, approach or radius that is held, reduced.
       real(dp) :: value = 0
+      !> Is there a law of friction, and does the sphere slide?
       logical :: has_friction = .false., is_sliding = .false.
       !> Shear strength in the scale of lambda, Poisson's ratio, x, alpha, g0.
       real(dp) :: strength = 0, poisson = 0, edge_fraction = 0.4_dp, interaction = 0, slip_energy_ratio = huge(1.0_dp)
       !> Tangential force or displacement, where one is given.
       logical :: is_force_given = .false., is_displacement_given = .false.
+      !> That force or displacement, reduced.
       real(dp) :: tangential = 0
       !> Units: radii, approach, forces, stresses.
       real(dp) :: length_unit = 1, approach_unit = 1, force_unit = 1, stress_unit = 1

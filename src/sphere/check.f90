@@ -14,7 +14,7 @@ module adfric_sphere_check
    private
    public :: check_sphere_values
 
-   !> Reduced numbers beyond this, or below its inverse, are those of a slip in the units.
+   !> A reduced number above this, or below its inverse, is refused: it comes from a slip in the units.
    real(dp), parameter :: largest = 1.0e30_dp
 
 contains

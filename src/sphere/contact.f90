@@ -13,25 +13,26 @@ module adfric_sphere_contact
 
    !> Theories, as they stand in the results file.
    integer, parameter :: theory_hertz = 0, theory_jkr = 1, theory_dmt = 2, theory_maugis_dugdale = 3
-   !> What is held.
+   !> What is held: the quantity whose value is given.
    integer, parameter :: control_load = 1, control_approach = 2, control_radius = 3
-   !> Where two states belong to what is held.
+   !> Which of the two states that one held value may have.
    integer, parameter :: branch_stable = 1, branch_unstable = 2
 
    !> A state of contact.
    type :: contact_t
-      !> Is there one?
+      !> Has a contact been found?
       logical :: is_found = .false.
-      !> Has it been found to round-off?
+      !> Did the search converge to round-off?
       logical :: is_converged = .true.
       !> Is it stable under the control that was given? With a given radius: under load.
       logical :: is_stable = .false.
       !> Radii of intimate contact (0: the surfaces only attract each other) and of adhesion.
       real(dp) :: radius = 0, adhesion_radius = 0
+      !> Load P and approach delta, reduced.
       real(dp) :: load = 0, approach = 0
-      !> Where the theory found it; a neighbour's value is a first guess. 0: none.
+      !> Place on the theory's curve where the contact was found; it is the first guess for a neighbour. 0: none.
       real(dp) :: place = 0
-      !> How what was held changes with the place; 0: not known.
+      !> Derivative of what is held by the place; 0: not known.
       real(dp) :: slope = 0
    end type contact_t
 
@@ -90,7 +91,7 @@ module adfric_sphere_contact
 
 contains
 
-   !> The contact for what is held.
+   !> The contact with the held value.
    pure subroutine find_contact(theory, control, value, branch, contact)
       !> Theory of adhesion, for the X that its `ratio` holds.
       class(theory_t), intent(in) :: theory

@@ -8,6 +8,7 @@ module adfric_sphere_dmt
    private
    public :: dmt_t
 
+   !> DMT for one X. Its adhesion is `pull`, which Hertz's theory takes away.
    type, extends(theory_t) :: dmt_t
    contains
       procedure :: of_radius

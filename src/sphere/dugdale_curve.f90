@@ -16,7 +16,7 @@ module adfric_sphere_dugdale_curve
    private
    public :: point_t, get_point, get_disc_radius, get_disc, guess_place, farthest, largest_radius
 
-   !> Contacts that are larger, or nearer to the end at a = 0, are none of this world.
+   !> Contacts are looked for up to this reduced radius, and up to this place y towards a = 0; real ones are far from both.
    real(dp), parameter :: largest_radius = 1.0e60_dp, farthest = 150.0_dp
    !> Below this angle the difference in f loses digits.
    real(dp), parameter :: narrow = 0.5_dp
@@ -25,6 +25,7 @@ module adfric_sphere_dugdale_curve
    type :: point_t
       !> Radii of contact and adhesion, load, approach.
       real(dp) :: radius = 0, adhesion_radius = 0, load = 0, approach = 0
+      !> Derivatives of these four by the place.
       real(dp) :: radius_slope = 0, adhesion_radius_slope = 0, load_slope = 0, approach_slope = 0
    end type point_t
 

@@ -6,6 +6,7 @@ module adfric_sphere_hertz
    private
    public :: hertz_t
 
+   !> Hertz's theory: that of DMT with a `pull` of 0.
    type, extends(dmt_t) :: hertz_t
    contains
       procedure :: pull

@@ -9,6 +9,7 @@ module adfric_sphere_jkr
    private
    public :: jkr_t
 
+   !> JKR for one X.
    type, extends(theory_t) :: jkr_t
    contains
       procedure :: of_radius
@@ -19,6 +20,7 @@ module adfric_sphere_jkr
 
    !> Approach as a function of the square root q of the radius, q^4 - (2/3) sqrt(6 X) q, less a given one.
    type, extends(equation_t) :: approach_equation_t
+      !> sqrt(6 X), and the approach that is given, reduced.
       real(dp) :: tension = 0, approach = 0
    contains
       procedure :: evaluate

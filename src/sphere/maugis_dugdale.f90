@@ -14,6 +14,7 @@ module adfric_sphere_maugis_dugdale
    private
    public :: maugis_t
 
+   !> Maugis-Dugdale for one lambda and one X.
    type, extends(theory_t) :: maugis_t
       !> Maugis's parameter, > 0.
       real(dp) :: lambda = 1
@@ -29,9 +30,11 @@ module adfric_sphere_maugis_dugdale
 
    !> A quantity along the curve less a given value, or its slope, as a function of the place.
    type, extends(equation_t) :: curve_equation_t
+      !> Maugis's parameter, X, and the given value of the quantity, reduced.
       real(dp) :: lambda = 1, ratio = 1, given = 0
       !> One of `..._along`.
       integer :: quantity = radius_along
+      !> Is the slope of the quantity meant, not the quantity?
       logical :: is_slope = .false.
    contains
       procedure :: evaluate
@@ -41,7 +44,7 @@ module adfric_sphere_maugis_dugdale
 
    !> Step of the place for the slope of a slope; it need not be exact.
    real(dp), parameter :: small_step = 1.0e-5_dp
-   !> A step of the place after which Newton's method has nothing left to do, and one that it is not trusted with.
+   !> A Newton step below the first ends the search; a step above the second is not taken.
    real(dp), parameter :: close_enough = 1.0e-8_dp, longest_step = 1.0_dp
    integer, parameter :: max_plain_steps = 12
    !> X^(2/3) lambda above which separation under approach begins in intimate contact, [9/(16 (1 - 1/pi))]^(1/3).
@@ -67,7 +70,7 @@ contains
       contact%radius = value
    end subroutine of_radius
 
-   !> See `theory_t`. Where a state that is stable is met right away, it is the one: there is no other.
+   !> See `theory_t`. A load has one stable state, so the search ends where it meets one.
    pure subroutine of_load(self, value, branch, contact)
       !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self
@@ -182,8 +185,8 @@ contains
       contact%is_stable = .true.
    end subroutine pull_off
 
-   !> About where pull-off in intimate contact is, to 0.001 under load and to 0.01 under approach: rational functions fitted to
-   !> places that were found for X = 1, with the limits of small and large lambda.
+   !> A guess of the place of pull-off in intimate contact, to 0.001 under load and to 0.01 under approach: rational functions
+   !> fitted to places that were found for X = 1, with the limits of small and large lambda.
    pure real(dp) function guess_pull_off(control, lambda) result(place)
       !> One of `control_...`: what is held. A given radius counts as a given load.
       integer, intent(in) :: control
@@ -202,7 +205,7 @@ contains
       end if
    end function guess_pull_off
 
-   !> Go along the curve to where a quantity has a value.
+   !> Find the place on the curve where a quantity has a value.
    pure subroutine go_to(self, quantity, value, high, is_alone, contact, rises_from)
       !> The theory, for the lambda and X that it holds.
       class(maugis_t), intent(in) :: self

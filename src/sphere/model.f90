@@ -22,6 +22,7 @@ module adfric_sphere_model
    private
    public :: sphere_model_t, new_sphere_model
 
+   !> The model; its tables stand in `adfric_sphere_variables`.
    type, extends(model_t) :: sphere_model_t
    contains
       procedure :: check_values

@@ -26,9 +26,11 @@ module adfric_sphere_peeling
 
    !> A contact with friction.
    type :: friction_state_t
+      !> Is there such a contact?
       logical :: is_found = .false.
-      !> Has it been found to round-off?
+      !> Have all searches converged?
       logical :: is_converged = .true.
+      !> Radii, load and approach, with the adhesion that friction leaves.
       type(contact_t) :: contact
       !> g, X, b, gamma and arccos gamma.
       real(dp) :: slip_energy = 0, ratio = 1, friction_radius = 0, gamma = 1, angle = 0
@@ -42,6 +44,7 @@ module adfric_sphere_peeling
    type :: friction_events_t
       !> Is there contact at rest?
       logical :: is_found = .false.
+      !> Have all searches converged?
       logical :: is_converged = .true.
       !> How the part ends in which the contact changes, one of `end_...`: slip is large enough to take no more
       !> (the contact stays, and gamma falls to 0), sliding begins, the contact snaps off, nothing is left of adhesion.
@@ -103,7 +106,7 @@ contains
       if (given == given_displacement) state%displacement = value
    end subroutine find_static_state
 
-   !> All that is known of a state of the way.
+   !> Fill in everything that follows from a state of the way.
    pure subroutine describe(path, waypoint, state)
       !> The way from rest to sliding, with its friction.
       type(path_t), intent(in) :: path
@@ -220,7 +223,7 @@ contains
       end if
    end subroutine find_friction_events
 
-   !> Force of sliding, and drop.
+   !> Add the force of sliding, and its drop, to the events.
    pure subroutine add_sliding(sliding, events)
       !> State of sliding; where it is not found nothing is added.
       type(friction_state_t), intent(in) :: sliding
@@ -232,7 +235,7 @@ contains
       events%force_drop = events%peak_force - sliding%force
    end subroutine add_sliding
 
-   !> Nothing is known to happen.
+   !> Mark all events as not happening.
    pure subroutine forget_events(events)
       !> Events, whose numbers all become NaN; the rest stays.
       type(friction_events_t), intent(inout) :: events

@@ -40,6 +40,7 @@ module adfric_sphere_peeling_path
    type :: waypoint_t
       !> Is there intimate contact?
       logical :: is_found = .false.
+      !> Radii, load and approach at this X.
       type(contact_t) :: contact
       !> g, X, b.
       real(dp) :: slip_energy = 0, ratio = 1, friction_radius = 0
@@ -54,8 +55,11 @@ module adfric_sphere_peeling_path
 
    !> A way, and a quantity along it less a given value, or its rate, as a function of the place.
    type, extends(equation_t) :: path_t
+      !> Theory of adhesion; its X is set at each place.
       class(theory_t), allocatable :: theory
+      !> Law of friction.
       type(friction_t) :: friction
+      !> What is held, one of `control_...`, and the branch, one of `branch_...`.
       integer :: control = control_load, branch = branch_stable
       !> The load, approach or radius that is held.
       real(dp) :: held = 0
@@ -65,10 +69,13 @@ module adfric_sphere_peeling_path
       real(dp) :: limit = huge(1.0_dp)
       !> At rest, and where the way ends.
       type(waypoint_t) :: start, finish
+      !> How the way ends, one of `end_...`.
       integer :: ending = end_none
       !> What `evaluate` gives.
       integer :: quantity = force_along
+      !> Value that `evaluate` takes off.
       real(dp) :: given = 0
+      !> Does `evaluate` give the rate of the quantity, not the quantity?
       logical :: is_rate = .false.
    contains
       procedure :: evaluate

@@ -17,8 +17,11 @@ module adfric_sphere_peeling_search
 
    !> The last intimate contact less what is held, as a function of X.
    type, extends(equation_t) :: last_contact_t
+      !> Theory of adhesion; its X is set by `evaluate`.
       class(theory_t), allocatable :: theory
+      !> What is held: `control_load` or `control_approach`.
       integer :: control = control_load
+      !> Load or approach that is held, reduced.
       real(dp) :: held = 0
    contains
       procedure :: evaluate
@@ -26,7 +29,7 @@ module adfric_sphere_peeling_search
 
    !> Step of ln X for the slope of the last contact, and of ln g for that of a quantity.
    real(dp), parameter :: ratio_step = 1.0e-6_dp, fine_step = 1.0e-5_dp
-   !> How much further than an unchanged area would do a state is expected.
+   !> A state is expected at most this many times as far along the way as it would lie if the area did not change.
    real(dp), parameter :: allowance = 2.0_dp
    integer, parameter :: max_doublings = 60, n_marks = 100
 
@@ -75,7 +78,7 @@ contains
       if (is_converged) call find_before_end(self, quantity, value, waypoint, is_converged)
    end subroutine find_state
 
-   !> The same, on the whole way, whose end is known.
+   !> `find_state` on the whole way, whose end is known.
    pure subroutine find_before_end(self, quantity, value, waypoint, is_converged)
       !> The way, whose end is known; it serves as the equation of searches.
       type(path_t), intent(inout) :: self

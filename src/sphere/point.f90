@@ -16,15 +16,17 @@ module adfric_sphere_point
    private
    public :: sphere_point_t, sphere_memory_t, solve_point
 
-   !> What is known of a point.
+   !> The solution of a point, in reduced variables.
    type :: sphere_point_t
       !> One of `status_...`, and of `theory_...`.
       integer :: status = status_solved, theory = theory_maugis_dugdale
+      !> Radii, load and approach.
       type(contact_t) :: contact
-      !> X.
+      !> X, the share of adhesion that friction leaves.
       real(dp) :: ratio = 1
-      !> Proved error of the theory; that and what the equations leave over.
+      !> Proved error of the theory, and the error estimate of the point, which contains it.
       real(dp) :: theory_error = 0, error_estimate = 0
+      !> Radius b of friction, and the load at which the contact separates.
       real(dp) :: friction_radius = 0, pull_off_load = 0
       !> gamma = e/b, tangential force and displacement, slip at the edge: mean and largest.
       real(dp) :: gamma = 1, friction_force = 0, displacement = 0, slip = 0, largest_slip = 0
@@ -32,22 +34,27 @@ module adfric_sphere_point
       type(friction_events_t) :: events
    end type sphere_point_t
 
-   !> What one point leaves to the next.
+   !> What one point of a block hands on to the next, to save time.
    type :: sphere_memory_t
       !> The theory that is asked for; Maugis-Dugdale where it is to be chosen.
       class(theory_t), allocatable :: theory
       !> The theory's number, its lambda, and where it found a contact last.
       integer :: number = -1
+      !> Maugis's parameter of this theory.
       real(dp) :: lambda = 0
+      !> The last contact that this theory found.
       type(contact_t) :: contact
       !> What the choice of a theory needs.
       type(choice_t) :: choice
       !> The last pull-off load, and what it belongs to.
       real(dp) :: pull_off_load = 0, pull_off_ratio = -1
+      !> What was held for that load, one of `control_...`; 0: none is known.
       integer :: pull_off_control = 0
       !> The last events of the static phase, and the contact and friction they belong to.
       logical :: has_events = .false.
+      !> The point that the events belong to.
       type(sphere_case_t) :: events_case
+      !> The events of that point.
       type(friction_events_t) :: events
    end type sphere_memory_t
 
@@ -152,7 +159,7 @@ contains
          & - [two%value, two%strength, two%poisson, two%edge_fraction, two%interaction, two%slip_energy_ratio]) > 0)
    end function has_same_events
 
-   !> The theory of a number.
+   !> Take the theory of a number into the memory.
    subroutine take_theory(number, lambda, memory)
       !> One of `theory_...`.
       integer, intent(in) :: number
@@ -187,7 +194,7 @@ contains
       call choose_theory(memory%choice, case%value, case%branch, point%theory, point%theory_error, point%contact)
    end subroutine try_limit
 
-   !> What follows from the contact alone.
+   !> Add what follows from the contact alone.
    subroutine finish_contact(case, memory, point)
       !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
@@ -218,7 +225,7 @@ contains
       if (point%contact%radius > 0) point%friction_radius = friction_radius(point%contact, case%edge_fraction)
    end subroutine finish_contact
 
-   !> How well the contact fulfils the equations of the theory that it comes from.
+   !> By how much the contact misses the equations of its theory.
    pure real(dp) function get_mismatch_of(memory, point, control) result(mismatch)
       !> Holds the theories of which one has found the contact.
       type(sphere_memory_t), intent(in) :: memory
@@ -272,7 +279,7 @@ contains
       call add_static_friction(case, angle, point)
    end subroutine add_friction
 
-   !> What arccos(gamma) says of the static phase.
+   !> Add force, displacement and slip that follow from arccos gamma.
    pure subroutine add_static_friction(case, angle, point)
       !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case

@@ -22,9 +22,9 @@ module adfric_sphere_static_friction
    public :: force_of_angle, slip_of_angle, angle_of_force, angle_of_slip
    public :: shear_traction, slip_factor, mean_slip, slip_at_angle, largest_slip, largest_slip_core
 
-   !> Of sliding, th = pi/2.
+   !> The slip core at the onset of sliding, th = pi/2.
    real(dp), parameter :: largest_slip_core = half_pi - 1
-   !> From here on, inverses count from sliding: share of T_s, share of the largest slip core.
+   !> Above these shares of T_s and of the largest slip core, inverses are computed from the side of sliding.
    real(dp), parameter :: near_sliding = 0.8_dp, near_largest_slip = 0.5_dp
    integer, parameter :: max_steps = 12
    !> A step of Newton's method, relative, that leaves round-off only.

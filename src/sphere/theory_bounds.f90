@@ -28,7 +28,7 @@ module adfric_sphere_theory_bounds
    type :: limit_t
       !> `theory_jkr` or `theory_dmt`; for others nothing is bounded.
       integer :: theory = theory_jkr
-      !> X.
+      !> X, the share of adhesion that friction leaves.
       real(dp) :: ratio = 1
       !> JKR: t^2 times the radius; DMT: c0.
       real(dp) :: length = 0

@@ -16,24 +16,28 @@ module adfric_sphere_theory_choice
    private
    public :: new_theory, choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
 
-   !> Relative errors are those of the larger of a value and this.
+   !> A relative error is the error over the value, or over this where the value is smaller.
    real(dp), parameter :: least_value = 0.1_dp
-   !> Nothing is proved of less adhesion.
+   !> Below this X nothing is proved.
    real(dp), parameter :: least_ratio = 1.0e-30_dp
    !> Largest t^2 and u of a proof (see `theory_bounds`), which leave room for the neighbouring radii, and largest z (see `prove`).
    real(dp), parameter :: largest_square = 0.08_dp, largest_cosine = 0.35_dp, largest_share = 0.09_dp
-   !> What a term of an equation may be wrong by.
+   !> Relative round-off of a term of an equation.
    real(dp), parameter :: round_off = 2*epsilon(1.0_dp)
 
    !> What a choice needs that does not depend on what is held. It follows from its parameters alone.
    type :: choice_t
       !> The parameters; see `new_choice`.
       real(dp) :: lambda = 0, ratio = 0, tolerance = 0
+      !> What is held, one of `control_...`.
       integer :: control = 0
+      !> Does a result depend on c, so that DMT, which has none, cannot do?
       logical :: needs_edge = .false.
       !> The limit theory that may do.
       type(limit_t) :: limit
+      !> JKR for this X.
       type(jkr_t) :: jkr
+      !> DMT for this X.
       type(dmt_t) :: dmt
       !> Only between these values of what is held a proof is tried.
       real(dp) :: low = huge(1.0_dp), high = -huge(1.0_dp)
@@ -62,7 +66,7 @@ contains
       end select
    end subroutine new_theory
 
-   !> What is looked for, and over which range of what is held.
+   !> The limit theory that may do, and the range of held values where it may.
    pure subroutine new_choice(self, lambda, ratio, control, needs_edge, tolerance)
       !> Receives the limit theory that may do, and its range of what is held.
       type(choice_t), intent(out) :: self
@@ -94,7 +98,7 @@ contains
       end if
    end subroutine new_choice
 
-   !> Is it that of these parameters?
+   !> Was the choice made for these parameters?
    pure logical function is_choice_of(self, lambda, ratio, control, needs_edge, tolerance)
       !> The choice, whose parameters are compared.
       type(choice_t), intent(in) :: self

@@ -28,16 +28,22 @@ module adfric_system_child_process
 
    !> `struct pollfd`
    type, bind(c) :: poll_t
+      !> Descriptor that is watched.
       integer(c_int) :: file
+      !> Events that are waited for, and those that have come.
       integer(c_short) :: wanted, found
    end type poll_t
 
    !> `struct timeval` and `struct rusage`
    type, bind(c) :: time_t
+      !> A duration, whole seconds and the rest [us].
       integer(c_long) :: seconds = 0, microseconds = 0
    end type time_t
+   !> What a process has used, `struct rusage`.
    type, bind(c) :: usage_t
+      !> Time on a processor in the program and in the system.
       type(time_t) :: of_user, of_system
+      !> What else the system counts, which is not read.
       integer(c_long) :: others(14) = 0
    end type usage_t
 
@@ -47,6 +53,7 @@ module adfric_system_child_process
 
    interface
 
+      !> Make a pipe; 0 if it went well.
       integer(c_int) function c_pipe(ends) bind(c, name='pipe')
          import :: c_int
          implicit none (type, external)
@@ -54,11 +61,13 @@ module adfric_system_child_process
          integer(c_int), intent(out) :: ends(2)
       end function c_pipe
 
+      !> Copy this process: 0 in the copy, else the number of the copy, negative if there is none.
       integer(c_int) function c_fork() bind(c, name='fork')
          import :: c_int
          implicit none (type, external)
       end function c_fork
 
+      !> Let the system end this process after a time.
       integer(c_int) function c_alarm(seconds) bind(c, name='alarm')
          import :: c_int
          implicit none (type, external)
@@ -66,6 +75,7 @@ module adfric_system_child_process
          integer(c_int), value :: seconds
       end function c_alarm
 
+      !> Read numbers; how many bytes came, negative after an error.
       integer(c_size_t) function c_read(file, buffer, n_bytes) bind(c, name='read')
          import :: c_int, c_size_t, c_double
          implicit none (type, external)
@@ -77,6 +87,7 @@ module adfric_system_child_process
          integer(c_size_t), value :: n_bytes
       end function c_read
 
+      !> Write numbers; how many bytes went, negative after an error.
       integer(c_size_t) function c_write(file, buffer, n_bytes) bind(c, name='write')
          import :: c_int, c_size_t, c_double
          implicit none (type, external)
@@ -88,6 +99,7 @@ module adfric_system_child_process
          integer(c_size_t), value :: n_bytes
       end function c_write
 
+      !> Close a file; 0 if it went well.
       integer(c_int) function c_close(file) bind(c, name='close')
          import :: c_int
          implicit none (type, external)
@@ -95,6 +107,7 @@ module adfric_system_child_process
          integer(c_int), value :: file
       end function c_close
 
+      !> Wait until something comes; the number of files with something to read, 0 if the time is over.
       integer(c_int) function c_poll(files, n_files, milliseconds) bind(c, name='poll')
          import :: c_int, c_long, poll_t
          implicit none (type, external)
@@ -106,6 +119,7 @@ module adfric_system_child_process
          integer(c_int), value :: milliseconds
       end function c_poll
 
+      !> Send a signal to a process; 0 if it went well.
       integer(c_int) function c_kill(process, signal) bind(c, name='kill')
          import :: c_int
          implicit none (type, external)
@@ -115,6 +129,7 @@ module adfric_system_child_process
          integer(c_int), value :: signal
       end function c_kill
 
+      !> Wait for the end of a process; its number, negative after an error.
       integer(c_int) function c_wait4(process, status, options, usage) bind(c, name='wait4')
          import :: c_int, usage_t
          implicit none (type, external)
@@ -128,6 +143,7 @@ module adfric_system_child_process
          type(usage_t), intent(inout) :: usage
       end function c_wait4
 
+      !> End this process without closing or flushing anything.
       subroutine c_exit_at_once(status) bind(c, name='_exit')
          import :: c_int
          implicit none (type, external)

@@ -12,6 +12,7 @@ module adfric_system_file_bytes
 
    interface
 
+      !> Checksum of a file outside its holes; 0, `is_short` or an error number.
       integer(c_int) function c_sum_file(path, size, n_holes, holes, sum) bind(c, name='adfric_sum_file')
          import :: c_char, c_int, c_int64_t
          implicit none (type, external)
@@ -27,6 +28,7 @@ module adfric_system_file_bytes
          integer(c_int64_t), intent(out) :: sum
       end function c_sum_file
 
+      !> Look for eight bytes in a file outside its holes; 0, `is_short` or an error number.
       integer(c_int) function c_find_word(path, size, n_holes, holes, word, found_at, n_found) bind(c, name='adfric_find_word')
          import :: c_char, c_int, c_int64_t
          implicit none (type, external)
@@ -46,6 +48,7 @@ module adfric_system_file_bytes
          integer(c_int), intent(out) :: n_found
       end function c_find_word
 
+      !> Read words of eight bytes from a place of a file; 0, `is_short` or an error number.
       integer(c_int) function c_read_words(path, place, n, words) bind(c, name='adfric_read_words')
          import :: c_char, c_int, c_int64_t
          implicit none (type, external)
@@ -59,6 +62,7 @@ module adfric_system_file_bytes
          integer(c_int64_t), intent(inout) :: words(*)
       end function c_read_words
 
+      !> Size of a file [bytes]; negative if it cannot be said.
       integer(c_int64_t) function c_size_of_file(path) bind(c, name='adfric_size_of_file')
          import :: c_char, c_int64_t
          implicit none (type, external)

@@ -28,7 +28,9 @@ module adfric_system_files
    !> A lock that keeps other runs, on this machine or on others that share the folder, from the same files.
    type :: lock_t
       private
+      !> Path of the lock's file.
       character(:), allocatable :: path
+      !> Number of the open file; -1 where nothing is locked.
       integer(c_int) :: number = -1
    contains
       procedure :: release

@@ -18,6 +18,7 @@ module adfric_system_leftovers
          implicit none (type, external)
       end subroutine end_making
 
+      !> Note a file that is to be removed when the program dies.
       subroutine c_note_leftover(path) bind(c, name='adfric_note_leftover')
          import :: c_char
          implicit none (type, external)
@@ -25,6 +26,7 @@ module adfric_system_leftovers
          character(kind=c_char), intent(in) :: path(*)
       end subroutine c_note_leftover
 
+      !> The file is to stay, or is gone.
       subroutine c_forget_leftover(path) bind(c, name='adfric_forget_leftover')
          import :: c_char
          implicit none (type, external)
@@ -32,6 +34,7 @@ module adfric_system_leftovers
          character(kind=c_char), intent(in) :: path(*)
       end subroutine c_forget_leftover
 
+      !> Note a file with results, which the last words of a dying program name.
       subroutine c_note_kept(path) bind(c, name='adfric_note_kept')
          import :: c_char
          implicit none (type, external)

@@ -11,6 +11,7 @@ module adfric_system_memory
 
    interface
 
+      !> Can so much memory be had? 1 or 0.
       integer(c_int) function c_has_room(n_bytes) bind(c, name='adfric_has_room')
          import :: c_double, c_int
          implicit none (type, external)
@@ -18,6 +19,7 @@ module adfric_system_memory
          real(c_double), intent(in), value :: n_bytes
       end function c_has_room
 
+      !> Bytes that the limit of this process leaves; negative if there is none, or it cannot be said.
       real(c_double) function c_room_below_limit() bind(c, name='adfric_room_below_limit')
          import :: c_double
          implicit none (type, external)

@@ -10,6 +10,7 @@ module adfric_system_threads
    integer, parameter :: least_stack = 256
 
    interface
+      !> Start threads and end them again; 0, or an error number of the system.
       integer(c_int) function try_threads(n, n_started, stack_size) bind(c, name='adfric_try_threads')
          import :: c_double, c_int
          implicit none (type, external)

@@ -1,0 +1,119 @@
+"""Every module, type, component, procedure and argument of src/ and drivers/ has a comment: a line `!>` stands before it.
+
+A function of C in an interface needs none, since it stands where the C code has it; its arguments do.
+"""
+
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+MODULE = re.compile(r"^(?:module|program)\s+(?!procedure\b)(\w+)$", re.IGNORECASE)
+TYPE = re.compile(r"^type\s*(?:,[^'\"]*?)?(?:::|\s)\s*(\w+)$", re.IGNORECASE)
+# What may stand before the word, the name, and the arguments.
+PROCEDURE = re.compile(r"^(?!end\b)(?:[\w()=,.%* ]*\s)?(?:subroutine|function)\s+(\w+)\s*(?:\(([^()]*)\))?", re.IGNORECASE)
+DECLARATION = re.compile(r"^[^!'\"]*?::\s*(.*)$")
+
+
+def statements_of(text):
+    """Each statement with the number of its first line and the line before it, without comments and continuations."""
+    lines = [line.strip() for line in text.splitlines()]
+    place = 0
+    while place < len(lines):
+        first, statement = place, lines[place]
+        place += 1
+        if not statement or statement.startswith(("!", "#")):
+            continue
+        while statement.endswith("&") and place < len(lines):
+            if not lines[place].startswith("!"):
+                statement = f"{statement[:-1].rstrip()} {lines[place].lstrip('&').lstrip()}"
+            place += 1
+        yield first + 1, statement, lines[first - 1] if first else ""
+
+
+def names_of(declared):
+    """The names behind `::`, in small letters, without dimensions and values."""
+    while (shorter := re.sub(r"\([^()]*\)", "", declared)) != declared:
+        declared = shorter
+    return [part.split("=")[0].split("!")[0].strip().lower() for part in declared.split(",")]
+
+
+def things_of(text):
+    """What needs a comment: the number of its line, the line before it, and what it is."""
+    open_type, procedure, arguments = "", "", set()
+    for number, statement, before in statements_of(text):
+        if module := MODULE.match(statement):
+            yield number, before, f"module {module[1]}"
+        elif head := PROCEDURE.match(statement):
+            for name in sorted(arguments):
+                yield number, "", f"argument {name} of {procedure}, whose declaration is not found"
+            procedure, arguments = head[1], {name.strip().lower() for name in (head[2] or "").split(",")} - {""}
+            if not re.search(r"\bbind\s*\(\s*c\s*,\s*name\b", statement, re.IGNORECASE):
+                yield number, before, f"procedure {procedure}"
+        elif kind := TYPE.match(statement):
+            open_type = kind[1]
+            yield number, before, f"type {open_type}"
+        elif re.match(r"(?:contains|end\s*type)\b", statement, re.IGNORECASE):
+            open_type = ""
+        elif declaration := DECLARATION.match(statement):
+            names = names_of(declaration[1])
+            if open_type:
+                yield number, before, f"component {', '.join(names)} of {open_type}"
+            elif found := [name for name in names if name in arguments]:
+                arguments.difference_update(found)
+                yield number, before, f"argument {', '.join(found)} of {procedure}"
+
+
+def faults_of(root):
+    """Everything without its comment, as FILE:LINE: what it is."""
+    return [f"{path.relative_to(root).as_posix()}:{number}: no comment `!>` before {what}"
+            for folder in ("src", "drivers") for path in sorted((root / folder).rglob("*.f90*"))
+            for number, before, what in things_of(path.read_text()) if not before.startswith("!>")]
+
+
+class Comments(unittest.TestCase):
+    """The sources as they are, and sources without comments."""
+
+    def test_sources(self):
+        """Everything has its comment."""
+        faults = faults_of(ROOT)
+        self.assertEqual([], faults, "\n" + "\n".join(faults))
+
+    def check(self, text, *expected):
+        """What a source has without a comment."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "src", "base", "a.f90")
+            file.parent.mkdir(parents=True)
+            file.write_text(text)
+            faults = [fault.split(":", 1)[1] for fault in faults_of(Path(folder))]
+        self.assertEqual([f"{number}: no comment `!>` before {what}" for number, what in expected], faults)
+
+    def test_right(self):
+        """Comments everywhere; variables, bindings and statements need none."""
+        self.check("!> A.\nmodule adfric_base_a\n   integer, parameter :: one = 1\n   !> T.\n   type, extends(b_t) :: t\n      private\n"
+                   "      !> C.\n      real :: c(2) = [1, 2]\n   contains\n      procedure :: f => g\n   end type t\n"
+                   "   interface\n      subroutine c_h(x) bind(c, name='h')\n         !> X.\n         real, value :: x\n"
+                   "      end subroutine c_h\n   end interface\ncontains\n   !> F.\n   pure real function g(self, &\n"
+                   "      & x) result(y)\n      !> S.\n      class(t), intent(in) :: self\n      !> X, and of what shape.\n"
+                   "      real, intent(in) :: &\n         x(:)\n      real :: y\n      y = sum(x)\n   end function g\nend module adfric_base_a\n")
+
+    def test_wrong(self):
+        """Each kind of thing without its comment, and a comment that is none of this kind."""
+        self.check("module adfric_base_a\n   type t\n      real :: c, d\n   end type t\ncontains\n   ! F\n"
+                   "   elemental real(dp) function f(x, y) result(z)\n      real, intent(in) :: x, y\n      real :: z\n"
+                   "      z = x\n   end function f\n   !> S.\n   subroutine s(a)\n      !> Of b.\n      real :: b\n"
+                   "      real, intent(in) :: A(size(b))\n   end subroutine s\nend module adfric_base_a\n",
+                   (1, "module adfric_base_a"), (2, "type t"), (3, "component c, d of t"), (7, "procedure f"),
+                   (8, "argument x, y of f"), (16, "argument a of s"))
+
+    def test_interfaces(self):
+        """Arguments of bindings and of abstract interfaces count, procedures that are arguments, too."""
+        self.check("!> A.\nmodule adfric_base_a\n   interface\n      function c_f(x) bind(c, name='f')\n         real, value :: x\n"
+                   "      end function c_f\n   end interface\n   abstract interface\n      subroutine s_i(g)\n"
+                   "         procedure(h_i) :: g\n      end subroutine s_i\n   end interface\nend module adfric_base_a\n",
+                   (5, "argument x of c_f"), (9, "procedure s_i"), (10, "argument g of s_i"))
+
+
+if __name__ == "__main__":
+    unittest.main()
