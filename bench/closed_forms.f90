@@ -8,7 +8,6 @@ program closed_forms
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp, i8
    use adfric_model_status, only: status_solved
-   use adfric_model_table, only: attribute_t
    use adfric_run_blocks, only: block_size_of
    use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
@@ -141,14 +140,14 @@ contains
       real(dp), intent(in) :: values(:, :)
       real(dp), intent(out) :: results(:, :), estimate(:)
       integer, intent(out) :: status(:)
-      type(attribute_t), allocatable :: attributes(:)
+      real(dp) :: counts(size(case%model%counts))
       integer :: first, last, block
 
       block = block_size_of(100000_i8)
       do first = 1, size(status), block
          last = min(first + block - 1, size(status))
          call case%model%solve_block(values(:, first:last), results(:, first:last), estimate(first:last), status(first:last), &
-            attributes)
+            counts)
       end do
    end subroutine solve
 

@@ -10,7 +10,6 @@ program error_estimates
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
    use adfric_model_status, only: status_solved
-   use adfric_model_table, only: attribute_t
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_sphere_variables
    use adfric_wavy_crosswise, only: memory_t
@@ -189,10 +188,9 @@ contains
       integer, intent(in) :: theory
       character(*), intent(in) :: name
       type(sphere_model_t) :: model
-      type(attribute_t), allocatable :: attributes(:)
       type(dice_t) :: dice
       type(state_t) :: truth, fold
-      real(dp) :: values(n_sphere_variables, 1), results(n_sphere_results, 1), estimate(1), lambda, held, digits, control
+      real(dp) :: values(n_sphere_variables, 1), results(n_sphere_results, 1), estimate(1), lambda, held, digits, control, limits(1)
       integer :: status(1), k
 
       counts%name = name
@@ -221,7 +219,7 @@ contains
             values(v_approach, 1) = held
             truth = of_approach(lambda, held)
          end if
-         call model%solve_block(values, results, estimate, status, attributes)
+         call model%solve_block(values, results, estimate, status, limits)
          if (status(1) /= status_solved) then
             counts%n_unsolved = counts%n_unsolved + 1
             cycle

@@ -9,7 +9,6 @@ program scenes
    use adfric_base_unset, only: unset
    use adfric_model_model, only: model_t
    use adfric_model_status, only: status_solved
-   use adfric_model_table, only: attribute_t
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model
@@ -256,7 +255,7 @@ contains
       real(dp), intent(in) :: values(:, :)
       character(*), intent(in) :: scene
       type(taken_profiles_t) :: receiver
-      type(attribute_t), allocatable :: attributes(:)
+      real(dp) :: counts(size(model%counts))
       real(dp), allocatable :: results(:, :), others(:, :), profiles(:, :, :)
       real(dp) :: times(2, n_repeats), error_estimate(size(values, 2))
       integer :: r, n, status(size(values, 2))
@@ -268,7 +267,7 @@ contains
       do r = 1, n_repeats
          call solve(model, values(:, :n), n, results, times(1, r))
          times(2, r) = wall_clock()
-         call model%solve_block_and_profiles(values(:, :n), others, error_estimate(:n), status(:n), attributes, profiles, receiver)
+         call model%solve_block_and_profiles(values(:, :n), others, error_estimate(:n), status(:n), counts, profiles, receiver)
          times(2, r) = 1.0e6_dp*(wall_clock() - times(2, r))/n
       end do
       if (receiver%n_taken /= n_repeats*n) error stop 'scenes: not all profiles'
@@ -283,7 +282,7 @@ contains
       real(dp), allocatable, intent(out) :: results(:, :)
       !> [us]
       real(dp), intent(out) :: time
-      type(attribute_t), allocatable :: attributes(:)
+      real(dp) :: counts(size(model%counts))
       real(dp) :: error_estimate(size(values, 2))
       integer :: status(size(values, 2)), first, last
 
@@ -292,7 +291,7 @@ contains
       do first = 1, size(values, 2), block
          last = min(first + block - 1, size(values, 2))
          call model%solve_block(values(:, first:last), results(:, first:last), error_estimate(first:last), &
-            status(first:last), attributes)
+            status(first:last), counts)
       end do
       time = 1.0e6_dp*(wall_clock() - time)/size(values, 2)
       if (any(status /= status_solved)) error stop 'scenes: not solved'

@@ -5,7 +5,6 @@ program sphere
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
    use adfric_model_status, only: status_solved
-   use adfric_model_table, only: attribute_t
    use adfric_sphere_contact, only: contact_t, find_contact, theory_maugis_dugdale, control_load, control_approach, &
       control_radius, branch_stable
    use adfric_sphere_maugis_dugdale, only: maugis_t
@@ -64,7 +63,7 @@ contains
       character(*), intent(in) :: folder
       integer, parameter :: block = 250
       type(sphere_model_t) :: model
-      type(attribute_t), allocatable :: attributes(:)
+      real(dp) :: counts(1)
       real(dp), allocatable :: values(:, :), results(:, :), radii(:)
       real(dp) :: error_estimate(block), start, times(n_repeats)
       integer :: status(block), table, r, first, choice, n_failed
@@ -85,7 +84,7 @@ contains
             do first = 1, n_curve, block
                values(v_contact_radius, :) = radii(first:first + block - 1)
                start = wall_clock()
-               call model%solve_block(values, results, error_estimate, status, attributes)
+               call model%solve_block(values, results, error_estimate, status, counts)
                times(r) = times(r) + (wall_clock() - start)
                call judge(all(status == status_solved), 'curve: unsolved')
             end do
@@ -297,7 +296,7 @@ contains
    subroutine report_auto(folder)
       character(*), intent(in) :: folder
       type(sphere_model_t) :: model
-      type(attribute_t), allocatable :: attributes(:)
+      real(dp) :: counts(1)
       type(spread_t) :: t
       real(dp), allocatable :: values(:, :), results(:, :)
       real(dp) :: loads(n_auto), error_estimate(n_auto), times(n_repeats), start, share, worst, tolerance
@@ -322,7 +321,7 @@ contains
             if (k == 8) values(v_theory, :) = theory_maugis_dugdale + 2
             do r = 1, n_repeats
                start = wall_clock()
-               call model%solve_block(values, results, error_estimate, status, attributes)
+               call model%solve_block(values, results, error_estimate, status, counts)
                times(r) = times(r) + (wall_clock() - start)
             end do
             call judge(all(status == status_solved), 'auto: unsolved')

@@ -7,7 +7,6 @@ program surface_3d
    use adfric_base_kinds, only: dp, i8
    use adfric_base_unset, only: unset
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: attribute_t
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_run_blocks, only: block_size_of
    use adfric_system_clock, only: wall_clock
@@ -108,7 +107,7 @@ contains
    subroutine run(values, result)
       real(dp), intent(in) :: values(:, :)
       type(run_t), intent(out) :: result
-      type(attribute_t), allocatable :: attributes(:)
+      real(dp) :: counts(2)
       real(dp) :: times(n_repeats), start
       logical :: is_swept(v_n_y)
       integer :: n, r, block, first, last
@@ -126,8 +125,8 @@ contains
          do first = 1, n, block
             last = min(n, first + block - 1)
             call model%solve_block(values(:, first:last), result%results(:, first:last), &
-               result%error_estimate(first:last), result%status(first:last), attributes)
-            result%strips_per_point = result%strips_per_point + attributes(1)%value/n
+               result%error_estimate(first:last), result%status(first:last), counts)
+            result%strips_per_point = result%strips_per_point + counts(1)/n
          end do
          times(r) = 1.0e6_dp*(wall_clock() - start)/n
       end do

@@ -12,7 +12,7 @@ module adfric_classical_model
    use adfric_model_requirements, only: need
    use adfric_model_rows, only: set_output_axis, output_switch
    use adfric_model_status, only: status_solved
-   use adfric_model_table, only: variable_t, result_t, attribute_t, profile_t
+   use adfric_model_table, only: variable_t, result_t, profile_t
    implicit none (type, external)
    private
    public :: halfspace_model_t
@@ -124,6 +124,7 @@ contains
       end do
       self%results = results
       self%profiles = profiles
+      allocate (self%counts(0))
       self%profile_axes = axes
    end subroutine set_tables
 
@@ -204,7 +205,7 @@ contains
    end function get_profile_axis
 
    !> See `model_t`.
-   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+   subroutine solve_block(self, values, results, error_estimate, status, counts)
       !> The model that solves each point; it is not changed.
       class(halfspace_model_t), intent(in) :: self
       !> Values of the variables of each point; shape `(n_variables, n_points)`.
@@ -215,8 +216,8 @@ contains
       real(dp), intent(out) :: error_estimate(:)
       !> Status of each point, one of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
-      !> Numbers that describe the run; size 0, for these models count nothing.
-      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      !> Size 0, for these models count nothing.
+      real(dp), intent(out) :: counts(:)
       type(point_memory_t) :: memory
       integer :: i
 
@@ -225,7 +226,7 @@ contains
          call self%solve_point(values(:, i), memory, results(:, i), error_estimate(i), status(i))
          if (status(i) /= status_solved) error_estimate(i) = not_a_number()
       end do
-      allocate (attributes(0))
+      counts = 0
    end subroutine solve_block
 
    !> See `model_t`.

@@ -15,6 +15,8 @@ module adfric_command_help_names
 
    !> Width of the column of names, and of a line.
    integer, parameter :: name_width = 40, line_width = 110
+   !> Heading of what a model counts.
+   character(*), parameter :: head_of_counts = 'Attributes of the file, means over all points'
 
 contains
 
@@ -27,13 +29,14 @@ contains
       text = model%summary//newline//newline//describe_variables(model, '')//newline//describe_outputs(model)
    end function describe_model
 
-   !> Results and profiles of a model.
+   !> Results, profiles and counts of a model.
    function describe_outputs(model) result(text)
       !> The model, whose tables are described.
       class(model_t), intent(in) :: model
       character(:), allocatable :: text
 
-      text = with_head('Results', describe_results(model%results, ''))//with_head('Profiles', describe_profiles(model, ''))
+      text = with_head('Results', describe_results(model%results, ''))//with_head('Profiles', describe_profiles(model, '')) &
+         //with_head(head_of_counts, describe_counts(model, ''))
    end function describe_outputs
 
    !> What a model says of a name, or of `group%name`; empty if the name does not occur in its tables.
@@ -47,6 +50,7 @@ contains
       text = describe_variables(model, name)
       text = text//with_head('Results', describe_results(model%results, name))
       text = text//with_head('Profiles', describe_profiles(model, name))
+      text = text//with_head(head_of_counts, describe_counts(model, name))
    end function describe_name
 
    !> What stands in the file of every model: the results of that name; all of them if it is empty.
@@ -168,6 +172,24 @@ contains
       end do
    end function describe_profiles
 
+   !> The counts of a name; all if it is empty.
+   pure function describe_counts(model, name) result(text)
+      !> The model, whose table of counts is described.
+      class(model_t), intent(in) :: model
+      !> Name of a count; empty for all counts.
+      character(*), intent(in) :: name
+      character(:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, size(model%counts)
+         associate (count => model%counts(i))
+            if (len(name) == 0 .or. name == count%name) text = text//pad('  '//count%name//' [-]', name_width) &
+               //count%long_name//newline
+         end associate
+      end do
+   end function describe_counts
+
    !> States with their numbers, on lines that begin behind the column of names.
    pure function list_states(meanings) result(text)
       !> Meanings of the states 0, 1, 2, ..., separated by a blank.
@@ -207,6 +229,9 @@ contains
       names = names//list_results(model%results)//list_results(common)
       do i = 1, size(model%profiles)
          names = names//' '//model%profiles(i)%name
+      end do
+      do i = 1, size(model%counts)
+         names = names//' '//model%counts(i)%name
       end do
    end function list_names
 

@@ -10,7 +10,7 @@ module adfric_model_model
    use adfric_model_derived, only: derived_t
    use adfric_model_profile_receiver, only: profile_receiver_t
    use adfric_model_status, only: status_solved
-   use adfric_model_table, only: variable_t, result_t, profile_t, attribute_t
+   use adfric_model_table, only: variable_t, result_t, profile_t, count_t
    implicit none (type, external)
    private
    public :: model_t, derived_t
@@ -29,6 +29,8 @@ module adfric_model_model
       type(result_t), allocatable :: results(:)
       !> Profiles; size 0 if the model has none.
       type(profile_t), allocatable :: profiles(:)
+      !> What the model counts while it solves, shape `(n_counts)`; size 0 if it counts nothing.
+      type(count_t), allocatable :: counts(:)
       !> Names of the profile axes, at most two, the slowest first, separated by a blank: 'x' or 'y x'.
       character(:), allocatable :: profile_axes
       !> Most points of a block, for points that take long and have little of their neighbours: other threads take the rest.
@@ -93,8 +95,8 @@ module adfric_model_model
       end function get_profile_axis_i
 
       !> Solve neighbouring points. What one point finds may start the next one within this block only.
-      subroutine solve_block_i(self, values, results, error_estimate, status, attributes)
-         import :: model_t, dp, attribute_t
+      subroutine solve_block_i(self, values, results, error_estimate, status, counts)
+         import :: model_t, dp
          implicit none (type, external)
          !> The model; all threads solve with the same one.
          class(model_t), intent(in) :: self
@@ -106,9 +108,8 @@ module adfric_model_model
          real(dp), intent(out) :: error_estimate(:)
          !> One of `status_...` for each point; shape `(n_points)`.
          integer, intent(out) :: status(:)
-         !> Counts that are summed over all blocks and stand in the file divided by the number of points: the same names for every
-         !> block, even for one of no points.
-         type(attribute_t), allocatable, intent(out) :: attributes(:)
+         !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
+         real(dp), intent(out) :: counts(:)
       end subroutine solve_block_i
 
       !> Profiles of one solved point.
@@ -145,7 +146,7 @@ contains
 
    !> Solve neighbouring points as `solve_block` does, to the same bits, and hand over the profiles of those that are solved. A
    !> model whose points would be solved once more for their profiles overrides it.
-   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, attributes, profiles, receiver)
+   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       !> The model; all threads solve with the same one.
       class(model_t), intent(in) :: self
       !> Values of the variables for each point; shape `(n_variables, n_points)`.
@@ -156,8 +157,8 @@ contains
       real(dp), intent(out) :: error_estimate(:)
       !> One of `status_...` for each point; shape `(n_points)`.
       integer, intent(out) :: status(:)
-      !> Counts that are summed over all blocks, as those of `solve_block`.
-      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
+      real(dp), intent(out) :: counts(:)
       !> Room for the profiles of one point, of their shape; what stands in it at the end has no meaning.
       real(dp), intent(inout) :: profiles(:, :, :)
       !> Takes the profiles of one solved point after the other, and says whether more are wanted.
@@ -165,7 +166,7 @@ contains
       integer :: i
       logical :: goes_on
 
-      call self%solve_block(values, results, error_estimate, status, attributes)
+      call self%solve_block(values, results, error_estimate, status, counts)
       do i = 1, size(status)
          if (status(i) /= status_solved) cycle
          call self%solve_profiles(values(:, i), results(:, i), profiles)

@@ -6,7 +6,7 @@ module adfric_model_table
    use adfric_model_status, only: status_meanings
    implicit none (type, external)
    private
-   public :: variable_t, result_t, profile_t, attribute_t, positive_variable, results_of_every_run
+   public :: variable_t, result_t, profile_t, count_t, positive_variable, results_of_every_run
    public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
 
    !> Kinds of namelist variables.
@@ -60,11 +60,14 @@ module adfric_model_table
       character(:), allocatable :: long_name
    end type profile_t
 
-   !> A number that describes a whole run, such as the mean count of strips per point.
-   type :: attribute_t
+   !> Something that a model counts while it solves, such as the strips that it took. The results file has the mean over all
+   !> points of a run.
+   type :: count_t
+      !> Name of the count, which is that of the attribute with the mean.
       character(:), allocatable :: name
-      real(dp) :: value = 0
-   end type attribute_t
+      !> What is counted, for `adfric help`.
+      character(:), allocatable :: long_name
+   end type count_t
 
 contains
 

@@ -3,10 +3,9 @@ module adfric_output_layout
    use adfric_base_kinds, only: dp, i8
    use adfric_base_words, only: count_words
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: result_t, profile_t, attribute_t, results_of_every_run
+   use adfric_model_table, only: result_t, profile_t, results_of_every_run
    use adfric_output_constants, only: constant_t, find_constants, file_unit
    use adfric_run_blocks, only: blocks_t, part_t, new_blocks
-   use adfric_run_counts, only: find_counts
    use adfric_run_plan, only: plan_t
    implicit none (type, external)
    private
@@ -77,7 +76,6 @@ contains
       !> Part of the run that the file holds; the whole run if absent.
       type(part_t), intent(in), optional :: part
       type(result_t), allocatable :: results(:)
-      type(attribute_t), allocatable :: counts(:)
       integer :: i
 
       results = model%describe_results(plan%base)
@@ -91,10 +89,9 @@ contains
          allocate (self%profile_axes(0), self%profiles(0))
       end if
       call new_blocks(self%blocks, plan%n_points(), part, model%largest_block)
-      call find_counts(model, counts)
-      allocate (self%counts(size(counts)))
-      do i = 1, size(counts)
-         call set_field(self%counts(i), counts(i)%name, '-', 'sum over the points of a block, for the attribute of this name')
+      allocate (self%counts(size(model%counts)))
+      do i = 1, size(model%counts)
+         call set_field(self%counts(i), model%counts(i)%name, '-', 'sum over the points of a block, for the attribute of this name')
       end do
    end subroutine new_layout
 

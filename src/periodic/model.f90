@@ -12,7 +12,7 @@ module adfric_periodic_model
    use adfric_model_requirements, only: need, need_one
    use adfric_model_rows, only: contact_profiles
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: variable_t, attribute_t
+   use adfric_model_table, only: variable_t, count_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, &
       & find_full_pressure
    use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
@@ -120,6 +120,7 @@ contains
       call set_periodic_variables(self%variables(self%n_own + 1:))
       self%results = get_periodic_results()
       self%profiles = contact_profiles()
+      self%counts = [count_t(name='iterations_per_point', long_name='iterations on the finest grid')]
       self%profile_axes = 'y x'
       self%largest_block = most_neighbours
    end subroutine set_tables
@@ -187,7 +188,7 @@ contains
    end function get_goal
 
    !> See `model_t`.
-   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+   subroutine solve_block(self, values, results, error_estimate, status, counts)
       !> The model that solves each point; it is not changed.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables of each point; shape `(n_variables, n_points)`.
@@ -199,13 +200,13 @@ contains
       !> Status of each point, one of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
       !> One number: the iterations on the finest grid, summed over the points.
-      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      real(dp), intent(out) :: counts(:)
 
-      call solve_points(self, values, results, error_estimate, status, attributes)
+      call solve_points(self, values, results, error_estimate, status, counts)
    end subroutine solve_block
 
    !> See `model_t`: the maps are those of the solutions that the results are taken from.
-   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, attributes, profiles, receiver)
+   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
       !> The model that solves each point; it is not changed.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables of each point; shape `(n_variables, n_points)`.
@@ -217,17 +218,17 @@ contains
       !> Status of each point, one of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
       !> One number: the iterations on the finest grid, summed over the points.
-      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      real(dp), intent(out) :: counts(:)
       !> Room for the maps of one point, of the shape that they have; left undefined.
       real(dp), intent(inout) :: profiles(:, :, :)
       !> Takes the maps of each solved point, and says whether more of the block is wanted.
       class(profile_receiver_t), intent(inout) :: receiver
 
-      call solve_points(self, values, results, error_estimate, status, attributes, profiles, receiver)
+      call solve_points(self, values, results, error_estimate, status, counts, profiles, receiver)
    end subroutine solve_block_and_profiles
 
    !> Solve the points of a block, with their maps or without.
-   subroutine solve_points(self, values, results, error_estimate, status, attributes, profiles, receiver)
+   subroutine solve_points(self, values, results, error_estimate, status, counts, profiles, receiver)
       !> The model that solves each point; it is not changed.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables of each point; shape `(n_variables, n_points)`.
@@ -239,7 +240,7 @@ contains
       !> Status of each point, one of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
       !> One number: the iterations on the finest grid, summed over the points.
-      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      real(dp), intent(out) :: counts(:)
       !> Room for the maps of one point, of the shape that they have; present if `receiver` is.
       real(dp), intent(inout), optional :: profiles(:, :, :)
       !> Takes the maps of each solved point, and says whether more is wanted; not present: no maps are made.
@@ -251,8 +252,7 @@ contains
       integer :: i
       logical :: goes_on
 
-      allocate (attributes(1))
-      attributes(1)%name = 'iterations_per_point'
+      counts = 0
       results = not_a_number()
       error_estimate = not_a_number()
       status = status_not_converged
@@ -261,7 +261,7 @@ contains
          call solve_periodic(surface, get_goal(self, values(:, i)), memory, solution, error)
          if (allocated(error)) cycle
          if (solution%status == contact_out_of_range) status(i) = status_no_equilibrium
-         attributes(1)%value = attributes(1)%value + solution%n_iterations
+         counts(1) = counts(1) + solution%n_iterations
          if (solution%status /= contact_solved) cycle
          status(i) = status_solved
          call store(self, values(:, i), solution, results(:, i))

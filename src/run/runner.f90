@@ -10,11 +10,9 @@ module adfric_run_runner
    use adfric_base_error, only: error_t
    use adfric_base_words, only: count_words
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: attribute_t
    use adfric_run_batch, only: batch_bytes
    use adfric_run_blocks, only: blocks_t, new_blocks, block_size_of
    use adfric_run_block_source, only: block_source_t, block_list_t, new_block_list
-   use adfric_run_counts, only: find_counts, pick_counts
    use adfric_run_delivery, only: delivery_t, new_delivery, profile_gate_t, prepare_sink, leave_batch, &
       & end_leaving, deliver, has_failed, most_waiting
    use adfric_run_plan, only: plan_t
@@ -42,8 +40,6 @@ module adfric_run_runner
       type(delivery_t) :: delivery
       !> Shape of the profiles of a point; (0, 0, 0) if there are none.
       integer :: profile_shape(3) = 0
-      !> What the model counts.
-      type(attribute_t), allocatable :: counts(:)
       !> What the threads that have ended have found.
       type(run_summary_t) :: summary
    end type sweep_t
@@ -116,7 +112,6 @@ contains
 
       start = wall_clock()
       if (model%wants_profiles(plan%base)) sweep%profile_shape = profile_shape_of(model, plan)
-      call find_counts(model, sweep%counts)
       call new_summary(sweep%summary, model%results)
       sweep%n_solved = source%n_points_before
       call progress%report(sweep%n_solved, source%blocks%n_points())
@@ -124,7 +119,7 @@ contains
       !$omp parallel default(none) shared(model, plan, sink, progress, source, sweep, n_threads) &
       !$omp& num_threads(n_threads + merge(1, 0, sink%has_own_thread))
       !$omp single
-      call share_work(sink, source, size(model%results), n_threads, sweep)
+      call share_work(model, sink, source, n_threads, sweep)
       !$omp end single
       ! the last thread is the one that writes
       if (omp_get_thread_num() < sweep%delivery%n_workers) then
@@ -143,20 +138,20 @@ contains
    end subroutine run_source
 
    !> Say who solves and who writes, as far as the threads that there are allow it.
-   subroutine share_work(sink, source, n_results, n_threads, sweep)
+   subroutine share_work(model, sink, source, n_threads, sweep)
+      !> The model, whose numbers of results and counts are read.
+      class(model_t), intent(in) :: model
       !> The sink, which is made ready here if no thread writes for the others.
       class(sink_t), intent(inout) :: sink
       !> Says how large the blocks are.
       class(block_source_t), intent(in) :: source
-      !> Number of results per point.
-      integer, intent(in) :: n_results
       !> Number of threads that may solve.
       integer, intent(in) :: n_threads
-      !> In: what the model counts. Out: also the delivery, ready to take batches.
+      !> Receives the delivery, ready to take batches.
       type(sweep_t), intent(inout) :: sweep
 
-      call new_delivery(sweep%delivery, min(n_threads, omp_get_num_threads()), n_results, size(sweep%counts), source%blocks%size, &
-         largest_batch)
+      call new_delivery(sweep%delivery, min(n_threads, omp_get_num_threads()), size(model%results), size(model%counts), &
+         source%blocks%size, largest_batch)
       if (omp_get_num_threads() > sweep%delivery%n_workers) call sweep%delivery%make_writer()
       ! the thread that writes does that itself, while the others begin
       if (.not. sweep%delivery%has_writer) call prepare_sink(sink, sweep%delivery)
@@ -325,7 +320,7 @@ contains
       type(sweep_t), intent(inout), target :: sweep
       !> What the thread has for itself; the points are added to its summary.
       type(worker_t), intent(inout) :: worker
-      type(attribute_t), allocatable :: found(:)
+      real(dp) :: counts(size(model%counts))
       type(profile_gate_t) :: gate
       real(dp) :: start
       integer :: offset, n, i
@@ -340,11 +335,11 @@ contains
             gate%sink => sink
             gate%delivery => sweep%delivery
             call model%solve_block_and_profiles(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
-               batch%status(offset + 1:offset + n), found, worker%profiles, gate)
+               batch%status(offset + 1:offset + n), counts, worker%profiles, gate)
             if (gate%is_closed) return
          else
             call model%solve_block(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
-               batch%status(offset + 1:offset + n), found)
+               batch%status(offset + 1:offset + n), counts)
          end if
          call worker%summary%add_points(results, batch%status(offset + 1:offset + n))
          do i = 1, size(results, 1)
@@ -352,7 +347,7 @@ contains
          end do
          batch%n_points = offset + n
          batch%n_blocks = batch%n_blocks + 1
-         batch%counts(batch%n_blocks, :) = pick_counts(sweep%counts, found)
+         batch%counts(batch%n_blocks, :) = counts
       end associate
       worker%summary%solver_seconds = worker%summary%solver_seconds + wall_clock() - start - gate%seconds
    end subroutine solve_one_block

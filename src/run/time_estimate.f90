@@ -5,7 +5,6 @@ module adfric_run_time_estimate
    use adfric_base_kinds, only: dp, i8
    use adfric_model_model, only: model_t
    use adfric_model_profile_receiver, only: profile_receiver_t
-   use adfric_model_table, only: attribute_t
    use adfric_run_blocks, only: blocks_t, new_blocks
    use adfric_run_plan, only: plan_t
    use adfric_run_runner, only: profile_shape_of
@@ -183,7 +182,7 @@ contains
       integer, intent(out) :: n
       real(dp), allocatable :: values(:, :), results(:, :), errors(:), profiles(:, :, :)
       integer, allocatable :: status(:)
-      type(attribute_t), allocatable :: attributes(:)
+      real(dp) :: counts(size(model%counts))
       type(waste_t) :: waste
       real(dp) :: start, finish
       integer :: shape(3)
@@ -195,9 +194,9 @@ contains
       if (model%wants_profiles(plan%base)) then
          shape = profile_shape_of(model, plan)
          allocate (profiles(shape(1), shape(2), shape(3)))
-         call model%solve_block_and_profiles(values, results, errors, status, attributes, profiles, waste)
+         call model%solve_block_and_profiles(values, results, errors, status, counts, profiles, waste)
       else
-         call model%solve_block(values, results, errors, status, attributes)
+         call model%solve_block(values, results, errors, status, counts)
       end if
       call cpu_time(finish)
       seconds = finish - start

@@ -10,7 +10,7 @@ module adfric_sphere_model
    use adfric_model_model, only: model_t
    use adfric_model_requirements, only: refuse_swept_axes
    use adfric_model_status, only: status_solved
-   use adfric_model_table, only: result_t, profile_t, attribute_t
+   use adfric_model_table, only: result_t, profile_t, count_t
    use adfric_sphere_case, only: sphere_case_t, resolve_case
    use adfric_sphere_check, only: check_sphere_values
    use adfric_sphere_contact, only: theory_maugis_dugdale, theory_dmt
@@ -50,6 +50,7 @@ contains
       self%variables = get_sphere_variables()
       self%results = get_sphere_results(.false.)
       self%profiles = get_sphere_profiles(.false.)
+      self%counts = [count_t(name='share_of_limit_theories', long_name='points that a limit theory solves')]
       self%profile_axes = 'r'
    end subroutine new_sphere_model
 
@@ -159,7 +160,7 @@ contains
    end function get_profile_axis
 
    !> See `model_t`.
-   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+   subroutine solve_block(self, values, results, error_estimate, status, counts)
       !> The model; all threads solve with the same one.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables for each point; shape `(n_variables, n_points)`.
@@ -170,15 +171,14 @@ contains
       real(dp), intent(out) :: error_estimate(:)
       !> One of `status_...` for each point; shape `(n_points)`.
       integer, intent(out) :: status(:)
-      !> Receives the number of points solved by a limit theory, under its name in the file.
-      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      !> Receives one number: how many points were solved by a limit theory.
+      real(dp), intent(out) :: counts(:)
       type(sphere_case_t) :: case
       type(sphere_point_t) :: point
       type(sphere_memory_t) :: memory
-      real(dp) :: n_closed_form
       integer :: i
 
-      n_closed_form = 0
+      counts = 0
       do i = 1, size(values, 2)
          call resolve_case(values(:, i), case)
          call solve_point(case, values(v_events, i) > 0, memory, point)
@@ -186,10 +186,10 @@ contains
          error_estimate(i) = point%error_estimate
          call store(case, point, values(:, i), results(:, i))
          if (point%status /= status_solved) error_estimate(i) = not_a_number()
-         if (point%theory < theory_maugis_dugdale) n_closed_form = n_closed_form + 1
+         if (point%theory < theory_maugis_dugdale) counts(1) = counts(1) + 1
       end do
-      allocate (attributes(merge(1, 0, size(self%variables) > 0)))
-      if (size(attributes) > 0) attributes(1) = attribute_t('share_of_limit_theories', n_closed_form)
+      associate (unused => self)
+      end associate
    end subroutine solve_block
 
    !> Results of a point in the units of the case.

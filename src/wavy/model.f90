@@ -8,7 +8,7 @@ module adfric_wavy_model
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_model, only: model_t
    use adfric_model_status, only: status_solved, status_no_equilibrium
-   use adfric_model_table, only: result_t, attribute_t
+   use adfric_model_table, only: result_t, count_t
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
@@ -58,6 +58,8 @@ contains
       self%variables = get_wavy_variables()
       self%results = get_wavy_results()
       self%profiles = get_wavy_profiles()
+      self%counts = [count_t(name='strips_per_point', long_name='strips that were solved'), &
+         & count_t(name='closed_form_strips_per_point', long_name='strips that were solved in closed form')]
       self%profile_axes = 'y x'
    end subroutine new_wavy_model
 
@@ -150,7 +152,7 @@ contains
 
    !> Solve neighbouring points. Loads, and penetrations in 3-D and on the approach branch, are solved in the order in which each
    !> leads to the next on its branch.
-   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+   subroutine solve_block(self, values, results, error_estimate, status, counts)
       !> The model, whose pull-off load is used where it is that of a point's surface.
       class(wavy_model_t), intent(in) :: self
       !> Values of neighbouring points; shape `(n_variables, n_points)`.
@@ -161,23 +163,21 @@ contains
       real(dp), intent(out) :: error_estimate(:)
       !> How each point was solved, one of `status_...`; shape `(n_points)`.
       integer, intent(out) :: status(:)
-      !> Strips solved for all points of the block, and those of them in closed form.
-      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      !> Receives the number of strips solved for all points of the block, and of those among them in closed form.
+      real(dp), intent(out) :: counts(:)
       type(wavy_case_t) :: point, last, hopeless
       type(equilibrium_t) :: equilibrium
       type(memory_t) :: memory
       type(neighbour_t) :: neighbour
       type(pull_off_t) :: pull_off
-      real(dp) :: n_strips, n_closed_form
       integer :: i, k, n
       logical :: is_reversed
 
-      n_strips = 0
-      n_closed_form = 0
+      counts = 0
       n = size(values, 2)
       pull_off = self%pull_off
       is_reversed = .false.
-      if (n > 1 .and. size(self%variables) > 0) is_reversed = leads_backwards(values(:, 1), values(:, 2))
+      if (n > 1) is_reversed = leads_backwards(values(:, 1), values(:, 2))
       do k = 1, n
          i = merge(n + 1 - k, k, is_reversed)
          call resolve_case(values(:, i), point)
@@ -202,12 +202,8 @@ contains
          status(i) = equilibrium%status
          error_estimate(i) = equilibrium%error_estimate
          if (status(i) /= status_solved) error_estimate(i) = not_a_number()
-         n_strips = n_strips + equilibrium%totals%n_strips
-         n_closed_form = n_closed_form + equilibrium%totals%n_closed_form
+         counts = counts + [equilibrium%totals%n_strips, equilibrium%totals%n_closed_form]
       end do
-      allocate (attributes(2))
-      attributes(1) = attribute_t('strips_per_point', n_strips)
-      attributes(2) = attribute_t('closed_form_strips_per_point', n_closed_form)
    end subroutine solve_block
 
    !> Is a load without equilibrium for sure, because a larger one had none on the same surface? The load rises with the

@@ -33,6 +33,7 @@ contains
       self%name = trial%name
       self%results = trial%results
       self%profiles = trial%profiles
+      self%counts = trial%counts
       self%profile_axes = trial%profile_axes
       allocate (self%variables(heights_place))
       do k = 1, n_trial

@@ -3,7 +3,6 @@ module model_calls
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: attribute_t
    implicit none (type, external)
    private
    public :: set_value, find_problems, solve_values, solve_point
@@ -52,12 +51,12 @@ contains
       real(dp), allocatable, intent(out) :: results(:, :)
       real(dp), allocatable, intent(out) :: error_estimate(:)
       integer, allocatable, intent(out) :: status(:)
-      type(attribute_t), allocatable :: attributes(:)
+      real(dp) :: counts(size(model%counts))
       integer :: n
 
       n = size(values, 2)
       allocate (results(size(model%results), n), error_estimate(n), status(n))
-      call model%solve_block(values, results, error_estimate, status, attributes)
+      call model%solve_block(values, results, error_estimate, status, counts)
    end subroutine solve_values
 
    !> Solve one point alone.

@@ -5,7 +5,6 @@ module trial_case
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: attribute_t
    implicit none (type, external)
    private
    public :: trial_case_t, new_case
@@ -80,12 +79,12 @@ contains
 
    subroutine solve(self)
       class(trial_case_t), intent(inout) :: self
-      type(attribute_t), allocatable :: attributes(:)
+      real(dp) :: counts(size(self%model%counts))
 
       if (allocated(self%results)) deallocate (self%results)
       allocate (self%results(size(self%model%results), 1))
       call self%model%solve_block(reshape(self%values, [size(self%values), 1]), self%results, self%error_estimate, &
-         & self%status, attributes)
+         & self%status, counts)
    end subroutine solve
 
    !> A result by its name.

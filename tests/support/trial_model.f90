@@ -13,8 +13,7 @@ module trial_model
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_model, only: model_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: variable_t, result_t, profile_t, attribute_t, kind_real, kind_integer, kind_logical, &
-      & kind_choice
+   use adfric_model_table, only: variable_t, result_t, profile_t, count_t, kind_real, kind_integer, kind_logical, kind_choice
    implicit none (type, external)
    private
    public :: trial_model_t, new_trial_model, trial_values, trial_force, trial_profile, largest_load
@@ -55,6 +54,7 @@ contains
       self%name = 'trial'
       self%summary = 'a block that slides on a table'
       self%references = 'Nobody, Nowhere 1 (2001) 1'
+      self%counts = [count_t(name='steps_per_point', long_name='steps of the block')]
       self%profile_axes = 'y x'
       allocate (self%variables(n_variables))
       associate (variables => self%variables)
@@ -201,13 +201,13 @@ contains
       coordinate = [(spacing*i, i=0, n - 1)]
    end function get_profile_axis
 
-   subroutine solve_block(self, values, results, error_estimate, status, attributes)
+   subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(trial_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:, :)
       real(dp), intent(out) :: results(:, :)
       real(dp), intent(out) :: error_estimate(:)
       integer, intent(out) :: status(:)
-      type(attribute_t), allocatable, intent(out) :: attributes(:)
+      real(dp), intent(out) :: counts(:)
       integer :: i
 
       do i = 1, size(status)
@@ -221,9 +221,7 @@ contains
          end associate
          if (status(i) /= status_solved) results(:, i) = ieee_value(1.0_dp, ieee_quiet_nan)
       end do
-      allocate (attributes(1))
-      attributes(1)%name = 'steps_per_point'
-      attributes(1)%value = 0.1_dp*size(status)
+      counts(1) = 0.1_dp*size(status)
    end subroutine solve_block
 
    subroutine solve_profiles(self, values, results, profiles)
