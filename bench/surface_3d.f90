@@ -109,19 +109,16 @@ contains
       type(run_t), intent(out) :: result
       real(dp) :: counts(2)
       real(dp) :: times(n_repeats), start
-      logical :: is_swept(v_n_y)
       integer :: n, r, block, first, last
 
       n = size(values, 2)
       block = block_size_of(int(n, i8))
-      is_swept = .false.
-      is_swept(v_load) = n > 1
       allocate (result%results(n_wavy_results, n), result%error_estimate(n), result%status(n))
       do r = 1, n_repeats
          result%strips_per_point = 0
          call new_wavy_model(model)
          start = wall_clock()
-         call model%prepare(values(:, 1), is_swept)
+         call model%prepare()
          do first = 1, n, block
             last = min(n, first + block - 1)
             call model%solve_block(values(:, first:last), result%results(:, first:last), &

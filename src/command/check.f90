@@ -45,6 +45,7 @@ contains
          call outcome%say(describe_first_point(model, run)//text)
          if (text(len(text):) /= newline) call outcome%say(newline)
       end if
+      call model%prepare()
       call outcome%say(model%describe_doubts(run%plan%base))
       call outcome%say(describe_sweep(model, run))
       call outcome%say(pad('points', name_width)//show_count(run%plan%n_points())//newline)

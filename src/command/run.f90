@@ -59,7 +59,7 @@ contains
       call share_error(world, error)
       call share_answer(world, is_complete)
       if (.not. (allocated(error) .or. is_complete)) then
-         call prepare_model(model, run%plan)
+         call model%prepare()
          call solve_case(command, world, model, run, progress, summary, error)
       end if
       if (allocated(error)) then
@@ -75,24 +75,6 @@ contains
          if (is_complete) call outcome%say('this run was complete already'//newline)
       end if
    end subroutine run_case
-
-   !> Have the model find out what all points have in common.
-   subroutine prepare_model(model, plan)
-      !> The model, which keeps what all points have in common.
-      class(model_t), intent(inout) :: model
-      !> Every point of the run: the base values and the swept axes.
-      type(plan_t), intent(in) :: plan
-      real(dp) :: values(size(plan%base), 1)
-      logical :: is_swept(size(plan%base))
-      integer :: k
-
-      call plan%get_values(1_i8, values)
-      is_swept = .false.
-      do k = 1, size(plan%axes)
-         is_swept(plan%axes(k)%variable) = .true.
-      end do
-      call model%prepare(values(:, 1), is_swept)
-   end subroutine prepare_model
 
    !> Is the run that is to be resumed complete already? A file of another run is left to `check_output`.
    subroutine find_complete(command, model, run, is_complete, summary, error)

@@ -130,17 +130,13 @@ module adfric_model_model
 
 contains
 
-   !> Find out what all points of a run have in common, once, before the first block is solved. It saves time and changes no
-   !> bit of the results. Here there is nothing; a model with something costly of that kind overrides it.
-   subroutine prepare(self, values, is_swept)
-      !> The model, which may keep what it finds out.
+   !> Make room for what points share, so that it is found once, whichever block and thread needs it first. It saves time and
+   !> changes no bit of the results. Here there is nothing; a model with something costly of that kind overrides it.
+   subroutine prepare(self)
+      !> The model, which may keep what its points find; it is not copied afterwards.
       class(model_t), intent(inout) :: self
-      !> Values of the variables at the first point; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
-      logical, intent(in) :: is_swept(:)
 
-      associate (unused => self, unused_values => values, unused_is_swept => is_swept)
+      associate (unused => self)
       end associate
    end subroutine prepare
 

@@ -15,6 +15,7 @@ module adfric_wavy_model
    use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load, leads_to
    use adfric_wavy_profiles, only: get_profiles
    use adfric_wavy_pull_off, only: pull_off_t, find_pull_off, is_below_pull_off
+   use adfric_wavy_pull_off_table, only: pull_off_table_t, get_pull_off
    use adfric_wavy_steady_state, only: branch_adhered
    use adfric_wavy_strip, only: regime_free, regime_adhesion_only
    use adfric_wavy_surface, only: negligible, is_same_surface
@@ -29,10 +30,11 @@ module adfric_wavy_model
    !> Load or friction below this share of the sum of its terms is zero but for round-off.
    real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
 
+   !> The model. Not to be copied once it is prepared.
    type, extends(model_t) :: wavy_model_t
       private
-      !> The pull-off load of the surface of a run, if there is one surface.
-      type(pull_off_t) :: pull_off
+      !> The pull-off loads that the points of a run share; null before the model is prepared.
+      type(pull_off_table_t), pointer :: pull_offs => null()
    contains
       procedure :: prepare
       procedure :: check_values
@@ -43,6 +45,7 @@ module adfric_wavy_model
       procedure :: solve_profiles
       procedure :: derive_quantities
       procedure :: unit_of
+      final :: free
    end type wavy_model_t
 
 contains
@@ -133,27 +136,26 @@ contains
       coordinate = [(values(v_period)*(real(2*k - (n - 1), dp)/(2*(n - 1))), k=0, n - 1)]
    end function get_profile_axis
 
-   !> Find the pull-off load once for all points, where they are of one surface.
-   subroutine prepare(self, values, is_swept)
-      !> The model; it keeps the pull-off load that all points have in common.
+   !> Make room for the pull-off loads that points share, each of which is found once.
+   subroutine prepare(self)
+      !> The model; all threads use what it keeps.
       class(wavy_model_t), intent(inout) :: self
-      !> Values in the order of `self%variables`, of a swept variable one of its values; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
-      logical, intent(in) :: is_swept(:)
-      type(wavy_case_t) :: point
-      logical :: makes_surface(size(is_swept))
 
-      makes_surface = is_swept
-      makes_surface([v_load, v_penetration, v_profiles, v_n_x, v_n_y]) = .false.
-      call resolve_case(values, point)
-      if (point%wants_pull_off .and. .not. any(makes_surface)) call find_pull_off(point%surface, self%pull_off)
+      if (.not. associated(self%pull_offs)) allocate (self%pull_offs)
    end subroutine prepare
+
+   !> Give back the pull-off loads.
+   impure elemental subroutine free(self)
+      !> The model, which keeps nothing at the end.
+      type(wavy_model_t), intent(inout) :: self
+
+      if (associated(self%pull_offs)) deallocate (self%pull_offs)
+   end subroutine free
 
    !> Solve neighbouring points. Loads, and penetrations in 3-D and on the approach branch, are solved in the order in which each
    !> leads to the next on its branch.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
-      !> The model, whose pull-off load is used where it is that of a point's surface.
+      !> The model, whose pull-off loads are looked up, and completed, if it is prepared.
       class(wavy_model_t), intent(in) :: self
       !> Values of neighbouring points; shape `(n_variables, n_points)`.
       real(dp), intent(in) :: values(:, :)
@@ -175,13 +177,18 @@ contains
 
       counts = 0
       n = size(values, 2)
-      pull_off = self%pull_off
       is_reversed = .false.
       if (n > 1) is_reversed = leads_backwards(values(:, 1), values(:, 2))
       do k = 1, n
          i = merge(n + 1 - k, k, is_reversed)
          call resolve_case(values(:, i), point)
-         if (point%wants_pull_off) call find_pull_off(point%surface, pull_off)
+         if (point%wants_pull_off) then
+            if (associated(self%pull_offs)) then
+               call get_pull_off(self%pull_offs, point%surface, pull_off)
+            else
+               call find_pull_off(point%surface, pull_off)
+            end if
+         end if
          memory%is_even = .not. point%is_load_given
          memory%needs_slope = point%is_load_given
          if (point%is_load_given) then
