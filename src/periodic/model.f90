@@ -24,6 +24,8 @@ module adfric_periodic_model
    type, abstract, extends(model_t) :: periodic_model_t
       !> Rows of the variables before those that all these models share.
       integer :: n_own = 0
+      !> Is the pressure of full contact known in closed form, so that nothing is computed on the cells?
+      logical :: knows_full_pressure = .false.
    contains
       procedure :: set_tables
       procedure :: check_values
@@ -77,7 +79,7 @@ module adfric_periodic_model
          class(periodic_model_t), intent(in) :: self
          !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> Pressure of full contact of the surface as its cells have it [E*].
+         !> Pressure of full contact of the surface as its cells have it [E*]; of no meaning where the model `knows_full_pressure`.
          real(dp), intent(in) :: on_cells
       end function get_full_pressure_i
 
@@ -344,14 +346,16 @@ contains
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
       type(periodic_surface_t) :: surface
-      real(dp) :: mean
+      real(dp) :: mean, on_cells
 
       associate (first => self%n_own + v_contact_modulus, last => self%n_own + v_second_poisson_ratio)
          derived = derive_contact_modulus(self%variables(first:last), values(first:last))
       end associate
       call self%get_surface(values, surface)
+      on_cells = not_a_number()
+      if (.not. self%knows_full_pressure) on_cells = find_full_pressure(surface)
       call add_derived(derived, 'full_contact_pressure', 'Pa', 'pressure of full contact p*', &
-         & self%get_full_pressure(values, find_full_pressure(surface)))
+         & self%get_full_pressure(values, on_cells))
       mean = sum(surface%shape)/size(surface%shape)
       call add_derived(derived, 'full_contact_penetration', 'm', 'penetration of full contact', mean)
       call add_derived(derived, 'root_mean_square_height', 'm', 'root of the mean square of the heights', &

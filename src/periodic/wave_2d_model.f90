@@ -46,6 +46,7 @@ contains
          & 512.0_dp, 64.0_dp, 8192.0_dp)
       call self%set_tables('wave_2d_elastic', &
          & 'a rigid wave in two directions on an elastic half-space: area, pressure and gap up to full contact', v)
+      self%knows_full_pressure = .true.
    end subroutine new_wave_2d_model
 
    !> See `periodic_model_t`.
@@ -74,13 +75,16 @@ contains
       !> Periods and undeformed gap of the point.
       type(periodic_surface_t), intent(out) :: surface
       real(dp), allocatable :: trough(:)
-      integer :: i, n
+      integer :: i, j, n
 
       n = nint(values(v_cells))/2
       trough = [(values(v_amplitude)*(1 - cos(two_pi*(i - 0.5_dp)/(2*n))), i=1, n)]
       surface%period = values(v_period)
       surface%is_quarter = .true.
-      surface%shape = spread(trough, 1, n) + spread(trough, 2, n)
+      allocate (surface%shape(n, n))
+      do j = 1, n
+         surface%shape(:, j) = trough + trough(j)
+      end do
       associate (unused => self)
       end associate
    end subroutine get_surface
