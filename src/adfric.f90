@@ -1,9 +1,14 @@
-!> The models that the program knows.
+!> The models that the program knows: the only place that has all their names.
 module adfric
    use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_classical_catalogue, only: new_classical_model
+   use adfric_classical_hertz_model, only: hertz_model_t, new_hertz_model
+   use adfric_classical_line_load_model, only: line_load_model_t, new_line_load_model, strip_load_model_t, new_strip_load_model
+   use adfric_classical_point_load_model, only: point_load_model_t, new_point_load_model
+   use adfric_classical_punch_model, only: punch_model_t, new_punch_model
+   use adfric_classical_wave_model, only: wave_model_t, new_wave_model
    use adfric_model_model, only: model_t
-   use adfric_periodic_catalogue, only: new_periodic_model
+   use adfric_periodic_surface_model, only: surface_model_t, new_surface_model
+   use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_wavy_model, only: wavy_model_t, new_wavy_model
    implicit none (type, external)
@@ -16,13 +21,24 @@ module adfric
 
 contains
 
-   !> The model of a name.
+   !> Make the model of a name.
    subroutine new_model(model, name, error)
+      !> Receives the model with its tables; not allocated if the name is unknown.
       class(model_t), allocatable, intent(out) :: model
+      !> Name of the model, as it stands in `&job`.
       character(*), intent(in) :: name
+      !> Allocated if the name is unknown; lists those that are known.
       type(error_t), allocatable, intent(out) :: error
       type(wavy_model_t), allocatable :: wavy
       type(sphere_model_t), allocatable :: sphere
+      type(hertz_model_t), allocatable :: hertz
+      type(punch_model_t), allocatable :: punch
+      type(wave_model_t), allocatable :: wave
+      type(wave_2d_model_t), allocatable :: wave_2d
+      type(surface_model_t), allocatable :: surface
+      type(line_load_model_t), allocatable :: line_load
+      type(strip_load_model_t), allocatable :: strip_load
+      type(point_load_model_t), allocatable :: point_load
 
       select case (name)
       case ('wavy_sliding')
@@ -33,11 +49,40 @@ contains
          allocate (sphere)
          call new_sphere_model(sphere)
          call move_alloc(sphere, model)
+      case ('hertz')
+         allocate (hertz)
+         call new_hertz_model(hertz)
+         call move_alloc(hertz, model)
+      case ('rigid_punch')
+         allocate (punch)
+         call new_punch_model(punch)
+         call move_alloc(punch, model)
+      case ('wave_1d')
+         allocate (wave)
+         call new_wave_model(wave)
+         call move_alloc(wave, model)
+      case ('wave_2d_elastic')
+         allocate (wave_2d)
+         call new_wave_2d_model(wave_2d)
+         call move_alloc(wave_2d, model)
+      case ('surface_elastic')
+         allocate (surface)
+         call new_surface_model(surface)
+         call move_alloc(surface, model)
+      case ('line_load')
+         allocate (line_load)
+         call new_line_load_model(line_load)
+         call move_alloc(line_load, model)
+      case ('strip_load')
+         allocate (strip_load)
+         call new_strip_load_model(strip_load)
+         call move_alloc(strip_load, model)
+      case ('point_load')
+         allocate (point_load)
+         call new_point_load_model(point_load)
+         call move_alloc(point_load, model)
       case default
-         call new_classical_model(model, name)
-         if (.not. allocated(model)) call new_periodic_model(model, name)
-         if (.not. allocated(model)) call set_error(error, input_failure, &
-            & 'model '''//name//''' is unknown; known are '//known_models)
+         call set_error(error, input_failure, 'model '''//name//''' is unknown; known are '//known_models)
       end select
    end subroutine new_model
 
