@@ -1,6 +1,6 @@
 !> The program `adfric`: see `adfric help`.
 program main
-   use, intrinsic :: iso_c_binding, only: c_funptr, c_int
+   use, intrinsic :: iso_c_binding, only: c_int
    use adfric_base_error, only: error_t
    use adfric_base_version, only: program_version, git_revision
    use adfric_command_check, only: check_case
@@ -12,7 +12,6 @@ program main
    use adfric_driver_last_resort, only: begin_watch, end_watch
    use adfric_driver_last_words, only: write_outcome
    use adfric_driver_progress_bar, only: progress_bar_t, new_progress_bar
-   use adfric_numerics_gsl_bindings, only: gsl_set_error_handler_off
    use adfric_run_agreement, only: share_status
    use adfric_run_world, only: world_t, world_kind
    use adfric_system_program_end, only: end_program
@@ -22,10 +21,8 @@ program main
    type(outcome_t) :: outcome
    type(error_t), allocatable :: error
    type(progress_bar_t) :: bar
-   type(c_funptr) :: former_handler
 
    call begin_watch()
-   former_handler = gsl_set_error_handler_off()
    call world%start()
    call parse_arguments(get_arguments(), command, error)
    if (allocated(error)) then

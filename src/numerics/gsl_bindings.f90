@@ -1,21 +1,16 @@
-!> Bindings of the GNU Scientific Library.
+!> Bindings of the GNU Scientific Library. Its functions end the process where an argument is outside of their domain: only
+!> `adfric_numerics_elliptic` calls them, which looks at the arguments before.
 module adfric_numerics_gsl_bindings
-   use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int
+   use, intrinsic :: iso_c_binding, only: c_double, c_int
    implicit none (type, external)
    private
-   public :: gsl_set_error_handler_off, gsl_sf_ellint_rf, gsl_sf_ellint_rd, gsl_prec_double
+   public :: gsl_sf_ellint_rf, gsl_sf_ellint_rd, gsl_prec_double
 
    !> Mode of a special function: all digits of double precision.
    integer(c_int), parameter :: gsl_prec_double = 0
 
    interface
-      !> Let errors be reported by status instead of ending the program; gives back the handler until now.
-      type(c_funptr) function gsl_set_error_handler_off() bind(c, name='gsl_set_error_handler_off')
-         import :: c_funptr
-         implicit none (type, external)
-      end function gsl_set_error_handler_off
-
-      !> Carlson's elliptic integral R_F(x, y, z); not a number outside its domain.
+      !> Carlson's elliptic integral R_F(x, y, z).
       pure real(c_double) function gsl_sf_ellint_rf(x, y, z, mode) bind(c, name='gsl_sf_ellint_RF')
          import :: c_double, c_int
          implicit none (type, external)
@@ -25,7 +20,7 @@ module adfric_numerics_gsl_bindings
          integer(c_int), intent(in), value :: mode
       end function gsl_sf_ellint_rf
 
-      !> Carlson's elliptic integral R_D(x, y, z); not a number outside its domain.
+      !> Carlson's elliptic integral R_D(x, y, z).
       pure real(c_double) function gsl_sf_ellint_rd(x, y, z, mode) bind(c, name='gsl_sf_ellint_RD')
          import :: c_double, c_int
          implicit none (type, external)
