@@ -1,7 +1,7 @@
 !> What the models of a periodic surface on an elastic half-space share; a model says what its surface is.
 module adfric_periodic_model
    use adfric_base_kinds, only: dp
-   use adfric_base_error, only: error_t
+   use adfric_base_error, only: error_t, file_failure
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
@@ -11,7 +11,7 @@ module adfric_periodic_model
    use adfric_model_profile_receiver, only: profile_receiver_t
    use adfric_model_requirements, only: need, need_one
    use adfric_model_rows, only: contact_profiles
-   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
    use adfric_model_table, only: variable_t, count_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, &
       & find_full_pressure
@@ -261,7 +261,11 @@ contains
       do i = 1, size(values, 2)
          call self%get_surface(values(:, i), surface)
          call solve_periodic(surface, get_goal(self, values(:, i)), memory, solution, error)
-         if (allocated(error)) cycle
+         if (allocated(error)) then
+            ! cells of a sweep may be too long, which is no lack of memory
+            if (error%code == file_failure) status(i) = status_out_of_memory
+            cycle
+         end if
          if (solution%status == contact_out_of_range) status(i) = status_no_equilibrium
          counts(1) = counts(1) + solution%n_iterations
          if (solution%status /= contact_solved) cycle

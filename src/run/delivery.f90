@@ -5,7 +5,7 @@
 !> its results into the sink itself.
 module adfric_run_delivery
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_error, only: error_t
+   use adfric_base_error, only: error_t, set_error, file_failure
    use adfric_model_profile_receiver, only: profile_receiver_t
    use adfric_run_batch, only: batch_store_t, new_batch_store
    use adfric_run_sink, only: sink_t
@@ -13,7 +13,8 @@ module adfric_run_delivery
    use adfric_system_semaphore, only: semaphore_t
    implicit none (type, external)
    private
-   public :: delivery_t, new_delivery, profile_gate_t, prepare_sink, leave_batch, end_leaving, deliver, has_failed, most_waiting
+   public :: delivery_t, new_delivery, profile_gate_t, prepare_sink, leave_batch, end_leaving, deliver, give_up, has_failed, &
+      & most_waiting
 
    !> Number of batches that may wait for the sink.
    integer, parameter :: most_waiting = 32
@@ -24,7 +25,7 @@ module adfric_run_delivery
       logical :: has_writer = .false.
       !> The batches that are filled, that wait and that are free.
       type(batch_store_t) :: store
-      !> The first error of the sink; after it nothing more goes there.
+      !> The first error of the sink or of a point; after it nothing more goes to the sink.
       type(error_t), allocatable :: error
       !> Time in the sink [s].
       real(dp) :: seconds = 0
@@ -214,7 +215,7 @@ contains
 
       !$omp critical (adfric_run_sink)
       start = wall_clock()
-      if (.not. allocated(self%error)) then
+      if (.not. has_failed(self)) then
          call self%store%batches(place)%put_into(sink, error)
          call keep_error(error, self%error)
       else
@@ -243,11 +244,11 @@ contains
          call prepare_sink(self%sink, delivery)
          !$omp critical (adfric_run_sink)
          start = wall_clock()
-         if (.not. allocated(delivery%error)) then
+         if (.not. has_failed(delivery)) then
             call self%sink%put_profiles(self%first + place - 1, profiles, error)
             call keep_error(error, delivery%error)
          end if
-         self%is_closed = allocated(delivery%error)
+         self%is_closed = has_failed(delivery)
          delivery%seconds = delivery%seconds + wall_clock() - start
          !$omp end critical (adfric_run_sink)
       end associate
@@ -255,20 +256,32 @@ contains
       self%seconds = self%seconds + wall_clock() - arrival
    end subroutine put_profiles
 
+   !> End the run, since points cannot be solved: nothing more goes to the sink.
+   subroutine give_up(self, message)
+      !> What the threads share; it keeps the error, unless there is one already.
+      type(delivery_t), intent(inout) :: self
+      !> Why the points cannot be solved, in one line.
+      character(*), intent(in) :: message
+      type(error_t), allocatable :: error
+
+      call set_error(error, file_failure, message)
+      call keep_error(error, self%error)
+   end subroutine give_up
+
    !> Keep an error for all threads to see.
    subroutine keep_error(own_error, error)
       !> Error that this thread has met; not allocated: nothing is done.
       type(error_t), allocatable, intent(in) :: own_error
-      !> Receives a copy of the error; not allocated before.
+      !> Receives a copy of the error, unless there is one already.
       type(error_t), allocatable, intent(inout) :: error
 
       if (.not. allocated(own_error)) return
       !$omp critical (adfric_run_error)
-      allocate (error, source=own_error)
+      if (.not. allocated(error)) allocate (error, source=own_error)
       !$omp end critical (adfric_run_error)
    end subroutine keep_error
 
-   !> Has the sink failed? Then all threads end.
+   !> Has the sink or a point failed? Then all threads end.
    logical function has_failed(self)
       !> What the threads share, with the error if there is one.
       type(delivery_t), intent(in) :: self

@@ -10,11 +10,12 @@ module adfric_run_runner
    use adfric_base_error, only: error_t
    use adfric_base_words, only: count_words
    use adfric_model_model, only: model_t
+   use adfric_model_status, only: status_out_of_memory
    use adfric_run_batch, only: batch_bytes
    use adfric_run_blocks, only: blocks_t, new_blocks, block_size_of
    use adfric_run_block_source, only: block_source_t, block_list_t, new_block_list
    use adfric_run_delivery, only: delivery_t, new_delivery, profile_gate_t, prepare_sink, leave_batch, &
-      & end_leaving, deliver, has_failed, most_waiting
+      & end_leaving, deliver, give_up, has_failed, most_waiting
    use adfric_run_plan, only: plan_t
    use adfric_run_progress, only: progress_t
    use adfric_run_sink, only: sink_t
@@ -340,6 +341,10 @@ contains
          else
             call model%solve_block(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
                batch%status(offset + 1:offset + n), counts)
+         end if
+         if (any(batch%status(offset + 1:offset + n) == status_out_of_memory)) then
+            call give_up(sweep%delivery, 'there is too little memory to solve a point')
+            return
          end if
          call worker%summary%add_points(results, batch%status(offset + 1:offset + n))
          do i = 1, size(results, 1)

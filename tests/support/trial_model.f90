@@ -2,8 +2,8 @@
 !> results that can be said in advance.
 !>
 !> force = friction * load, regime by the sign of the velocity. A negative load has no equilibrium; a load
-!> above `largest_load` does not converge. `place` is the place of a point in its block, so that a sweep whose blocks
-!> depended on the number of threads would show it.
+!> above `largest_load` does not converge, and `endless_load` exhausts the memory. `place` is the place of a
+!> point in its block, so that a sweep whose blocks depended on the number of threads would show it.
 module trial_model
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan
    use adfric_base_kinds, only: dp
@@ -12,16 +12,18 @@ module trial_model
    use adfric_base_words, only: get_word
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_model, only: model_t
-   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
    use adfric_model_table, only: variable_t, result_t, profile_t, count_t, kind_real, kind_integer, kind_logical, kind_choice
    implicit none (type, external)
    private
-   public :: trial_model_t, new_trial_model, trial_values, trial_force, trial_profile, largest_load
+   public :: trial_model_t, new_trial_model, trial_values, trial_force, trial_profile, largest_load, endless_load
    public :: kind_place, period_place, velocity_place, load_place, friction_place
    public :: strips_place, profiles_place, size_place, n_x_place, n_y_place
 
    !> Load above which nothing converges [N].
    real(dp), parameter :: largest_load = 1e6_dp
+   !> Load that no memory is large enough for [N].
+   real(dp), parameter :: endless_load = 1e12_dp
    !> Distance of the points of a profile [m].
    real(dp), parameter :: spacing = 0.5_dp
 
@@ -218,6 +220,7 @@ contains
             status(i) = status_solved
             if (load < 0) status(i) = status_no_equilibrium
             if (load > largest_load) status(i) = status_not_converged
+            if (load >= endless_load) status(i) = status_out_of_memory
          end associate
          if (status(i) /= status_solved) results(:, i) = ieee_value(1.0_dp, ieee_quiet_nan)
       end do
