@@ -22,13 +22,3 @@ function(adfric_set_flags target)
     $<$<COMPILE_LANGUAGE:C>:-std=c11 -Wall -Wextra -pedantic>
     $<$<BOOL:${ADFRIC_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
-
-# adfric_add_library(adfric_<name> <file>...): a library of the project's own sources, known as adfric::<name>, too.
-function(adfric_add_library target)
-  add_library(${target} STATIC ${ARGN})
-  string(REGEX REPLACE "^adfric_" "adfric::" alias "${target}")
-  add_library(${alias} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES Fortran_MODULE_DIRECTORY "${PROJECT_BINARY_DIR}/mod/${target}")
-  target_include_directories(${target} PUBLIC "${PROJECT_BINARY_DIR}/mod/${target}")
-  adfric_set_flags(${target})
-endfunction()

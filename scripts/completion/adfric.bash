@@ -1,0 +1,56 @@
+# Completion of adfric in bash: commands, options, topics of help, inputs and results files.
+
+# Topics of `adfric help`; names of models, groups, variables and results are asked of the program itself.
+_adfric_topics() {
+   local list
+   printf '%s\n' models groups variables results units input outputs
+   for list in models groups variables results; do
+      "$1" help "$list" 2>/dev/null | sed -n 's/^  &\{0,1\}\([a-z][a-z_0-9]*\).*/\1/p'
+   done | sort -u
+}
+
+# Files with one of some endings, and folders: _adfric_files WORD ENDING ...
+_adfric_files() {
+   local word=$1 ending
+   shift
+   compopt -o filenames 2>/dev/null
+   mapfile -t COMPREPLY < <(
+      compgen -d -- "$word"
+      for ending in "$@"; do compgen -f -X "!*.$ending" -- "$word"; done
+   )
+}
+
+_adfric() {
+   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command='' options='--help' i
+   COMPREPLY=()
+   for ((i = 1; i < COMP_CWORD; i++)); do
+      case ${COMP_WORDS[i]} in
+      run | merge | check | help)
+         command=${COMP_WORDS[i]}
+         break
+         ;;
+      esac
+   done
+   case $command in
+   '') options='--help --version' ;;
+   run) options='--output --force --quiet --resume --shard --help' ;;
+   merge) options='--virtual --force --quiet --help' ;;
+   esac
+
+   if [ "$before" = --output ]; then
+      _adfric_files "$word" h5
+   elif [ "$before" = --shard ]; then
+      return
+   elif [[ $word == -* ]]; then
+      mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
+   else
+      case $command in
+      '') mapfile -t COMPREPLY < <(compgen -W 'run merge check help' -- "$word") ;;
+      run | check) _adfric_files "$word" nml ;;
+      merge) _adfric_files "$word" h5 ;;
+      help) mapfile -t COMPREPLY < <(compgen -W "$(_adfric_topics "${COMP_WORDS[0]}")" -- "$word") ;;
+      esac
+   fi
+}
+
+complete -F _adfric adfric
