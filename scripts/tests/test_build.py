@@ -59,9 +59,9 @@ class TreeTest(unittest.TestCase):
         (self.tree / name).write_text(text)
         (self.tree / name).chmod(0o755)
 
-    def run_script(self, name, *arguments):
+    def run_script(self, name, *arguments, path=""):
         """Run one of them in the tree."""
-        path = f"{self.tree / 'bin'}:{os.environ['PATH']}"
+        path = path or f"{self.tree / 'bin'}:{os.environ['PATH']}"
         return subprocess.run([self.tree / "scripts" / name, *arguments], capture_output=True, text=True, check=False,
                               cwd=self.tree, env={**os.environ, "PATH": path, "CALLS": str(self.calls)})
 
@@ -97,6 +97,29 @@ class BuildScriptTest(TreeTest):
         self.calls.unlink()
         self.assertEqual(0, self.build("release", "--tests").returncode)
         self.assertEqual("--preset release\n--build --preset release\n", self.calls.read_text())
+        self.calls.unlink()
+        self.assertEqual(0, self.build("--library").returncode)
+        self.assertEqual("--preset release\n--build --preset release --target installable\n", self.calls.read_text())
+
+    def test_missing_libraries(self):
+        """What CMake misses is said line by line, without the rest of its log; the next attempt looks anew."""
+        self.write_program("bin/cmake", "#!/bin/sh\necho much\necho 'missing: GSL (Debian: libgsl-dev)'\necho 'missing: LAPACK'\nexit 1\n")
+        cache = self.tree / "build/release/CMakeCache.txt"
+        cache.write_text("")
+        done = self.build()
+        self.assertEqual(1, done.returncode)
+        self.assertIn("\nbuild: missing: GSL (Debian: libgsl-dev)\nbuild: missing: LAPACK\nbuild: install it, load its module,", done.stderr)
+        self.assertNotIn("much", done.stderr)
+        self.assertFalse(cache.exists())
+
+    def test_without_ninja(self):
+        """Then make does."""
+        for name in ("bash", "dirname", "flock", "mkdir", "nproc", "sh", "sed", "grep", "cat"):
+            (self.tree / "bin" / name).symlink_to(shutil.which(name))
+        done = self.run_script("build", path=str(self.tree / "bin"))
+        self.assertEqual(0, done.returncode, done.stderr)
+        self.assertRegex(self.calls.read_text(), r"^--preset release -G Unix Makefiles\n"
+                         r"--build --preset release --target adfric --parallel \d+\n$")
 
     def test_unknown_words(self):
         """They are refused."""
@@ -129,11 +152,94 @@ class InstallScriptTest(TreeTest):
         self.write_program("bin/cmake", '#!/bin/sh\n[ "$1" != --install ] || { echo no room; exit 1; }\n')
         done = self.run_script("install", "there")
         self.assertEqual((3, ""), (done.returncode, done.stdout))
-        self.assertIn("no room\ninstall: could not install to ", done.stderr)
+        self.assertIn("install: could not install to ", done.stderr)
+        self.assertEqual("no room\n", (self.tree / "build/install.log").read_text())
         self.write_program("bin/cmake", "#!/bin/sh\nexit 1\n")
         self.assertEqual((1, ""), (self.run_script("install").returncode, self.run_script("install", "there").stdout))
         self.assertEqual(2, self.run_script("install", "--prefix=there").returncode)
         self.assertEqual(2, self.run_script("install", "a", "b").returncode)
+
+    def test_prefix_that_cannot_be_written(self):
+        """It is told in one line, before anything is built."""
+        (self.tree / "file").write_text("")
+        (self.tree / "closed").mkdir()
+        (self.tree / "closed").chmod(0o555)
+        # root may write everywhere but where there is a file
+        for prefix in ("file", "file/below", *(["closed", "closed/below"] if os.geteuid() else [])):
+            done = self.run_script("install", prefix)
+            self.assertEqual((3, "", 1), (done.returncode, done.stdout, done.stderr.count("\n")), done.stderr)
+            self.assertRegex(done.stderr, f"^install: cannot .*{self.tree}/{prefix}")
+        self.assertFalse(self.calls.exists())
+
+
+class SetupScriptTest(unittest.TestCase):
+    """scripts/setup where no package can be installed."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.bin = Path(folder.name)
+        for name in ("bash", "cat", "dirname", "env", "grep", "mktemp", "rm", "touch", "true"):
+            (self.bin / name).symlink_to(shutil.which(name))
+        # a Debian on which nothing is installed, and a user like all others
+        self.write_program("id", 'case $1 in -u) echo 1000 ;; *) echo people ;; esac')
+        self.write_program("dpkg-query", "exit 1")
+        self.write_program("apt-get", f'touch "{self.bin}/called"')
+
+    def write_program(self, name, text):
+        """Write a program of the machine."""
+        (self.bin / name).write_text(f"#!/bin/sh\n{text}\n")
+        (self.bin / name).chmod(0o755)
+
+    def set_up(self, *arguments):
+        """Run it on this machine."""
+        return subprocess.run([ROOT / "scripts/setup", *arguments], capture_output=True, text=True, check=False,
+                              stdin=subprocess.DEVNULL, env={"PATH": str(self.bin)})
+
+    def test_missing_tools(self):
+        """Each has a line with its package and its module; nobody is asked for a password."""
+        for sudo in (False, True):
+            if sudo:
+                self.write_program("sudo", f'[ "$1" = --non-interactive ] && exit 1\ntouch "{self.bin}/called"')
+            done = self.set_up("system")
+            self.assertEqual(1, done.returncode)
+            self.assertEqual("setup: missing: gfortran (Debian: gfortran, module: gcc)\n"
+                             "setup: missing: CMake 3.22 or newer (Debian: cmake, module: cmake)\n"
+                             "setup: missing: Ninja or make (Debian: ninja-build, module: ninja)\n"
+                             "setup: no package can be installed here: load the module of what is missing, or build it "
+                             "(docs/clusters.md)\n", done.stderr)
+        self.assertFalse((self.bin / "called").exists())
+
+    def test_tools_of_modules(self):
+        """Nothing is missing where the tools are there, whatever the packages are; make does for Ninja."""
+        for name in ("gfortran", "cmake", "make"):
+            self.write_program(name, "exit 0")
+        done = self.set_up("system")
+        self.assertEqual((0, ""), (done.returncode, done.stderr))
+        self.assertFalse((self.bin / "called").exists())
+
+    def test_sudo(self):
+        """Who is let through by sudo installs packages by it."""
+        self.write_program("sudo", '[ "$1" != --non-interactive ] || shift\nexec "$@"')
+        done = self.set_up("system")
+        self.assertEqual(0, done.returncode, done.stderr)
+        self.assertIn("setup: installing gfortran cmake ninja-build libhdf5-dev", done.stderr)
+        self.assertTrue((self.bin / "called").exists())
+
+
+class LibrariesTest(unittest.TestCase):
+    """What CMake says of libraries that are missing."""
+
+    def test_all_are_named(self):
+        """Each has a line, with its package and its module."""
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run(["cmake", "-S", ROOT, "-B", folder, "-DCMAKE_DISABLE_FIND_PACKAGE_GSL=TRUE",
+                                   "-DCMAKE_DISABLE_FIND_PACKAGE_HDF5=TRUE", "-DBUILD_TESTING=OFF"],
+                                  capture_output=True, text=True, check=False)
+        self.assertNotEqual(0, done.returncode)
+        self.assertEqual(["missing: GSL (Debian: libgsl-dev, Fedora: gsl-devel, module: gsl)",
+                          "missing: HDF5 with its interfaces Fortran and HL (Debian: libhdf5-dev, Fedora: hdf5-devel, module: hdf5)"],
+                         [line for line in done.stderr.splitlines() if line.startswith("missing: ")])
 
 
 class CompilerTest(unittest.TestCase):
