@@ -7,7 +7,6 @@ program phases
    use adfric_command_case, only: open_case
    use adfric_command_outcome, only: outcome_t, exit_success
    use adfric_input_run, only: run_input_t
-   use adfric_model_model, only: model_t
    use adfric_output_results_file, only: results_file_t
    use adfric_run_progress, only: silent_progress_t
    use adfric_run_runner, only: run_sweep
@@ -16,7 +15,6 @@ program phases
    use measure, only: text_argument
    implicit none (type, external)
 
-   class(model_t), allocatable :: model
    type(run_input_t) :: run
    type(outcome_t) :: outcome
    type(results_file_t) :: results
@@ -26,13 +24,14 @@ program phases
    real(dp) :: times(5)
 
    times(1) = wall_clock()
-   call open_case(text_argument(1, 'input.nml'), model, run, outcome)
+   call open_case(text_argument(1, 'input.nml'), run, outcome)
    if (outcome%exit_status /= exit_success) error stop 'phases: the input is wrong'
    times(2) = wall_clock()
-   call results%begin(text_argument(2, 'phases.h5'), .true., model, run%plan, run%title, run%text, error)
+   run%output = text_argument(2, 'phases.h5')
+   call results%begin(run, .true., error)
    if (allocated(error)) error stop 'phases: no name for the file'
    times(3) = wall_clock()
-   call run_sweep(model, run%plan, results, progress, summary, error)
+   call run_sweep(run, results, progress, summary, error)
    if (allocated(error)) error stop 'phases: the sweep failed'
    times(4) = wall_clock()
    call results%finish(summary%wall_seconds, error)

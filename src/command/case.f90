@@ -6,7 +6,6 @@ module adfric_command_case
    use adfric_command_outcome, only: outcome_t
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_run, only: run_input_t, read_job, read_case
-   use adfric_model_model, only: model_t
    implicit none (type, external)
    private
    public :: open_case
@@ -14,12 +13,10 @@ module adfric_command_case
 contains
 
    !> Read and validate an input. The outcome is a failure if anything is wrong with it.
-   subroutine open_case(path, model, run, outcome)
+   subroutine open_case(path, run, outcome)
       !> Name of the input.
       character(*), intent(in) :: path
-      !> Receives the model that the input wants; only to be used if the outcome is no failure.
-      class(model_t), allocatable, intent(out) :: model
-      !> Receives what the input describes; only to be used if the outcome is no failure.
+      !> Receives what the input describes, with its model; only to be used if the outcome is no failure.
       type(run_input_t), intent(out) :: run
       !> Receives the failure, if there is one.
       type(outcome_t), intent(inout) :: outcome
@@ -28,9 +25,9 @@ contains
       type(error_t), allocatable :: error
 
       call read_job(path, known_models, file, run, problems, error)
-      if (.not. allocated(error) .and. len(run%model) > 0) then
-         call new_model(model, run%model, error)
-         if (.not. allocated(error)) call read_case(file, model, run, problems)
+      if (.not. allocated(error) .and. len(run%model_name) > 0) then
+         call new_model(run%model, run%model_name, error)
+         if (.not. allocated(error)) call read_case(file, run, problems)
       end if
       if (allocated(error)) then
          call outcome%fail(error)

@@ -10,7 +10,7 @@ module adfric_command_check
    use adfric_command_plausibility, only: warn_of_values
    use adfric_command_values, only: show_input_value
    use adfric_input_run, only: run_input_t
-   use adfric_model_model, only: model_t, derived_t
+   use adfric_model_model, only: derived_t
    use adfric_model_table, only: kind_dataset
    use adfric_output_resources, only: file_size_of, show_bytes
    use adfric_run_time_estimate, only: time_estimate_t, estimate_time
@@ -31,34 +31,31 @@ contains
       type(command_t), intent(in) :: command
       !> Receives what the command has to say, and the exit status.
       type(outcome_t), intent(inout) :: outcome
-      class(model_t), allocatable :: model
       type(run_input_t) :: run
       character(:), allocatable :: text
 
-      call open_case(command%subject, model, run, outcome)
+      call open_case(command%subject, run, outcome)
       if (outcome%exit_status /= exit_success .or. command%is_quiet) return
       if (len(run%title) > 0) call outcome%say(run%title//newline)
-      call outcome%say(pad('model', name_width)//model%name//newline)
-      call outcome%say(describe_values(model, run))
-      text = describe_derived(model, run)//model%describe_case(run%plan%base)
+      call outcome%say(pad('model', name_width)//run%model%name//newline)
+      call outcome%say(describe_values(run))
+      text = describe_derived(run)//run%model%describe_case(run%plan%base)
       if (len(text) > 0) then
-         call outcome%say(describe_first_point(model, run)//text)
+         call outcome%say(describe_first_point(run)//text)
          if (text(len(text):) /= newline) call outcome%say(newline)
       end if
-      call model%prepare()
-      call outcome%say(model%describe_doubts(run%plan%base))
-      call outcome%say(describe_sweep(model, run))
+      call run%model%prepare()
+      call outcome%say(run%model%describe_doubts(run%plan%base))
+      call outcome%say(describe_sweep(run))
       call outcome%say(pad('points', name_width)//show_count(run%plan%n_points())//newline)
-      call outcome%say(pad('estimated time', name_width)//describe_time(model, run)//newline)
-      call outcome%say(warn_of_values(model, run))
+      call outcome%say(pad('estimated time', name_width)//describe_time(run)//newline)
+      call outcome%say(warn_of_values(run))
       call outcome%say(pad('results file', name_width)//run%output//', ' &
-         //show_bytes(file_size_of(model, run%plan))//newline)
+         //show_bytes(file_size_of(run))//newline)
    end subroutine check_case
 
    !> The variables that have one value, group by group.
-   function describe_values(model, run) result(lines)
-      !> The model of the run, with the names and units of its variables.
-      class(model_t), intent(in) :: model
+   function describe_values(run) result(lines)
       !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
@@ -67,9 +64,9 @@ contains
 
       lines = ''
       group = ''
-      do i = 1, size(model%variables)
-         associate (variable => model%variables(i), value => run%plan%base(i))
-            if (run%is_swept(i) .or. .not. is_set(value)) cycle
+      do i = 1, size(run%model%variables)
+         associate (variable => run%model%variables(i), value => run%plan%base(i))
+            if (run%plan%is_swept(i) .or. .not. is_set(value)) cycle
             if (variable%group /= group) lines = lines//'&'//variable%group//newline
             group = variable%group
             lines = lines//pad('  '//variable%name, name_width)
@@ -78,7 +75,7 @@ contains
             else
                lines = lines//show_input_value(variable, value)
             end if
-            lines = lines//show_unit(model%unit_of(run%plan%base, i))
+            lines = lines//show_unit(run%model%unit_of(run%plan%base, i))
             if (.not. run%is_given(i)) lines = lines//' (default)'
             lines = lines//newline
          end associate
@@ -86,9 +83,7 @@ contains
    end function describe_values
 
    !> The point of a sweep that what follows is said of.
-   function describe_first_point(model, run) result(line)
-      !> The model of the run, with the names and units of its variables.
-      class(model_t), intent(in) :: model
+   function describe_first_point(run) result(line)
       !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: line
@@ -98,23 +93,21 @@ contains
       do k = 1, size(run%plan%axes)
          associate (place => run%plan%axes(k)%variable)
             if (k > 1) line = line//', '
-            line = line//model%variables(place)%group//'%'//model%variables(place)%name//' = ' &
-               //show_number(run%plan%base(place))//show_unit(model%unit_of(run%plan%base, place))
+            line = line//run%model%variables(place)%group//'%'//run%model%variables(place)%name//' = ' &
+               //show_number(run%plan%base(place))//show_unit(run%model%unit_of(run%plan%base, place))
          end associate
       end do
       if (len(line) > 0) line = 'at the first point, '//line//newline
    end function describe_first_point
 
    !> How long the run will take.
-   function describe_time(model, run) result(text)
-      !> The model, which solves some trial points.
-      class(model_t), intent(in) :: model
+   function describe_time(run) result(text)
       !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: text
       type(time_estimate_t) :: estimate
 
-      call estimate_time(model, run%plan, estimate)
+      call estimate_time(run, estimate)
       if (.not. estimate%is_known) then
          text = 'not known, no trial point could be solved'
          return
@@ -134,9 +127,7 @@ contains
    end function describe_time
 
    !> What follows from the values.
-   function describe_derived(model, run) result(lines)
-      !> The model, which says what follows from its values.
-      class(model_t), intent(in) :: model
+   function describe_derived(run) result(lines)
       !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
@@ -144,7 +135,7 @@ contains
       integer :: i
 
       lines = ''
-      allocate (list, source=model%get_derived(run%plan%base))
+      allocate (list, source=run%model%get_derived(run%plan%base))
       if (size(list) > 0) lines = 'derived'//newline
       do i = 1, size(list)
          lines = lines//pad(pad('  '//list(i)%name, name_width)//show_number(list(i)%value)//show_unit(list(i)%unit), &
@@ -153,9 +144,7 @@ contains
    end function describe_derived
 
    !> The swept variables, the slowest first.
-   function describe_sweep(model, run) result(lines)
-      !> The model of the run, with the names and units of its variables.
-      class(model_t), intent(in) :: model
+   function describe_sweep(run) result(lines)
       !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
@@ -163,11 +152,11 @@ contains
 
       lines = ''
       do k = 1, size(run%plan%axes)
-         associate (variable => model%variables(run%plan%axes(k)%variable), values => run%plan%axes(k)%values)
+         associate (variable => run%model%variables(run%plan%axes(k)%variable), values => run%plan%axes(k)%values)
             lines = lines//pad('sweep of '//variable%group//'%'//variable%name, name_width)// &
                show_count(size(values))//' values, '//show_number(values(1))
             if (size(values) > 1) lines = lines//' to '//show_number(values(size(values)))
-            lines = lines//show_unit(model%unit_of(run%plan%base, run%plan%axes(k)%variable))
+            lines = lines//show_unit(run%model%unit_of(run%plan%base, run%plan%axes(k)%variable))
             lines = lines//newline
          end associate
       end do

@@ -4,7 +4,6 @@ module adfric_command_plausibility
    use adfric_base_unset, only: is_set
    use adfric_base_text, only: newline, show_number
    use adfric_input_run, only: run_input_t
-   use adfric_model_model, only: model_t
    use adfric_model_plausible_range, only: find_plausible_range, is_plausible
    use adfric_model_table, only: kind_dataset
    implicit none (type, external)
@@ -14,9 +13,7 @@ module adfric_command_plausibility
 contains
 
    !> A line for each variable that has such a value.
-   function warn_of_values(model, run) result(lines)
-      !> The model, whose table gives the units and usual sizes of its variables.
-      class(model_t), intent(in) :: model
+   function warn_of_values(run) result(lines)
       !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
@@ -25,9 +22,9 @@ contains
       integer :: i, k
 
       lines = ''
-      do i = 1, size(model%variables)
-         associate (variable => model%variables(i))
-            unit = model%unit_of(run%plan%base, i)
+      do i = 1, size(run%model%variables)
+         associate (variable => run%model%variables(i))
+            unit = run%model%unit_of(run%plan%base, i)
             call find_plausible_range(variable, unit, lower, upper)
             associate (values => values_of(run, i, variable%kind == kind_dataset))
                k = findloc(is_plausible(values, lower, upper), .false., dim=1)
@@ -53,7 +50,7 @@ contains
       allocate (values(0))
       if (is_dataset) then
          if (run%datasets(place)%is_given()) values = [run%datasets(place)%highest, run%datasets(place)%lowest]
-      else if (run%is_swept(place)) then
+      else if (run%plan%is_swept(place)) then
          do k = 1, size(run%plan%axes)
             if (run%plan%axes(k)%variable == place) values = run%plan%axes(k)%values
          end do

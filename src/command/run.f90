@@ -1,7 +1,6 @@
 !> `adfric run`: solve every point of an input and write the results file.
 module adfric_command_run
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure
-   use adfric_base_kinds, only: dp, i8
    use adfric_base_printable, only: shell_word
    use adfric_base_text, only: newline, show_count
    use adfric_command_case, only: open_case
@@ -9,10 +8,8 @@ module adfric_command_run
    use adfric_command_outcome, only: outcome_t, exit_success, exit_not_converged, exit_signal
    use adfric_command_solve, only: solve_case, is_begun
    use adfric_input_run, only: run_input_t
-   use adfric_model_model, only: model_t
    use adfric_model_status, only: status_not_converged
    use adfric_output_done_points, only: read_done_points
-   use adfric_output_heading, only: heading_t, new_heading
    use adfric_output_layout, only: layout_t, new_layout
    use adfric_output_names, only: check_output_name, check_partial_name, partial_name, part_name, would_replace
    use adfric_output_resources, only: check_resources, check_memory
@@ -20,9 +17,9 @@ module adfric_command_run
    use adfric_run_agreement, only: share_answer, share_error, share_failure
    use adfric_run_world, only: world_t
    use adfric_run_block_source, only: block_list_t
-   use adfric_run_blocks, only: blocks_t, new_blocks
-   use adfric_run_plan, only: plan_t
+   use adfric_run_blocks, only: blocks_t
    use adfric_run_progress, only: progress_t
+   use adfric_run_run, only: run_t
    use adfric_run_summary, only: run_summary_t
    use adfric_system_files, only: kind_of_path, path_file, target_of, id_of_file, is_same, remove_file
    use adfric_system_interruption, only: signal_name
@@ -42,48 +39,46 @@ contains
       class(progress_t), intent(inout) :: progress
       !> Receives what the command has to say, and the exit status.
       type(outcome_t), intent(inout) :: outcome
-      class(model_t), allocatable :: model
       type(run_input_t) :: run
       type(run_summary_t) :: summary
       type(error_t), allocatable :: error
       logical :: is_complete
 
-      call open_case(command%subject, model, run, outcome)
+      call open_case(command%subject, run, outcome)
       call share_failure(world, outcome%exit_status, outcome%errors)
       if (outcome%exit_status /= exit_success) return
       if (len(command%output) > 0) run%output = command%output
-      run%output = target_of(part_name(run%output, command%part))
+      run%part = command%part
+      run%output = target_of(part_name(run%output, run%part))
       is_complete = .false.
-      if (world%is_first()) call find_complete(command, model, run, is_complete, summary, error)
-      if (.not. (allocated(error) .or. is_complete)) call check_output(command, world, model, run, error)
+      if (world%is_first()) call find_complete(command, run, is_complete, summary, error)
+      if (.not. (allocated(error) .or. is_complete)) call check_output(command, world, run, error)
       call share_error(world, error)
       call share_answer(world, is_complete)
       if (.not. (allocated(error) .or. is_complete)) then
-         call model%prepare()
-         call solve_case(command, world, model, run, progress, summary, error)
+         call run%model%prepare()
+         call solve_case(command, world, run, progress, summary, error)
       end if
       if (allocated(error)) then
          call outcome%fail(error)
       else if (summary%signal /= 0) then
-         call set_error(error, exit_signal + summary%signal, say_stopped(command, model, run, summary))
+         call set_error(error, exit_signal + summary%signal, say_stopped(command, run, summary))
          call outcome%fail(error)
       else
          if (summary%by_status(status_not_converged) > 0) outcome%exit_status = exit_not_converged
          if (command%is_quiet .or. .not. world%is_first()) return
-         call outcome%say(new_run_table(summary, model%describe_results(run%plan%base), run%output))
-         call outcome%say(model%describe_doubts(run%plan%base))
+         call outcome%say(new_run_table(summary, run%model%describe_results(run%plan%base), run%output))
+         call outcome%say(run%model%describe_doubts(run%plan%base))
          if (is_complete) call outcome%say('this run was complete already'//newline)
       end if
    end subroutine run_case
 
    !> Is the run that is to be resumed complete already? A file of another run is left to `check_output`.
-   subroutine find_complete(command, model, run, is_complete, summary, error)
+   subroutine find_complete(command, run, is_complete, summary, error)
       !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
       !> The run that the input describes.
-      type(run_input_t), intent(in) :: run
+      class(run_t), intent(in) :: run
       !> Is every point solved, so that nothing has to be done?
       logical, intent(out) :: is_complete
       !> Counts and ranges of the whole run; only to be used if it is complete.
@@ -91,7 +86,6 @@ contains
       !> Allocated if the file is not complete and may not be overwritten, or if its other name cannot be removed.
       type(error_t), allocatable, intent(out) :: error
       type(layout_t) :: layout
-      type(heading_t) :: heading
       type(block_list_t) :: list
       type(error_t), allocatable :: mismatch
       character(:), allocatable :: partial
@@ -107,9 +101,8 @@ contains
          call remove_file(partial, error)
          if (allocated(error)) return
       end if
-      call new_layout(layout, model, run%plan, command%part)
-      call new_heading(heading, model, run%plan, run%title, run%text)
-      call read_done_points(run%output, layout, heading, model, run%plan, list, summary, mismatch)
+      call new_layout(layout, run)
+      call read_done_points(run%output, run, layout, list, summary, mismatch)
       is_complete = .not. allocated(mismatch)
       if (is_complete) is_complete = list%n_left == 0
       if (is_complete .or. command%overwrite) return
@@ -126,21 +119,19 @@ contains
    end subroutine find_complete
 
    !> Can the results be written? Asked before anything is solved.
-   subroutine check_output(command, world, model, run, error)
+   subroutine check_output(command, world, run, error)
       !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
       !> The processes that take part; the first one looks at the names, all look at the memory.
       type(world_t), intent(in) :: world
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
       !> The run that the input describes.
-      type(run_input_t), intent(in) :: run
+      class(run_t), intent(in) :: run
       !> Allocated if the results cannot be written.
       type(error_t), allocatable, intent(out) :: error
       integer :: k
 
       if (.not. world%is_first()) then
-         call check_memory(model, run%plan, error, world%n_here)
+         call check_memory(run, world%n_here, error)
          if (allocated(error)) error%message = command%subject//': '//error%message
          return
       end if
@@ -151,34 +142,32 @@ contains
       do k = 1, size(run%datasets)
          if (.not. run%datasets(k)%is_given()) cycle
          if (.not. would_replace(run%output, run%datasets(k)%file)) cycle
-         call set_error(error, input_failure, run%output//': the results would replace the data of '//model%variables(k)%name)
+         call set_error(error, input_failure, run%output//': the results would replace the data of '//run%model%variables(k)%name)
          return
       end do
       call check_output_name(run%output, command%overwrite, error)
       if (.not. allocated(error)) call check_partial_name(run%output, command%overwrite .or. command%resumes, error)
       if (allocated(error)) return
       if (is_begun(command, run)) then
-         call check_memory(model, run%plan, error, world%n_here)
+         call check_memory(run, world%n_here, error)
       else
-         call check_resources(model, run%plan, run%output, error, command%part, world%n_here)
+         call check_resources(run, world%n_here, error)
       end if
       if (allocated(error)) error%message = command%subject//': '//error%message
    end subroutine check_output
 
    !> What a run says that was asked to end, and how it goes on.
-   function say_stopped(command, model, run, summary) result(text)
+   function say_stopped(command, run, summary) result(text)
       !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
       !> The run that the input describes.
-      type(run_input_t), intent(in) :: run
+      class(run_t), intent(in) :: run
       !> Counts of the points that are solved, and the signal that ended the run.
       type(run_summary_t), intent(in) :: summary
       character(:), allocatable :: text
       type(blocks_t) :: blocks
 
-      call new_blocks(blocks, run%plan%n_points(), command%part, model%largest_block)
+      blocks = run%blocks()
       text = command%subject//': stopped by '//signal_name(summary%signal)//', '//show_count(summary%n_points)//' of ' &
          //show_count(blocks%n_points())//' points are in '//partial_name(run%output)//'; adfric run --resume'
       if (.not. command%part%is_whole()) &

@@ -5,16 +5,14 @@ module adfric_command_solve
    use adfric_base_error, only: error_t
    use adfric_command_line, only: command_t
    use adfric_hdf5_calls, only: hdf5_calls_t
-   use adfric_input_run, only: run_input_t
-   use adfric_model_model, only: model_t
    use adfric_output_names, only: partial_name
    use adfric_output_results_file, only: results_file_t
    use adfric_run_agreement, only: share_error, share_done_blocks, add_up_summary
    use adfric_run_shared_blocks, only: shared_blocks_t, new_shared_blocks
    use adfric_run_world, only: world_t
    use adfric_run_block_source, only: block_list_t, new_block_list
-   use adfric_run_blocks, only: blocks_t, new_blocks
    use adfric_run_progress, only: progress_t
+   use adfric_run_run, only: run_t
    use adfric_run_runner, only: run_sweep
    use adfric_run_summary, only: run_summary_t, new_summary
    use adfric_system_files, only: kind_of_path, path_file
@@ -27,15 +25,13 @@ module adfric_command_solve
 contains
 
    !> Solve every point that is not solved yet, and write the results. Only the first process names and completes the file.
-   subroutine solve_case(command, world, model, run, progress, summary, error)
+   subroutine solve_case(command, world, run, progress, summary, error)
       !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
       !> The processes that solve the run together.
       type(world_t), intent(inout) :: world
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
       !> The run that the input describes.
-      type(run_input_t), intent(in) :: run
+      class(run_t), intent(in) :: run
       !> Is told from time to time how many points are solved.
       class(progress_t), intent(inout) :: progress
       !> Summary of all processes; the points that were solved before count in the first of them alone.
@@ -47,12 +43,12 @@ contains
       type(block_list_t) :: list
 
       call catch_signals()
-      call begin_file(command, world, model, run, results, list, before, error)
+      call begin_file(command, world, run, results, list, before, error)
       if (allocated(error)) return
       if (world%n_ranks == 1) then
-         call run_sweep(model, run%plan, results, progress, summary, error, list)
+         call run_sweep(run, results, progress, summary, error, list)
       else
-         call solve_together(world, model, run, results, list, progress, summary, error)
+         call solve_together(world, run, results, list, progress, summary, error)
       end if
       if (world%is_first()) then
          call summary%merge(before)
@@ -64,15 +60,13 @@ contains
    end subroutine solve_case
 
    !> Create the file or go on with the one that is there, and find the blocks that are left.
-   subroutine begin_file(command, world, model, run, results, list, before, error)
+   subroutine begin_file(command, world, run, results, list, before, error)
       !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
       !> The processes that solve the run together.
       type(world_t), intent(in) :: world
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
       !> The run that the input describes.
-      type(run_input_t), intent(in) :: run
+      class(run_t), intent(in) :: run
       !> The results file, open in the first process alone.
       type(results_file_t), intent(inout) :: results
       !> Blocks of the run, with those marked that are solved; the same in all processes.
@@ -81,7 +75,6 @@ contains
       type(run_summary_t), intent(out) :: before
       !> Not allocated if all went well; the same in all processes.
       type(error_t), allocatable, intent(out) :: error
-      type(blocks_t) :: blocks
       logical :: resumes
 
       call check_threads(omp_get_max_threads(), error)
@@ -91,16 +84,15 @@ contains
       resumes = .false.
       if (world%is_first()) resumes = is_begun(command, run)
       if (resumes) then
-         call results%resume(run%output, command%overwrite, model, run%plan, list, before, error, command%part)
+         call results%resume(run, command%overwrite, list, before, error)
       else
-         call new_blocks(blocks, run%plan%n_points(), command%part, model%largest_block)
-         call new_block_list(list, blocks)
-         call new_summary(before, model%results)
+         call new_block_list(list, run%blocks())
+         call new_summary(before, run%model%results)
          if (world%n_ranks == 1) then
             ! the file is created while the first points are solved
-            call results%begin(run%output, command%overwrite, model, run%plan, run%title, run%text, error, command%part)
+            call results%begin(run, command%overwrite, error)
          else if (world%is_first()) then
-            call results%create(run%output, command%overwrite, model, run%plan, run%title, run%text, error, command%part)
+            call results%create(run, command%overwrite, error)
          end if
       end if
       call share_error(world, error)
@@ -112,20 +104,18 @@ contains
       !> What the user asks for on the command line.
       type(command_t), intent(in) :: command
       !> The run that the input describes.
-      type(run_input_t), intent(in) :: run
+      class(run_t), intent(in) :: run
 
       is_begun = .false.
       if (command%resumes) is_begun = kind_of_path(partial_name(run%output)) == path_file
    end function is_begun
 
    !> Solve the blocks of a list together with the other processes. An error in one of them ends the work of all.
-   subroutine solve_together(world, model, run, results, list, progress, summary, error)
+   subroutine solve_together(world, run, results, list, progress, summary, error)
       !> The processes that solve the run together.
       type(world_t), intent(inout), target :: world
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
       !> The run that the input describes.
-      type(run_input_t), intent(in) :: run
+      class(run_t), intent(in) :: run
       !> The results file, open in the first process alone, before and after.
       type(results_file_t), intent(inout) :: results
       !> Blocks of the run, with those marked that are solved; the same in all processes.
@@ -140,11 +130,11 @@ contains
       integer(hid_t) :: access
       type(hdf5_calls_t) :: calls
 
-      call new_summary(summary, model%results)
+      call new_summary(summary, run%model%results)
       if (world%is_first()) then
          call results%hand_over(error)
       else
-         call results%join(run%output, model, run%plan, list%blocks%part)
+         call results%join(run)
       end if
       call share_error(world, error)
       if (allocated(error)) return
@@ -154,7 +144,7 @@ contains
       call share_error(world, error)
       if (.not. allocated(error)) then
          call new_shared_blocks(blocks, list, world)
-         call run_sweep(model, run%plan, results, progress, summary, error, blocks)
+         call run_sweep(run, results, progress, summary, error, blocks)
       end if
       call results%close_shared(error)
       call share_error(world, error)

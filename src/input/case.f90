@@ -3,7 +3,7 @@ module adfric_input_case
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_words, only: has_word
-   use adfric_input_dataset, only: dataset_t, read_dataset_name
+   use adfric_input_dataset, only: read_dataset_name
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest
    use adfric_input_variable, only: read_variable, describe_allowed
@@ -11,6 +11,7 @@ module adfric_input_case
    use adfric_model_model, only: model_t
    use adfric_model_table, only: kind_dataset
    use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of
+   use adfric_run_dataset, only: dataset_t
    implicit none (type, external)
    private
    public :: case_t, read_groups, mark_meant

@@ -1,68 +1,25 @@
 !> A dataset of an HDF5 file that a variable names, as in 'FILE.h5:/path/of/dataset'.
 module adfric_input_dataset
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use adfric_base_kinds, only: dp, i8
+   use adfric_base_kinds, only: dp
    use adfric_base_units, only: unit_t, read_unit, is_same_quantity, to_si
-   use adfric_base_text, only: longest_name, show_count, show_number, show_text
+   use adfric_base_text, only: longest_name, show_number, show_text
    use adfric_hdf5_samples, only: read_numbers
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_model_table, only: variable_t
-   use adfric_system_checksum, only: checksum_t, checksum_length
+   use adfric_run_dataset, only: dataset_t
+   use adfric_system_checksum, only: checksum_t
    implicit none (type, external)
    private
-   public :: dataset_t, read_dataset_name, load_dataset
+   public :: read_dataset_name, load_dataset
 
    !> What stands between the name of the file and that of the dataset, with which the latter begins.
    character(*), parameter :: divider = ':/'
    !> Sizes of the numbers of physics: none is larger, and if all are smaller they should be 0.
    real(dp), parameter :: largest = 1.0e60_dp, smallest = 1.0e-60_dp
 
-   !> A dataset; everything but `text` is known once it has been loaded.
-   type :: dataset_t
-      !> Names of file and dataset as the input has them; not allocated where no dataset is given.
-      character(:), allocatable :: text
-      !> Name of the file, and of the dataset within it.
-      character(:), allocatable :: file, path
-      !> Number of values along each dimension, as the file has them: the slowest first.
-      integer(i8), allocatable :: counts(:)
-      !> Units in which the file has the values; empty where it does not say them, and they are in SI units.
-      character(:), allocatable :: units
-      !> Range of the values in SI units.
-      real(dp) :: lowest = 0, highest = 0
-      !> Checksum of the values in SI units as 64-bit numbers, in the order of the file.
-      character(checksum_length) :: checksum = ''
-   contains
-      procedure :: is_given
-      procedure :: describe
-   end type dataset_t
-
 contains
-
-   !> Does a variable name a dataset?
-   elemental logical function is_given(self)
-      !> The dataset of a variable; it has a text if the variable names one.
-      class(dataset_t), intent(in) :: self
-
-      is_given = allocated(self%text)
-   end function is_given
-
-   !> The dataset with its shape and range, in words.
-   pure function describe(self) result(text)
-      !> A dataset that has been loaded.
-      class(dataset_t), intent(in) :: self
-      character(:), allocatable :: text
-      integer :: k
-
-      text = ''''//self%text//''', '
-      do k = 1, size(self%counts)
-         if (k > 1) text = text//' x '
-         text = text//show_count(self%counts(k))
-      end do
-      text = text//' values'
-      if (len(self%units) > 0) text = text//' in '//show_text(self%units)
-      text = text//', '//show_number(self%lowest)//' to '//show_number(self%highest)
-   end function describe
 
    !> Read the name of a dataset.
    pure subroutine read_dataset_name(text, dataset, flaw, place)

@@ -3,13 +3,12 @@ module adfric_input_dataset_loading
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_input_case, only: case_t
-   use adfric_input_dataset, only: dataset_t, load_dataset
+   use adfric_input_dataset, only: load_dataset
    use adfric_input_variable, only: describe_allowed
    use adfric_model_model, only: model_t
-   use adfric_run_plan, only: source_t
    implicit none (type, external)
    private
-   public :: load_datasets, list_sources
+   public :: load_datasets
 
 contains
 
@@ -45,24 +44,5 @@ contains
          end associate
       end do
    end subroutine load_datasets
-
-   !> The datasets that are given, for those who only need to know which they are.
-   subroutine list_sources(datasets, sources)
-      !> One for each variable of the model, with no text where the variable names no dataset.
-      type(dataset_t), intent(in) :: datasets(:)
-      !> Place of the variable, name and checksum of each dataset that is given.
-      type(source_t), allocatable, intent(out) :: sources(:)
-      integer :: i, n
-
-      allocate (sources(count(datasets%is_given())))
-      n = 0
-      do i = 1, size(datasets)
-         if (.not. datasets(i)%is_given()) cycle
-         n = n + 1
-         sources(n)%variable = i
-         sources(n)%name = datasets(i)%text
-         sources(n)%checksum = datasets(i)%checksum
-      end do
-   end subroutine list_sources
 
 end module adfric_input_dataset_loading

@@ -1,6 +1,6 @@
 !> A run as the user describes it, in two steps: which model is wanted, then its case and sweep.
 !>
-!> Between them the caller makes the model, so that nothing here knows of any particular one.
+!> Between them the caller makes the model of that name, so that nothing here knows of any particular one.
 module adfric_input_run
    use adfric_base_error, only: error_t
    use adfric_base_problems, only: problems_t
@@ -8,38 +8,24 @@ module adfric_input_run
    use adfric_base_words, only: has_word
    use adfric_input_case, only: case_t, read_groups
    use adfric_input_consistency, only: check_consistency
-   use adfric_input_dataset, only: dataset_t
-   use adfric_input_dataset_loading, only: load_datasets, list_sources
+   use adfric_input_dataset_loading, only: load_datasets
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_input_sweep, only: read_sweeps, find_size_problem
    use adfric_input_vocabulary, only: job_names, report_unknown_names
-   use adfric_model_model, only: model_t
-   use adfric_run_plan, only: plan_t
+   use adfric_run_run, only: run_t
    implicit none (type, external)
    private
    public :: run_input_t, read_job, read_case
 
-   !> A run.
-   type :: run_input_t
+   !> A run, and what its input says of it beside.
+   type, extends(run_t) :: run_input_t
       !> Name of the model; empty if the file names none that is known.
-      character(:), allocatable :: model
-      !> Title; empty if there is none.
-      character(:), allocatable :: title
-      !> Name of the results file.
-      character(:), allocatable :: output
-      !> The whole text of the input.
-      character(:), allocatable :: text
-      !> Every point; only to be used when there are no problems.
-      type(plan_t) :: plan
+      character(:), allocatable :: model_name
       !> Which variables the file gives in their groups, shape `(n_variables)`.
       logical, allocatable :: is_given(:)
-      !> Which variables the file sweeps, shape `(n_variables)`.
-      logical, allocatable :: is_swept(:)
-      !> Datasets that the file names, shape `(n_variables)`; without a text where a variable names none.
-      type(dataset_t), allocatable :: datasets(:)
    end type run_input_t
 
 contains
@@ -60,7 +46,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       integer :: group
 
-      run%model = ''
+      run%model_name = ''
       run%title = ''
       run%output = default_output(path)
       call open_namelist_file(file, path, problems, error)
@@ -77,35 +63,32 @@ contains
       call report_unknown_names(file, group, job_names, problems)
       call read_word(file, group, 'title', run%title, problems)
       call read_output(file, group, run%output, problems)
-      call read_model(file, group, known_models, run%model, problems)
+      call read_model(file, group, known_models, run%model_name, problems)
    end subroutine read_job
 
    !> Read the case and the sweep of the model that the input wants, and hand the model its datasets.
-   subroutine read_case(file, model, run, problems)
+   subroutine read_case(file, run, problems)
       !> The input, cut into groups and assignments by `read_job`.
       type(namelist_file_t), intent(in) :: file
-      !> The model that the input wants; it takes over the values of the datasets.
-      class(model_t), intent(inout) :: model
-      !> In: what `read_job` has found. Out: also the points, the datasets, and what is given or swept.
+      !> In: what `read_job` has found, and the model. Out: also the points, the datasets, and what is given; they are only to be
+      !> used when there are no problems.
       type(run_input_t), intent(inout) :: run
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(case_t) :: input
       character(:), allocatable :: text
 
-      call read_groups(file, model, input, problems)
-      if (.not. problems%is_enough()) call read_sweeps(file, model, input, run%plan%axes, problems)
+      call read_groups(file, run%model, input, problems)
+      if (.not. problems%is_enough()) call read_sweeps(file, run%model, input, run%plan%axes, problems)
       ! what has not been read is not missing
       if (problems%is_enough()) return
-      call load_datasets(model, input, problems)
-      call check_consistency(file, model, input, run%plan%axes, problems)
+      call load_datasets(run%model, input, problems)
+      call check_consistency(file, run%model, input, run%plan%axes, problems)
       text = find_size_problem(run%plan)
       if (len(text) > 0) call problems%add('sweep', '', text)
       call move_alloc(input%values, run%plan%base)
       call move_alloc(input%is_given, run%is_given)
-      call move_alloc(input%is_swept, run%is_swept)
       call move_alloc(input%datasets, run%datasets)
-      call list_sources(run%datasets, run%plan%sources)
    end subroutine read_case
 
    !> The name of the input, without folder and with `.h5` for its extension.

@@ -3,9 +3,9 @@ module adfric_output_constants
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: has_word
-   use adfric_model_model, only: model_t, derived_t
+   use adfric_model_model, only: derived_t
    use adfric_model_table, only: variable_t, kind_choice, kind_dataset, kind_logical
-   use adfric_run_plan, only: plan_t
+   use adfric_run_run, only: run_t
    implicit none (type, external)
    private
    public :: constant_t, find_constants, add_derived_constants, file_unit
@@ -27,24 +27,22 @@ module adfric_output_constants
 contains
 
    !> The variables that have one value.
-   subroutine find_constants(model, plan, constants)
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
+   subroutine find_constants(run, constants)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       !> Receives the variables that are set and not swept, but for datasets.
       type(constant_t), allocatable, intent(out) :: constants(:)
       type(constant_t) :: constant
       integer :: i
 
       allocate (constants(0))
-      do i = 1, size(model%variables)
-         associate (variable => model%variables(i))
-            if (variable%kind == kind_dataset .or. .not. is_set(plan%base(i)) .or. is_swept(plan, i)) cycle
-            constant%name = name_of(model, plan, i)
-            constant%unit = file_unit(model%unit_of(plan%base, i))
+      do i = 1, size(run%model%variables)
+         associate (variable => run%model%variables(i))
+            if (variable%kind == kind_dataset .or. .not. is_set(run%plan%base(i)) .or. run%plan%is_swept(i)) cycle
+            constant%name = name_of(run, i)
+            constant%unit = file_unit(run%model%unit_of(run%plan%base, i))
             constant%long_name = variable%meaning
-            constant%value = plan%base(i)
+            constant%value = run%plan%base(i)
             constant%flag_meanings = ''
             constant%first_flag = 0
             if (variable%kind == kind_logical) constant%flag_meanings = logical_words
@@ -58,11 +56,9 @@ contains
    end subroutine find_constants
 
    !> Add the quantities that follow from what is not swept. It may take a while, as for the spectrum of a surface.
-   subroutine add_derived_constants(model, plan, constants)
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
+   subroutine add_derived_constants(run, constants)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       !> The constants so far; the derived quantities that have one value in the run are added.
       type(constant_t), allocatable, intent(inout) :: constants(:)
       type(derived_t), allocatable :: derived(:)
@@ -70,11 +66,11 @@ contains
       logical :: is_constant
       integer :: i, k
 
-      allocate (derived, source=model%get_derived(plan%base))
+      allocate (derived, source=run%model%get_derived(run%plan%base))
       do i = 1, size(derived)
-         is_constant = .not. has_word(list_taken(model, plan), derived(i)%name)
-         do k = 1, size(plan%axes)
-            if (derived(i)%follows_from(model%variables(plan%axes(k)%variable)%name)) is_constant = .false.
+         is_constant = .not. has_word(list_taken(run), derived(i)%name)
+         do k = 1, size(run%plan%axes)
+            if (derived(i)%follows_from(run%model%variables(run%plan%axes(k)%variable)%name)) is_constant = .false.
          end do
          if (.not. is_constant) cycle
          constant%name = derived(i)%name
@@ -96,59 +92,41 @@ contains
       if (len_trim(unit) == 0 .or. unit == '-') text = '1'
    end function file_unit
 
-   !> Is a variable swept?
-   pure logical function is_swept(plan, variable)
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
-      !> Place of the variable in the variables of the model.
-      integer, intent(in) :: variable
-      integer :: k
-
-      is_swept = .false.
-      do k = 1, size(plan%axes)
-         is_swept = is_swept .or. plan%axes(k)%variable == variable
-      end do
-   end function is_swept
-
    !> Name of a variable in the file; with its group before it where it would not be the only one of its name.
-   function name_of(model, plan, variable) result(name)
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
+   function name_of(run, variable) result(name)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       !> Place of the variable in the variables of the model.
       integer, intent(in) :: variable
       character(:), allocatable :: name
       logical :: is_alone
       integer :: i
 
-      name = model%variables(variable)%name
-      is_alone = .not. has_word(list_taken(model, plan), name)
-      do i = 1, size(model%variables)
-         if (i == variable .or. model%variables(i)%name /= name) cycle
-         if (model%variables(i)%has_bare_name .or. .not. model%variables(variable)%has_bare_name) is_alone = .false.
+      name = run%model%variables(variable)%name
+      is_alone = .not. has_word(list_taken(run), name)
+      do i = 1, size(run%model%variables)
+         if (i == variable .or. run%model%variables(i)%name /= name) cycle
+         if (run%model%variables(i)%has_bare_name .or. .not. run%model%variables(variable)%has_bare_name) is_alone = .false.
       end do
-      if (.not. is_alone) name = model%variables(variable)%group//'_'//name
+      if (.not. is_alone) name = run%model%variables(variable)%group//'_'//name
    end function name_of
 
    !> Names of the other datasets that a file may have: results, profiles and their axes, swept variables.
-   function list_taken(model, plan) result(names)
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
+   function list_taken(run) result(names)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       character(:), allocatable :: names
       integer :: i
 
-      names = 'status error_estimate blocks '//model%profile_axes
-      do i = 1, size(model%results)
-         names = names//' '//model%results(i)%name
+      names = 'status error_estimate blocks '//run%model%profile_axes
+      do i = 1, size(run%model%results)
+         names = names//' '//run%model%results(i)%name
       end do
-      do i = 1, size(model%profiles)
-         names = names//' '//model%profiles(i)%name
+      do i = 1, size(run%model%profiles)
+         names = names//' '//run%model%profiles(i)%name
       end do
-      do i = 1, size(plan%axes)
-         names = names//' '//model%variables(plan%axes(i)%variable)%name
+      do i = 1, size(run%plan%axes)
+         names = names//' '//run%model%variables(run%plan%axes(i)%variable)%name
       end do
    end function list_taken
 

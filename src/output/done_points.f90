@@ -8,15 +8,14 @@ module adfric_output_done_points
    use adfric_hdf5_calls, only: hdf5_calls_t
    use adfric_hdf5_file, only: open_file, close_file
    use adfric_hdf5_reading, only: read_attribute
-   use adfric_model_model, only: model_t
    use adfric_model_status, only: status_solved
    use adfric_output_block_sums, only: sum_of_block, sum_of_profiles
    use adfric_output_datasets, only: datasets_t
-   use adfric_output_heading, only: heading_t, read_heading, say_difference
+   use adfric_output_heading, only: heading_t, new_heading, read_heading, say_difference
    use adfric_output_layout, only: layout_t
    use adfric_output_seal, only: check_seal
    use adfric_run_block_source, only: block_list_t, new_block_list
-   use adfric_run_plan, only: plan_t
+   use adfric_run_run, only: run_t
    use adfric_run_summary, only: run_summary_t, new_summary
    implicit none (type, external)
    private
@@ -28,17 +27,13 @@ module adfric_output_done_points
 contains
 
    !> Find the blocks that are solved in the file of a run, complete or not, and what they add to the run's summary.
-   subroutine read_done_points(path, layout, heading, model, plan, list, summary, error)
+   subroutine read_done_points(path, run, layout, list, summary, error)
       !> Name of the file.
       character(*), intent(in) :: path
-      !> Layout of the run, which the file must have, too.
+      !> The run, to which the file must belong.
+      class(run_t), intent(in) :: run
+      !> Layout of the run.
       type(layout_t), intent(in) :: layout
-      !> Heading of the run; that of the file must be of the same run.
-      type(heading_t), intent(in) :: heading
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
       !> Receives the blocks of the run, without those that are solved in the file.
       type(block_list_t), intent(out) :: list
       !> Summary of the points that are solved; its time is that which they took, if it is known.
@@ -46,12 +41,13 @@ contains
       !> Allocated if the file cannot be read, or belongs to another run.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
-      type(heading_t) :: found
+      type(heading_t) :: found, heading
       type(datasets_t) :: datasets
       integer(hid_t) :: file
 
       call new_block_list(list, layout%blocks)
-      call new_summary(summary, model%results)
+      call new_summary(summary, run%model%results)
+      call new_heading(heading, run)
       call check_seal(path, error)
       if (allocated(error)) return
       call open_file(calls, path, .false., file)
@@ -66,7 +62,7 @@ contains
          ! it is NaN in the file of a run that was killed, and may be anything in one that is damaged
          if (.not. ieee_is_finite(summary%wall_seconds)) summary%wall_seconds = 0
          summary%wall_seconds = max(summary%wall_seconds, 0.0_dp)
-         call scan(calls, datasets, layout, model, plan, list, summary)
+         call scan(calls, datasets, layout, run, list, summary)
          call datasets%close(calls)
       end if
       call close_file(calls, file)
@@ -74,17 +70,15 @@ contains
    end subroutine read_done_points
 
    !> Go through all blocks.
-   subroutine scan(calls, datasets, layout, model, plan, list, summary)
+   subroutine scan(calls, datasets, layout, run, list, summary)
       !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> The open datasets of the file.
       type(datasets_t), intent(in) :: datasets
       !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       !> The blocks that are left; those that are solved in the file are removed.
       type(block_list_t), intent(inout) :: list
       !> Summary of the run; the points that are solved in the file are added, and those of damaged blocks counted.
@@ -95,7 +89,7 @@ contains
       integer(i8) :: place, row, sum
       integer :: i, k, n, first
 
-      allocate (results(layout%blocks%size, size(model%results)), error_estimate(layout%blocks%size))
+      allocate (results(layout%blocks%size, size(run%model%results)), error_estimate(layout%blocks%size))
       do place = 1, layout%blocks%n_blocks(), blocks_at_once
          row = (place - 1)*layout%blocks%size + 1
          allocate (status(min(int(blocks_at_once, i8)*layout%blocks%size, layout%blocks%n_points() - row + 1)))
@@ -115,7 +109,7 @@ contains
                cycle
             end if
             call list%mark_done(place + i)
-            call add_swept(layout, model, plan, layout%blocks%block_at(place + i), results(:n, :))
+            call add_swept(layout, run, layout%blocks%block_at(place + i), results(:n, :))
             call summary%add_points(transpose(results(:n, :)), [(status_of_block(k), k=1, n)])
          end do
          deallocate (status, sums)
@@ -166,13 +160,11 @@ contains
    end subroutine read_block
 
    !> Results that are swept stand in the file as axes alone.
-   subroutine add_swept(layout, model, plan, block, results)
+   subroutine add_swept(layout, run, block, results)
       !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       !> Number of the block in the run, from 1.
       integer(i8), intent(in) :: block
       !> Results of the block, shape `(n_points, n_results)`; those that are swept receive their values.
@@ -181,13 +173,13 @@ contains
       integer :: i, k
 
       do k = 1, size(layout%axes)
-         do i = 1, size(model%results)
-            if (model%results(i)%name /= layout%axes(k)%name) cycle
+         do i = 1, size(run%model%results)
+            if (run%model%results(i)%name /= layout%axes(k)%name) cycle
             if (.not. allocated(values)) then
-               allocate (values(size(model%variables), size(results, 1)))
-               call plan%get_values(layout%blocks%first_point(block), values)
+               allocate (values(size(run%model%variables), size(results, 1)))
+               call run%plan%get_values(layout%blocks%first_point(block), values)
             end if
-            results(:, i) = values(plan%axes(k)%variable, :)
+            results(:, i) = values(run%plan%axes(k)%variable, :)
          end do
       end do
    end subroutine add_swept

@@ -7,9 +7,8 @@ module adfric_output_heading
    use adfric_hdf5_attributes, only: write_attribute
    use adfric_hdf5_calls, only: hdf5_calls_t
    use adfric_hdf5_reading, only: has_attribute, read_attribute
-   use adfric_model_model, only: model_t
    use adfric_run_case_hash, only: case_hash
-   use adfric_run_plan, only: plan_t
+   use adfric_run_run, only: run_t
    use adfric_system_files, only: utc_time
    implicit none (type, external)
    private
@@ -49,50 +48,43 @@ module adfric_output_heading
 contains
 
    !> The heading of a run of this program.
-   subroutine new_heading(self, model, plan, title, input)
+   subroutine new_heading(self, run)
       !> Receives the texts; its history is empty.
       type(heading_t), intent(out) :: self
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
-      !> Title of the run; empty: the name of the model is taken.
-      character(*), intent(in) :: title
-      !> Whole text of the input file.
-      character(*), intent(in) :: input
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
 
-      self%title = title
+      self%title = run%title
       ! the CF conventions want one
-      if (len_trim(title) == 0) self%title = model%name
-      self%model = model%name
-      self%references = model%references
+      if (len_trim(self%title) == 0) self%title = run%model%name
+      self%model = run%model%name
+      self%references = run%model%references
       self%history = ''
       self%version = program_version
       self%revision = git_revision
       self%compiler = compiler_version()
-      self%input = input
-      self%hash = case_hash(model, plan)
-      call set_data(self, model, plan)
+      self%input = run%text
+      self%hash = case_hash(run)
+      call set_data(self, run)
    end subroutine new_heading
 
    !> What is said of the datasets that the input names.
-   subroutine set_data(self, model, plan)
+   subroutine set_data(self, run)
       !> Receives the names and the checksums of the datasets.
       type(heading_t), intent(inout) :: self
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       integer :: i, n
 
-      n = 0
-      if (allocated(plan%sources)) n = size(plan%sources)
-      allocate (self%data(n))
+      allocate (self%data(count(run%datasets%is_given())))
       self%data_names = ''
-      do i = 1, n
-         self%data_names = trim(self%data_names//' '//model%variables(plan%sources(i)%variable)%name)
-         self%data(i)%name = plan%sources(i)%name
-         self%data(i)%checksum = plan%sources(i)%checksum
+      n = 0
+      do i = 1, size(run%datasets)
+         if (.not. run%datasets(i)%is_given()) cycle
+         n = n + 1
+         self%data_names = trim(self%data_names//' '//run%model%variables(i)%name)
+         self%data(n)%name = run%datasets(i)%text
+         self%data(n)%checksum = run%datasets(i)%checksum
       end do
       self%data_names = trim(adjustl(self%data_names))
    end subroutine set_data

@@ -2,11 +2,10 @@
 module adfric_output_layout
    use adfric_base_kinds, only: dp, i8
    use adfric_base_words, only: count_words
-   use adfric_model_model, only: model_t
    use adfric_model_table, only: result_t, profile_t, results_of_every_run
    use adfric_output_constants, only: constant_t, find_constants, file_unit
-   use adfric_run_blocks, only: blocks_t, part_t, new_blocks
-   use adfric_run_plan, only: plan_t
+   use adfric_run_blocks, only: blocks_t
+   use adfric_run_run, only: run_t
    implicit none (type, external)
    private
    public :: layout_t, new_layout, scale_t, field_t, set_status_fields
@@ -66,57 +65,52 @@ module adfric_output_layout
 contains
 
    !> Find the datasets of a run.
-   subroutine new_layout(self, model, plan, part)
+   subroutine new_layout(self, run)
       !> Receives the datasets and the points of the file.
       type(layout_t), intent(out) :: self
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
-      !> Part of the run that the file holds; the whole run if absent.
-      type(part_t), intent(in), optional :: part
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       type(result_t), allocatable :: results(:)
       integer :: i
 
-      results = model%describe_results(plan%base)
-      call find_constants(model, plan, self%constants)
-      call find_axes(model, plan, self%axes)
+      results = run%model%describe_results(run%plan%base)
+      call find_constants(run, self%constants)
+      call find_axes(run, self%axes)
       call find_fields(results, self%axes, self%fields)
-      if (model%wants_profiles(plan%base)) then
-         call find_profile_axes(model, plan%base, self%profile_axes)
-         call find_profiles(model%describe_profiles(plan%base), self%profiles)
+      if (run%model%wants_profiles(run%plan%base)) then
+         call find_profile_axes(run, self%profile_axes)
+         call find_profiles(run%model%describe_profiles(run%plan%base), self%profiles)
       else
          allocate (self%profile_axes(0), self%profiles(0))
       end if
-      call new_blocks(self%blocks, plan%n_points(), part, model%largest_block)
-      allocate (self%counts(size(model%counts)))
-      do i = 1, size(model%counts)
-         call set_field(self%counts(i), model%counts(i)%name, '-', 'sum over the points of a block, for the attribute of this name')
+      self%blocks = run%blocks()
+      allocate (self%counts(size(run%model%counts)))
+      do i = 1, size(self%counts)
+         call set_field(self%counts(i), run%model%counts(i)%name, '-', &
+            'sum over the points of a block, for the attribute of this name')
       end do
    end subroutine new_layout
 
    !> Name the swept variables: by their own names or, where two of them share it, with the group before it.
-   subroutine find_axes(model, plan, axes)
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
+   subroutine find_axes(run, axes)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       !> Receives a scale for each swept variable, the slowest first.
       type(scale_t), allocatable, intent(out) :: axes(:)
       integer :: k, i, n_same
 
-      allocate (axes(size(plan%axes)))
+      allocate (axes(size(run%plan%axes)))
       do k = 1, size(axes)
-         associate (variable => model%variables(plan%axes(k)%variable), axis => axes(k))
+         associate (variable => run%model%variables(run%plan%axes(k)%variable), axis => axes(k))
             n_same = 0
             do i = 1, size(axes)
-               if (model%variables(plan%axes(i)%variable)%name == variable%name) n_same = n_same + 1
+               if (run%model%variables(run%plan%axes(i)%variable)%name == variable%name) n_same = n_same + 1
             end do
             axis%name = variable%name
             if (n_same > 1) axis%name = variable%group//'_'//variable%name
-            axis%unit = file_unit(model%unit_of(plan%base, plan%axes(k)%variable))
+            axis%unit = file_unit(run%model%unit_of(run%plan%base, run%plan%axes(k)%variable))
             axis%long_name = variable%meaning
-            axis%values = plan%axes(k)%values
+            axis%values = run%plan%axes(k)%values
          end associate
       end do
    end subroutine find_axes
@@ -180,11 +174,9 @@ contains
    end subroutine set_field
 
    !> Axes along which a profile has more than one value.
-   subroutine find_profile_axes(model, values, axes)
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Values of all variables of the model where nothing is swept; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
+   subroutine find_profile_axes(run, axes)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       !> Receives the axes, the slowest first.
       type(scale_t), allocatable, intent(out) :: axes(:)
       type(profile_t) :: coordinate
@@ -192,12 +184,12 @@ contains
       integer :: k
 
       allocate (axes(0))
-      do k = 1, count_words(model%profile_axes)
-         coordinate = model%describe_profile_axis(values, k)
+      do k = 1, count_words(run%model%profile_axes)
+         coordinate = run%model%describe_profile_axis(run%plan%base, k)
          axis%name = coordinate%name
          axis%unit = file_unit(coordinate%unit)
          axis%long_name = coordinate%long_name
-         axis%values = model%get_profile_axis(values, k)
+         axis%values = run%model%get_profile_axis(run%plan%base, k)
          if (size(axis%values) > 1) axes = [axes, axis]
       end do
    end subroutine find_profile_axes

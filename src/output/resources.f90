@@ -2,10 +2,8 @@
 module adfric_output_resources
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_model_model, only: model_t
    use adfric_output_layout, only: layout_t, new_layout
-   use adfric_run_blocks, only: part_t
-   use adfric_run_plan, only: plan_t
+   use adfric_run_run, only: run_t
    use adfric_run_runner, only: memory_needed
    use adfric_system_files, only: folder_of, free_space
    use adfric_system_memory, only: free_memory
@@ -16,22 +14,16 @@ module adfric_output_resources
 contains
 
    !> Refuse a run that is too large for the disk or the memory.
-   subroutine check_resources(model, plan, path, error, part, n_alike)
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
-      !> Name of the results file.
-      character(*), intent(in) :: path
+   subroutine check_resources(run, n_alike, error)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
+      !> Number of processes on this machine that need as much memory.
+      integer, intent(in) :: n_alike
       !> Not allocated if there is room for the run.
       type(error_t), allocatable, intent(out) :: error
-      !> Part of the run that is solved; the whole run if absent.
-      type(part_t), intent(in), optional :: part
-      !> Number of processes on this machine that need as much memory; 1 if absent.
-      integer, intent(in), optional :: n_alike
 
-      call check_disk(file_size_of(model, plan, part), path, error)
-      if (.not. allocated(error)) call check_memory(model, plan, error, n_alike)
+      call check_disk(file_size_of(run), run%output, error)
+      if (.not. allocated(error)) call check_memory(run, n_alike, error)
    end subroutine check_resources
 
    !> Refuse a results file that is too large for the disk.
@@ -50,34 +42,27 @@ contains
    end subroutine check_disk
 
    !> Refuse a run that is too large for the memory.
-   subroutine check_memory(model, plan, error, n_alike)
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
+   subroutine check_memory(run, n_alike, error)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
+      !> Number of processes on this machine that need as much memory.
+      integer, intent(in) :: n_alike
       !> Not allocated if there is room for the run.
       type(error_t), allocatable, intent(out) :: error
-      !> Number of processes on this machine that need as much memory; 1 if absent.
-      integer, intent(in), optional :: n_alike
       real(dp) :: needed
 
-      needed = memory_needed(model, plan)
-      if (present(n_alike)) needed = n_alike*needed
+      needed = n_alike*memory_needed(run)
       if (needed > free_memory()) call set_error(error, input_failure, 'the run is too large for the memory, needed: ' &
          //show_bytes(needed)//', free: '//show_bytes(free_memory()))
    end subroutine check_memory
 
-   !> Size of the results file [bytes].
-   real(dp) function file_size_of(model, plan, part)
-      !> Model of the run, with the descriptions of its variables and results.
-      class(model_t), intent(in) :: model
-      !> Plan of the run: the values of its variables, and which of them are swept.
-      type(plan_t), intent(in) :: plan
-      !> Part of the run that the file holds; the whole run if absent.
-      type(part_t), intent(in), optional :: part
+   !> Size of the results file of a run, or of its part [bytes].
+   real(dp) function file_size_of(run)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       type(layout_t) :: layout
 
-      call new_layout(layout, model, plan, part)
+      call new_layout(layout, run)
       file_size_of = layout%n_bytes()
    end function file_size_of
 

@@ -7,7 +7,6 @@ module adfric_output_results_file
    use adfric_base_error, only: error_t, set_error, file_failure
    use adfric_hdf5_calls, only: hdf5_calls_t, no_id
    use adfric_hdf5_file, only: create_file, flush_file
-   use adfric_model_model, only: model_t
    use adfric_output_constants, only: add_derived_constants
    use adfric_output_done_points, only: read_done_points, is_readable
    use adfric_output_heading, only: heading_t, new_heading, write_heading
@@ -19,8 +18,7 @@ module adfric_output_results_file
    use adfric_output_seal, only: seal_t
    use adfric_output_virtual_parts, only: virtual_parts_t
    use adfric_run_block_source, only: block_list_t
-   use adfric_run_blocks, only: part_t
-   use adfric_run_plan, only: plan_t
+   use adfric_run_run, only: run_t
    use adfric_run_summary, only: run_summary_t
    use adfric_system_files, only: kind_of_path, path_free, file_id_t, id_of_file, is_same, lock_t, take_lock, &
       move_file, rename_file, remove_file, synchronise, ignore_file_size_signal
@@ -59,49 +57,42 @@ module adfric_output_results_file
 contains
 
    !> Create the file of a run with every dataset in it.
-   subroutine create(self, path, overwrite, model, plan, title, input, error, part)
+   subroutine create(self, run, overwrite, error)
+      !> The file, which is there and open afterwards, or nothing is.
       class(results_file_t), intent(inout) :: self
-      !> See `begin` for all arguments; the file is there afterwards, or nothing is.
-      character(*), intent(in) :: path, title, input
+      !> The run, with the name of its file.
+      class(run_t), intent(in) :: run
+      !> May a file of this name, and results of a run that was stopped, be replaced?
       logical, intent(in) :: overwrite
-      class(model_t), intent(in) :: model
-      type(plan_t), intent(in) :: plan
+      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
-      type(part_t), intent(in), optional :: part
 
-      call self%begin(path, overwrite, model, plan, title, input, error, part)
+      call self%begin(run, overwrite, error)
       if (allocated(error)) return
       call self%prepare(error)
       if (allocated(error)) call self%discard()
    end subroutine create
 
    !> Take the name for a run, whose file is created before the first results come, by `prepare`.
-   subroutine begin(self, path, overwrite, model, plan, title, input, error, part)
-      !> `self` takes the name; `model` and `plan` are those of the run; `error` is allocated if the name cannot be had.
+   subroutine begin(self, run, overwrite, error)
+      !> The file, which has its name and its lock afterwards.
       class(results_file_t), intent(inout) :: self
-      !> Final name of the results file.
-      character(*), intent(in) :: path
+      !> The run, with the name of its file.
+      class(run_t), intent(in) :: run
       !> May a file of this name, and results of a run that was stopped, be replaced?
       logical, intent(in) :: overwrite
-      class(model_t), intent(in) :: model
-      type(plan_t), intent(in) :: plan
-      !> Title of the run.
-      character(*), intent(in) :: title
-      !> Whole text of the input file.
-      character(*), intent(in) :: input
+      !> Allocated if the name cannot be had.
       type(error_t), allocatable, intent(out) :: error
-      !> Part of the run that is solved; the whole run if absent.
-      type(part_t), intent(in), optional :: part
       type(layout_t) :: layout
 
-      call new_layout(layout, model, plan, part)
-      call check_partial_name(path, overwrite, error)
-      if (.not. allocated(error)) call take_name(self, path, overwrite, layout, error)
+      call new_layout(layout, run)
+      call check_partial_name(run%output, overwrite, error)
+      if (.not. allocated(error)) call take_name(self, run%output, overwrite, layout, error)
       if (allocated(error)) return
-      call add_derived_constants(model, plan, self%layout%constants)
+      call add_derived_constants(run, self%layout%constants)
       allocate (self%heading)
-      call new_heading(self%heading, model, plan, title, input)
-      self%path_now = new_name(path)
+      call new_heading(self%heading, run)
+      self%path_now = new_name(self%path)
    end subroutine begin
 
    !> See `sink_t`: create the file of a run that has just begun. If that fails there is none.
@@ -215,35 +206,30 @@ contains
    end subroutine take_name
 
    !> Go on with the file of a run that was stopped.
-   subroutine resume(self, path, overwrite, model, plan, list, summary, error, part)
-      !> `self` is open again afterwards, if there is no `error`; the run of `model` and `plan` must be that of the file.
+   subroutine resume(self, run, overwrite, list, summary, error)
+      !> The file, which is open again afterwards if there is no error.
       class(results_file_t), intent(inout) :: self
-      !> Final name of the results file.
-      character(*), intent(in) :: path
-      !> May a file of this name be replaced?
+      !> The run, with the name of its file; the file must belong to it.
+      class(run_t), intent(in) :: run
+      !> May a file of the final name be replaced?
       logical, intent(in) :: overwrite
-      class(model_t), intent(in) :: model
-      type(plan_t), intent(in) :: plan
       !> The blocks that are left.
       type(block_list_t), intent(out) :: list
       !> Summary of the points that are solved.
       type(run_summary_t), intent(out) :: summary
+      !> Allocated if the file cannot be read, or is not that of the run.
       type(error_t), allocatable, intent(out) :: error
-      !> Part of the run that is solved; the whole run if absent.
-      type(part_t), intent(in), optional :: part
       type(layout_t) :: layout
-      type(heading_t) :: heading
       type(hdf5_calls_t) :: calls
 
-      call new_layout(layout, model, plan, part)
-      call new_heading(heading, model, plan, '', '')
-      call take_name(self, path, overwrite, layout, error)
+      call new_layout(layout, run)
+      call take_name(self, run%output, overwrite, layout, error)
       if (allocated(error)) return
-      self%path_now = partial_name(path)
+      self%path_now = partial_name(self%path)
       self%is_resumed = .true.
       self%has_states = .true.
       call note_kept(self%path_now)
-      call read_done_points(self%path_now, layout, heading, model, plan, list, summary, error)
+      call read_done_points(self%path_now, run, layout, list, summary, error)
       if (.not. allocated(error)) then
          self%seconds_before = summary%wall_seconds
          self%id = id_of_file(self%path_now)
@@ -268,22 +254,18 @@ contains
    end subroutine hand_over
 
    !> Take part in writing a file that another process has handed over.
-   subroutine join(self, path, model, plan, part)
-      !> `self` has no lock; `model` and `plan` are those of the run, the same in all processes.
+   subroutine join(self, run)
+      !> The file, which has its names afterwards, but no lock.
       class(results_file_t), intent(inout) :: self
-      !> Final name of the results file.
-      character(*), intent(in) :: path
-      class(model_t), intent(in) :: model
-      type(plan_t), intent(in) :: plan
-      !> Part of the run that is solved; the whole run if absent.
-      type(part_t), intent(in), optional :: part
+      !> The run, with the name of its file; the same in all processes.
+      class(run_t), intent(in) :: run
 
       call ignore_file_size_signal()
-      self%path = path
-      self%path_now = partial_name(path)
+      self%path = run%output
+      self%path_now = partial_name(self%path)
       ! the other process may have found it, damaged in places
       self%is_resumed = .true.
-      call new_layout(self%layout, model, plan, part)
+      call new_layout(self%layout, run)
    end subroutine join
 
    !> Complete the file and give it its name.

@@ -3,7 +3,7 @@ module adfric_run_plan
    use adfric_base_kinds, only: dp, i8
    implicit none (type, external)
    private
-   public :: axis_t, source_t, plan_t
+   public :: axis_t, plan_t
 
    !> One swept variable.
    type :: axis_t
@@ -13,27 +13,16 @@ module adfric_run_plan
       real(dp), allocatable :: values(:)
    end type axis_t
 
-   !> A dataset that a variable takes its values from.
-   type :: source_t
-      !> Place of the variable in the model's table, from 1; 0: none.
-      integer :: variable = 0
-      !> Names of file and dataset as the user gave them: FILE:/DATASET.
-      character(:), allocatable :: name
-      !> Checksum of the values.
-      character(:), allocatable :: checksum
-   end type source_t
-
    !> Every point of a run. Points are numbered from 1; the last axis varies fastest.
    type :: plan_t
       !> Values of all variables of the model where nothing is swept; shape `(n_variables)`.
       real(dp), allocatable :: base(:)
       !> Swept variables, the slowest first; size 0 for a single point.
       type(axis_t), allocatable :: axes(:)
-      !> Datasets that the case names; not allocated if there are none.
-      type(source_t), allocatable :: sources(:)
    contains
       procedure :: n_points
       procedure :: shape => plan_shape
+      procedure :: is_swept
       procedure :: get_values
    end type plan_t
 
@@ -56,6 +45,20 @@ contains
 
       counts = [(size(self%axes(k)%values, kind=i8), k=1, size(self%axes))]
    end function plan_shape
+
+   !> Is a variable swept?
+   pure logical function is_swept(self, variable)
+      !> The run, whose axes are searched.
+      class(plan_t), intent(in) :: self
+      !> Place of the variable in the model's table, from 1.
+      integer, intent(in) :: variable
+      integer :: k
+
+      is_swept = .false.
+      do k = 1, size(self%axes)
+         is_swept = is_swept .or. self%axes(k)%variable == variable
+      end do
+   end function is_swept
 
    !> Values of all variables at the points `first`, `first + 1`, ...
    pure subroutine get_values(self, first, values)

@@ -8,23 +8,21 @@ module adfric_run_runner
    use omp_lib, only: omp_get_max_threads, omp_get_num_threads, omp_get_thread_num
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
-   use adfric_base_words, only: count_words
-   use adfric_model_model, only: model_t
    use adfric_model_status, only: status_out_of_memory
    use adfric_run_batch, only: batch_bytes
-   use adfric_run_blocks, only: blocks_t, new_blocks, block_size_of
+   use adfric_run_blocks, only: blocks_t, block_size_of
    use adfric_run_block_source, only: block_source_t, block_list_t, new_block_list
    use adfric_run_delivery, only: delivery_t, new_delivery, profile_gate_t, prepare_sink, leave_batch, &
       & end_leaving, deliver, give_up, has_failed, most_waiting
-   use adfric_run_plan, only: plan_t
    use adfric_run_progress, only: progress_t
+   use adfric_run_run, only: run_t
    use adfric_run_sink, only: sink_t
    use adfric_run_summary, only: run_summary_t, new_summary
    use adfric_system_clock, only: wall_clock
    use adfric_system_interruption, only: caught_signal
    implicit none (type, external)
    private
-   public :: run_sweep, memory_needed, profile_shape_of
+   public :: run_sweep, memory_needed
 
    !> Largest number of blocks of a batch.
    integer, parameter :: largest_batch = 16
@@ -39,7 +37,7 @@ module adfric_run_runner
       integer(i8) :: n_solved = 0
       !> The way of the results to the sink.
       type(delivery_t) :: delivery
-      !> Shape of the profiles of a point; (0, 0, 0) if there are none.
+      !> Shape of the profiles of a point, see `run_t`.
       integer :: profile_shape(3) = 0
       !> What the threads that have ended have found.
       type(run_summary_t) :: summary
@@ -64,11 +62,9 @@ module adfric_run_runner
 contains
 
    !> Solve every block of the source. The run ends before that when a signal asks for it; `summary%signal` says so.
-   subroutine run_sweep(model, plan, sink, progress, summary, error, source)
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
-      !> Every point of the run: the base values and the swept axes.
-      type(plan_t), intent(in) :: plan
+   subroutine run_sweep(run, sink, progress, summary, error, source)
+      !> The run, whose model solves the points.
+      class(run_t), intent(in) :: run
       !> Receives the results.
       class(sink_t), intent(inout) :: sink
       !> Is told from time to time how many points are solved.
@@ -77,26 +73,22 @@ contains
       type(run_summary_t), intent(out) :: summary
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
-      !> Says which blocks are solved; if absent, every block of the plan is.
+      !> Says which blocks are solved; if absent, every block of the run's part is.
       class(block_source_t), intent(inout), optional :: source
       type(block_list_t) :: every_block
-      type(blocks_t) :: blocks
 
       if (present(source)) then
-         call run_source(model, plan, sink, progress, summary, error, source)
+         call run_source(run, sink, progress, summary, error, source)
       else
-         call new_blocks(blocks, plan%n_points(), most=model%largest_block)
-         call new_block_list(every_block, blocks)
-         call run_source(model, plan, sink, progress, summary, error, every_block)
+         call new_block_list(every_block, run%blocks())
+         call run_source(run, sink, progress, summary, error, every_block)
       end if
    end subroutine run_sweep
 
    !> Solve every block of a source.
-   subroutine run_source(model, plan, sink, progress, summary, error, source)
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
-      !> Every point of the run: the base values and the swept axes.
-      type(plan_t), intent(in) :: plan
+   subroutine run_source(run, sink, progress, summary, error, source)
+      !> The run, whose model solves the points.
+      class(run_t), intent(in) :: run
       !> Receives the results.
       class(sink_t), intent(inout) :: sink
       !> Is told from time to time how many points are solved.
@@ -112,19 +104,19 @@ contains
       integer :: n_threads
 
       start = wall_clock()
-      if (model%wants_profiles(plan%base)) sweep%profile_shape = profile_shape_of(model, plan)
-      call new_summary(sweep%summary, model%results)
+      sweep%profile_shape = run%profile_shape()
+      call new_summary(sweep%summary, run%model%results)
       sweep%n_solved = source%n_points_before
       call progress%report(sweep%n_solved, source%blocks%n_points())
       n_threads = omp_get_max_threads()
-      !$omp parallel default(none) shared(model, plan, sink, progress, source, sweep, n_threads) &
+      !$omp parallel default(none) shared(run, sink, progress, source, sweep, n_threads) &
       !$omp& num_threads(n_threads + merge(1, 0, sink%has_own_thread))
       !$omp single
-      call share_work(model, sink, source, n_threads, sweep)
+      call share_work(run, sink, source, n_threads, sweep)
       !$omp end single
       ! the last thread is the one that writes
       if (omp_get_thread_num() < sweep%delivery%n_workers) then
-         call work(model, plan, sink, progress, source, sweep)
+         call work(run, sink, progress, source, sweep)
          call end_leaving(sweep%delivery)
       else if (sweep%delivery%has_writer) then
          call deliver(sink, sweep%delivery)
@@ -139,9 +131,9 @@ contains
    end subroutine run_source
 
    !> Say who solves and who writes, as far as the threads that there are allow it.
-   subroutine share_work(model, sink, source, n_threads, sweep)
-      !> The model, whose numbers of results and counts are read.
-      class(model_t), intent(in) :: model
+   subroutine share_work(run, sink, source, n_threads, sweep)
+      !> The run, whose model has so many results and counts.
+      class(run_t), intent(in) :: run
       !> The sink, which is made ready here if no thread writes for the others.
       class(sink_t), intent(inout) :: sink
       !> Says how large the blocks are.
@@ -151,7 +143,7 @@ contains
       !> Receives the delivery, ready to take batches.
       type(sweep_t), intent(inout) :: sweep
 
-      call new_delivery(sweep%delivery, min(n_threads, omp_get_num_threads()), size(model%results), size(model%counts), &
+      call new_delivery(sweep%delivery, min(n_threads, omp_get_num_threads()), size(run%model%results), size(run%model%counts), &
          source%blocks%size, largest_batch)
       if (omp_get_num_threads() > sweep%delivery%n_workers) call sweep%delivery%make_writer()
       ! the thread that writes does that itself, while the others begin
@@ -159,46 +151,25 @@ contains
    end subroutine share_work
 
    !> Memory that a run needs beside that of its plan [bytes].
-   real(dp) function memory_needed(model, plan)
-      !> The model, whose numbers of variables and results count.
-      class(model_t), intent(in) :: model
-      !> The run, whose number of points and lengths of profiles count.
-      type(plan_t), intent(in) :: plan
+   real(dp) function memory_needed(run)
+      !> The run, whose numbers of points, variables and results and lengths of profiles count.
+      class(run_t), intent(in) :: run
       integer, parameter :: real_bytes = 8
       real(dp) :: per_thread, batch
       integer :: block_size, n_threads
 
-      block_size = block_size_of(plan%n_points())
+      block_size = block_size_of(run%plan%n_points())
       n_threads = omp_get_max_threads()
-      batch = batch_bytes(size(model%results), largest_batch*block_size)
-      per_thread = real(real_bytes, dp)*block_size*(size(model%variables) + size(model%results))
-      if (model%wants_profiles(plan%base)) per_thread = per_thread &
-         + real_bytes*product(real(profile_shape_of(model, plan), dp))
+      batch = batch_bytes(size(run%model%results), largest_batch*block_size)
+      per_thread = real(real_bytes, dp)*block_size*(size(run%model%variables) + size(run%model%results)) &
+         + real_bytes*product(real(run%profile_shape(), dp))
       memory_needed = per_thread*n_threads + batch*(n_threads + most_waiting)
    end function memory_needed
 
-   !> Shape of the profiles of a point: the axis that runs fastest first.
-   function profile_shape_of(model, plan) result(counts)
-      !> The model, with its profiles and their axes.
-      class(model_t), intent(in) :: model
-      !> The run, whose base values say how long the profiles are.
-      type(plan_t), intent(in) :: plan
-      integer :: counts(3)
-      integer :: k, n_axes
-
-      n_axes = count_words(model%profile_axes)
-      counts = [1, 1, size(model%profiles)]
-      do k = 1, n_axes
-         counts(n_axes + 1 - k) = size(model%get_profile_axis(plan%base, k))
-      end do
-   end function profile_shape_of
-
    !> What each thread does.
-   subroutine work(model, plan, sink, progress, source, sweep)
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
-      !> Every point of the run: the base values and the swept axes.
-      type(plan_t), intent(in) :: plan
+   subroutine work(run, sink, progress, source, sweep)
+      !> The run, whose model solves the points.
+      class(run_t), intent(in) :: run
       !> Receives the results.
       class(sink_t), intent(inout) :: sink
       !> Is told from time to time how many points are solved.
@@ -213,7 +184,7 @@ contains
       integer :: n, i
       logical :: is_cut_short
 
-      call new_worker(worker, model, source%blocks, sweep)
+      call new_worker(worker, run, source%blocks, sweep)
       do
          call take_blocks(source, sweep, worker%n_wanted, first, n)
          if (n == 0) exit
@@ -221,7 +192,7 @@ contains
          start = wall_clock()
          waiting_since = start
          do i = 0, n - 1
-            call solve_one_block(model, plan, source%blocks, first + i, sink, sweep, worker)
+            call solve_one_block(run, source%blocks, first + i, sink, sweep, worker)
             waiting = wall_clock() - waiting_since
             if (i == n - 1 .or. waiting > longest_wait) then
                call leave_batch(sink, sweep%delivery, worker%place)
@@ -245,22 +216,22 @@ contains
    end subroutine work
 
    !> Make ready what a thread has for itself.
-   subroutine new_worker(self, model, blocks, sweep)
+   subroutine new_worker(self, run, blocks, sweep)
       !> Receives room for the values, results and profiles of a block.
       type(worker_t), intent(out) :: self
-      !> The model, whose numbers of variables and results count.
-      class(model_t), intent(in) :: model
+      !> The run, whose numbers of variables and results count.
+      class(run_t), intent(in) :: run
       !> The blocks of the run, which say how many points one has.
       type(blocks_t), intent(in) :: blocks
       !> What the threads share; it says which shape profiles have.
       type(sweep_t), intent(in) :: sweep
 
       associate (n => blocks%size, shape => sweep%profile_shape)
-         allocate (self%values(size(model%variables), n), self%results(size(model%results), n))
+         allocate (self%values(size(run%model%variables), n), self%results(size(run%model%results), n))
          allocate (self%profiles(shape(1), shape(2), shape(3)))
       end associate
       self%place = omp_get_thread_num() + 1
-      call new_summary(self%summary, model%results)
+      call new_summary(self%summary, run%model%results)
    end subroutine new_worker
 
    !> Take the next blocks: less of them towards the end of the run, so that all threads end at about the same time.
@@ -306,11 +277,9 @@ contains
    end subroutine choose_batch_size
 
    !> Solve a block and add it to the batch; profiles go to the sink at once. Where that fails, nothing is added.
-   subroutine solve_one_block(model, plan, blocks, block, sink, sweep, worker)
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
-      !> Every point of the run: the base values and the swept axes.
-      type(plan_t), intent(in) :: plan
+   subroutine solve_one_block(run, blocks, block, sink, sweep, worker)
+      !> The run, whose model solves the points.
+      class(run_t), intent(in) :: run
       !> The blocks of the run, which say where this one begins and ends.
       type(blocks_t), intent(in) :: blocks
       !> Number of the block in the run, from 1.
@@ -321,7 +290,7 @@ contains
       type(sweep_t), intent(inout), target :: sweep
       !> What the thread has for itself; the points are added to its summary.
       type(worker_t), intent(inout) :: worker
-      real(dp) :: counts(size(model%counts))
+      real(dp) :: counts(size(run%model%counts))
       type(profile_gate_t) :: gate
       real(dp) :: start
       integer :: offset, n, i
@@ -329,17 +298,17 @@ contains
       start = wall_clock()
       n = blocks%n_points_of(block)
       gate%first = blocks%first_point(block)
-      call plan%get_values(gate%first, worker%values(:, :n))
+      call run%plan%get_values(gate%first, worker%values(:, :n))
       associate (batch => sweep%delivery%store%batches(worker%place), results => worker%results(:, :n))
          offset = batch%n_points
          if (size(worker%profiles) > 0) then
             gate%sink => sink
             gate%delivery => sweep%delivery
-            call model%solve_block_and_profiles(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
+            call run%model%solve_block_and_profiles(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
                batch%status(offset + 1:offset + n), counts, worker%profiles, gate)
             if (gate%is_closed) return
          else
-            call model%solve_block(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
+            call run%model%solve_block(worker%values(:, :n), results, batch%error_estimate(offset + 1:offset + n), &
                batch%status(offset + 1:offset + n), counts)
          end if
          if (any(batch%status(offset + 1:offset + n) == status_out_of_memory)) then

@@ -3,11 +3,9 @@
 module adfric_run_time_estimate
    use omp_lib, only: omp_get_max_threads, omp_get_num_procs
    use adfric_base_kinds, only: dp, i8
-   use adfric_model_model, only: model_t
    use adfric_model_profile_receiver, only: profile_receiver_t
-   use adfric_run_blocks, only: blocks_t, new_blocks
-   use adfric_run_plan, only: plan_t
-   use adfric_run_runner, only: profile_shape_of
+   use adfric_run_blocks, only: blocks_t
+   use adfric_run_run, only: run_t
    use adfric_system_clock, only: wall_clock
    use adfric_system_child_process, only: child_process_t, start_child
    implicit none (type, external)
@@ -42,11 +40,9 @@ module adfric_run_time_estimate
 contains
 
    !> Estimate the time of a run. It takes no longer than `patience`, whatever becomes of the trials.
-   subroutine estimate_time(model, plan, estimate, patience)
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
-      !> Every point of the run: the base values and the swept axes.
-      type(plan_t), intent(in) :: plan
+   subroutine estimate_time(run, estimate, patience)
+      !> The run, whose model solves the points.
+      class(run_t), intent(in) :: run
       !> Receives the time, or that it is not known.
       type(time_estimate_t), intent(out) :: estimate
       !> Time after which a trial is given up [s]; `longest_trial` if absent.
@@ -58,12 +54,12 @@ contains
 
       longest = longest_trial
       if (present(patience)) longest = patience
-      call new_blocks(blocks, plan%n_points(), most=model%largest_block)
+      blocks = run%blocks()
       estimate%n_threads = omp_get_max_threads()
       start = wall_clock()
       call start_child(child, ceiling(longest + time_to_end), is_there)
       if (child%is_child) then
-         call try_points(model, plan, blocks, child)
+         call try_points(run, blocks, child)
          call child%end_child()
       end if
       if (.not. is_there) return
@@ -107,11 +103,9 @@ contains
    !> In the other process: solve neighbouring points here and there in the run, more of them at once as long as that is quick, and
    !> tell how long it takes once there are as many as there will be: the first point of a block takes longer than the others. Where
    !> the time is over before, the last trial has to do.
-   subroutine try_points(model, plan, blocks, child)
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
-      !> Every point of the run: the base values and the swept axes.
-      type(plan_t), intent(in) :: plan
+   subroutine try_points(run, blocks, child)
+      !> The run, whose model solves the points.
+      class(run_t), intent(in) :: run
       !> The blocks of the run, of which some are tried.
       type(blocks_t), intent(in) :: blocks
       !> Sends the number of points and the time [s] of each trial to the process that waits for them.
@@ -131,7 +125,7 @@ contains
       is_told = .false.
       do while (wall_clock() - start < time_for_trials .and. n_done < 2*blocks%n_points_of_run)
          k = k + 1
-         call try_block(model, plan, blocks, block_of_trial(blocks, k), n, seconds, n_solved)
+         call try_block(run, blocks, block_of_trial(blocks, k), n, seconds, n_solved)
          n_done = n_done + n_solved
          if (seconds < long_trial .and. n < largest) then
             n = min(2*n, largest)
@@ -165,11 +159,9 @@ contains
    end function block_of_trial
 
    !> Solve the first points of a block.
-   subroutine try_block(model, plan, blocks, block, n_wanted, seconds, n)
-      !> The model that solves the points.
-      class(model_t), intent(in) :: model
-      !> Every point of the run: the base values and the swept axes.
-      type(plan_t), intent(in) :: plan
+   subroutine try_block(run, blocks, block, n_wanted, seconds, n)
+      !> The run, whose model solves the points.
+      class(run_t), intent(in) :: run
       !> The blocks of the run, which say where this one begins and ends.
       type(blocks_t), intent(in) :: blocks
       !> Number of the block in the run, from 1.
@@ -182,21 +174,21 @@ contains
       integer, intent(out) :: n
       real(dp), allocatable :: values(:, :), results(:, :), errors(:), profiles(:, :, :)
       integer, allocatable :: status(:)
-      real(dp) :: counts(size(model%counts))
+      real(dp) :: counts(size(run%model%counts))
       type(waste_t) :: waste
       real(dp) :: start, finish
       integer :: shape(3)
 
       n = min(n_wanted, blocks%n_points_of(block))
-      allocate (values(size(model%variables), n), results(size(model%results), n), errors(n), status(n))
-      call plan%get_values(blocks%first_point(block), values)
+      allocate (values(size(run%model%variables), n), results(size(run%model%results), n), errors(n), status(n))
+      call run%plan%get_values(blocks%first_point(block), values)
       call cpu_time(start)
-      if (model%wants_profiles(plan%base)) then
-         shape = profile_shape_of(model, plan)
+      shape = run%profile_shape()
+      if (product(shape) > 0) then
          allocate (profiles(shape(1), shape(2), shape(3)))
-         call model%solve_block_and_profiles(values, results, errors, status, counts, profiles, waste)
+         call run%model%solve_block_and_profiles(values, results, errors, status, counts, profiles, waste)
       else
-         call model%solve_block(values, results, errors, status, counts)
+         call run%model%solve_block(values, results, errors, status, counts)
       end if
       call cpu_time(finish)
       seconds = finish - start

@@ -4,7 +4,6 @@ module hard_run
    use adfric_command_case, only: open_case
    use adfric_command_outcome, only: outcome_t
    use adfric_input_run, only: run_input_t
-   use adfric_model_model, only: model_t
    use memory_sink, only: n_different_bits
    use random_dice, only: dice_t, new_dice
    use read_back, only: results_reader_t, open_results
@@ -24,7 +23,7 @@ module hard_run
 
    !> What the program made of a case.
    type :: hard_run_t
-      class(model_t), allocatable :: model
+      !> What the input describes, with the model.
       type(run_input_t) :: input
       !> Shape `(n_points)`, the last sweep fastest.
       integer, allocatable :: status(:)
@@ -88,14 +87,13 @@ contains
       type(hard_run_t) :: other
 
       run%fault = ''
-      call open_case(path, run%model, run%input, outcome)
+      call open_case(path, run%input, outcome)
       if (outcome%exit_status /= 0) then
          run%fault = 'refused: '//outcome%errors
          return
       end if
       call solve(path, 1, run)
       if (len(run%fault) > 0) return
-      allocate (other%model, source=run%model)
       other%input = run%input
       other%fault = ''
       call solve(path, 2, other)
@@ -123,9 +121,9 @@ contains
       call open_results(file, output_files(which))
       run%status = file%states('status')
       run%error_estimate = file%reals('error_estimate')
-      allocate (run%results(size(run%status), size(run%model%results)))
-      do k = 1, size(run%model%results)
-         associate (r => run%model%results(k))
+      allocate (run%results(size(run%status), size(run%input%model%results)))
+      do k = 1, size(run%input%model%results)
+         associate (r => run%input%model%results(k))
             if (r%n_states() > 0) then
                run%results(:, k) = file%states(r%name)
             else if (size(file%reals(r%name)) == size(run%status)) then
@@ -150,7 +148,7 @@ contains
 
       call run%input%plan%get_values(1_i8, all_values)
       do k = 1, size(all_values, 1)
-         if (run%model%variables(k)%name == name) values = all_values(k, :)
+         if (run%input%model%variables(k)%name == name) values = all_values(k, :)
       end do
    end subroutine spread_swept
 
@@ -174,8 +172,8 @@ contains
       allocate (drawn%values(size(run%input%plan%base), n), drawn%data(0))
       do line = 1, size(run%status)/n
          call run%input%plan%get_values(int(n*(line - 1) + 1, i8), drawn%values)
-         call answer_case(run%model, drawn, answer)
-         call find_fault(run%model, drawn, answer, dice, run%fault)
+         call answer_case(run%input%model, drawn, answer)
+         call find_fault(run%input%model, drawn, answer, dice, run%fault)
          if (len(run%fault) > 0) run%fault = 'line '//number(line)//' of the last sweep, '//run%fault
          if (len(run%fault) > 0) return
       end do
@@ -188,8 +186,8 @@ contains
       real(dp) :: values(size(self%status))
       integer :: k
 
-      do k = 1, size(self%model%results)
-         if (self%model%results(k)%name /= name) cycle
+      do k = 1, size(self%input%model%results)
+         if (self%input%model%results(k)%name /= name) cycle
          values = self%results(:, k)
          return
       end do

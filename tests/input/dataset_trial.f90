@@ -69,6 +69,7 @@ contains
       !> As it stands behind `heights = `.
       character(*), intent(in) :: heights
       character(*), intent(in) :: more
+      !> The model as it is afterwards, with its heights.
       type(dataset_model_t), intent(out) :: model
       type(run_input_t), intent(out) :: run
       !> A line for each problem.
@@ -80,7 +81,12 @@ contains
       call new_dataset_model(model)
       call new_namelist_file(file, 'f.nml', '&surface period = 1e-3'//new_line('a')//'heights = '//heights//' /'// &
          new_line('a')//more, problems)
-      call read_case(file, model, run, problems)
+      allocate (run%model, source=model)
+      call read_case(file, run, problems)
+      select type (reader => run%model)
+      type is (dataset_model_t)
+         model = reader
+      end select
       lines = ''
       do k = 1, problems%count()
          lines = lines//problems%line_of(k, 'f.nml')//new_line('a')

@@ -30,9 +30,10 @@ contains
       call read_job(scratch, 'trial other', file, run, problems, error)
       call delete_file()
       if (allocated(error)) error stop 'the scratch file cannot be read'
-      if (run%model /= 'trial') return
+      if (run%model_name /= 'trial') return
       call new_trial_model(model)
-      call read_case(file, model, run, problems)
+      allocate (run%model, source=model)
+      call read_case(file, run, problems)
    end subroutine read_text
 
    !> All problems of an input, one after the other, each preceded and followed by a line end.

@@ -1,10 +1,12 @@
-!> Parts of plans for tests.
+!> Parts of plans and runs for tests.
 module plan_parts
    use adfric_base_kinds, only: dp
+   use adfric_model_model, only: model_t
    use adfric_run_plan, only: plan_t, axis_t
+   use adfric_run_run, only: run_t, new_run
    implicit none (type, external)
    private
-   public :: new_plan, add_axis
+   public :: new_plan, new_run_of, add_axis
 
 contains
 
@@ -16,6 +18,18 @@ contains
       plan%base = base
       allocate (plan%axes(0))
    end subroutine new_plan
+
+   !> A run of a single point, by a copy of a model.
+   subroutine new_run_of(run, model, base)
+      type(run_t), intent(out) :: run
+      class(model_t), intent(in) :: model
+      real(dp), intent(in) :: base(:)
+      class(model_t), allocatable :: copy
+
+      allocate (copy, source=model)
+      call new_run(run, copy)
+      run%plan%base = base
+   end subroutine new_run_of
 
    !> Add a swept variable that varies faster than those before it. (The shorter `[axis_t(...), ...]` loses its memory
    !> under gfortran 12.)

@@ -1,0 +1,82 @@
+!> A run: a model, the points that it solves, and what belongs to all of them.
+!>
+!> Whoever has a run and a sink solves it by two calls: `prepare` of its model, and `run_sweep` of the runner. What a run is does not
+!> depend on where its description comes from (a namelist file, a caller of the library) or where its results go.
+module adfric_run_run
+   use adfric_base_words, only: count_words
+   use adfric_model_model, only: model_t
+   use adfric_run_blocks, only: blocks_t, part_t, new_blocks
+   use adfric_run_dataset, only: dataset_t
+   use adfric_run_plan, only: plan_t
+   implicit none (type, external)
+   private
+   public :: run_t, new_run
+
+   !> A run.
+   type :: run_t
+      !> The model that solves the points.
+      class(model_t), allocatable :: model
+      !> Every point: the base values and the swept axes.
+      type(plan_t) :: plan
+      !> Part of the run that is solved.
+      type(part_t) :: part
+      !> Datasets that the variables name, shape `(n_variables)`; without a text where a variable names none.
+      type(dataset_t), allocatable :: datasets(:)
+      !> Title; empty if there is none.
+      character(:), allocatable :: title
+      !> Whole text of the input, from which the run can be repeated; empty if there is none.
+      character(:), allocatable :: text
+      !> Name of the results file; empty if there is none.
+      character(:), allocatable :: output
+   contains
+      procedure :: blocks
+      procedure :: profile_shape
+   end type run_t
+
+contains
+
+   !> A run of one point, at which each variable has its default value, without texts and results file.
+   subroutine new_run(self, model)
+      !> Receives the run, to which values, axes and texts may be added.
+      class(run_t), intent(out) :: self
+      !> The model that solves the points; the run takes it over, and it is not allocated any more.
+      class(model_t), allocatable, intent(inout) :: model
+      integer :: i
+
+      call move_alloc(model, self%model)
+      allocate (self%plan%base(size(self%model%variables)), self%plan%axes(0), self%datasets(size(self%model%variables)))
+      do i = 1, size(self%plan%base)
+         self%plan%base(i) = self%model%variables(i)%default
+      end do
+      self%title = ''
+      self%text = ''
+      self%output = ''
+   end subroutine new_run
+
+   !> The blocks of the part of the run.
+   pure function blocks(self)
+      !> The run, whose number of points, part and model say how it is cut.
+      class(run_t), intent(in) :: self
+      type(blocks_t) :: blocks
+
+      call new_blocks(blocks, self%plan%n_points(), self%part, self%model%largest_block)
+   end function blocks
+
+   !> Shape of the profiles of a point, the axis that runs fastest first: `(n_last_axis, n_first_axis, n_profiles)`; zeros if no
+   !> profiles are wanted.
+   function profile_shape(self) result(counts)
+      !> The run, whose base values say whether profiles are wanted, and how long they are.
+      class(run_t), intent(in) :: self
+      integer :: counts(3)
+      integer :: k, n_axes
+
+      counts = 0
+      if (.not. self%model%wants_profiles(self%plan%base)) return
+      n_axes = count_words(self%model%profile_axes)
+      counts = [1, 1, size(self%model%profiles)]
+      do k = 1, n_axes
+         counts(n_axes + 1 - k) = size(self%model%get_profile_axis(self%plan%base, k))
+      end do
+   end function profile_shape
+
+end module adfric_run_run
