@@ -9,7 +9,7 @@ import numpy as np
 from .curves import add_legend, find_curves, leave_out_pole, load_of, passes_zero, without_pole
 from .labels import axis_label, scale_of
 from .results import RENAMED, BadFile, Field, NothingToDraw
-from .style import COLOURS, DASHES, MISSED, is_logarithmic, plt
+from .style import COLOURS, DASHES, MISSED, is_logarithmic, make_panels
 
 
 def draw_chosen(runs, x_name, y_names, table):
@@ -23,10 +23,10 @@ def draw_chosen(runs, x_name, y_names, table):
             _check_name(results, name)
     points = _read_table(table, [x_name, *y_names]) if table else {}
     for name in [x_name, *y_names]:
-        if not any(np.isfinite(values).any() for values in [*(_values(results, name) for results in runs), points.get(name, [])]):
+        if not any(np.isfinite(values).any() for values in [*(results.values(name) for results in runs), points.get(name, [])]):
             raise NothingToDraw(f"{runs[0].path}: {name} has no value at any point: nothing to draw")
     scales = {name: _common_scale(runs, name, points) for name in [x_name, *y_names]}
-    figure, panels = _make_panels(len(y_names))
+    figure, panels = make_panels(len(y_names))
     title, names = _split_titles(runs)
     for panel, y_name in zip(panels, y_names):
         for place, (results, run_name) in enumerate(zip(runs, names)):
@@ -48,7 +48,7 @@ def _draw_run(panel, results, names, scales, place, run_name):
     k = results.axis_names.index(along)
     curves = find_curves(results, along)
     for number, curve in enumerate(curves):
-        x, y = (np.moveaxis(_values(results, name), k, -1)[curve.index] for name in names)
+        x, y = (np.moveaxis(results.values(name), k, -1)[curve.index] for name in names)
         if y_name == "friction_coefficient":
             y = without_pole(y, load_of(results, k, curve.index))
         style = dict(curve.style)
@@ -69,9 +69,9 @@ def _finish_panel(panel, runs, x_name, y_name, scales):
         low, high = panel.get_xlim()
         if low < 0 < high:
             panel.axvline(0, color="0.7", linewidth=0.6, zorder=0)
-    if y_name == "friction_coefficient" and any(passes_zero(_values(results, "load").ravel()) for results in runs):
-        leave_out_pole(panel, np.concatenate([_values(results, y_name).ravel() for results in runs]) * scales[y_name][0])
-    elif not any(np.nanmin(_values(results, y_name), initial=0.0) < 0 for results in runs) and panel.dataLim.y0 >= 0:
+    if y_name == "friction_coefficient" and any(passes_zero(results.values("load").ravel()) for results in runs):
+        leave_out_pole(panel, np.concatenate([results.values(y_name).ravel() for results in runs]) * scales[y_name][0])
+    elif not any(np.nanmin(results.values(y_name), initial=0.0) < 0 for results in runs) and panel.dataLim.y0 >= 0:
         panel.set_ylim(bottom=0)
     low, high = panel.get_ylim()
     if low < 0 < high:
@@ -80,22 +80,11 @@ def _finish_panel(panel, runs, x_name, y_name, scales):
     panel.set_ylabel(axis_label(y_name, scales[y_name][1]))
 
 
-def _make_panels(count):
-    columns = min(count, 2 if count in (2, 4) else 3)
-    rows = -(-count // columns)
-    size = (4.8, 3.5) if count == 1 else (3.3 * columns, 2.8 * rows + 0.2)
-    figure, panels = plt.subplots(rows, columns, squeeze=False, figsize=size)
-    for panel in panels.flat[count:]:
-        panel.remove()
-    return figure, list(panels.flat[:count])
-
-
 def _last_swept(results):
     """The swept variable with several values that varies fastest."""
-    several = [axis.name for axis in results.axes if axis.values.size > 1]
-    if not several:
+    if not results.several:
         raise NothingToDraw(f"{results.path}: one point: nothing to draw")
-    return several[-1]
+    return results.several[-1].name
 
 
 def _default_results(runs, x_name, choose_results):
@@ -110,7 +99,7 @@ def _check_name(results, name):
     """Is there a quantity of this name?"""
     known = [*results.axis_names, *results.fields]
     if name in known:
-        if not any(axis.values.size > 1 for axis in results.axes):
+        if not results.several:
             raise NothingToDraw(f"{results.path}: one point: nothing to draw")
         return
     if RENAMED.get(name) in known:
@@ -126,15 +115,6 @@ def _check_name(results, name):
 
 def _axis(results, name):
     return results.axes[results.axis_names.index(name)]
-
-
-def _values(results, name):
-    """A result, or a swept variable in the shape of the sweep."""
-    if name in results.fields:
-        return results.fields[name].values
-    along = results.axis_names.index(name)
-    shape = [-1 if k == along else 1 for k in range(results.status.ndim)]
-    return np.broadcast_to(results.axes[along].values.reshape(shape), results.status.shape)
 
 
 def _common_scale(runs, name, points):

@@ -4,13 +4,15 @@ from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.cm import ScalarMappable
+from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
 from .labels import NO_ADHESION, axis_label, point_label, scale_of, scales_of
 from .results import NOT_CONVERGED
-from .style import COLOURS, DASHES, MISSED, is_logarithmic, norm_of, plt
+from .style import COLOURS, DASHES, MISSED, is_logarithmic, make_panels, norm_of, plt
 
 MOST_CURVES = 60
+MOST_PANELS = 6
 MOST_IN_LEGEND = len(COLOURS)
 # a legend with more entries, or longer ones, stands beside the panels
 MOST_INSIDE, LONGEST_INSIDE = 4, 24
@@ -28,19 +30,41 @@ class Curve:
 
 
 def draw_panels(results, abscissa, ordinates):
-    """A panel for each result."""
-    curves = find_curves(results, abscissa)
-    columns = min(len(ordinates), 2 if len(ordinates) in (2, 4) else 3)
-    rows = -(-len(ordinates) // columns)
-    size = (4.6, 3.4) if len(ordinates) == 1 else (3.3 * columns, 2.7 * rows + 0.2)
-    figure, panels = plt.subplots(rows, columns, squeeze=False, figsize=size)
-    for panel in panels.flat[len(ordinates):]:
-        panel.remove()
+    """A panel for each result; of a single one for each value of the slowest of three other swept variables."""
+    others = [axis for axis in results.several if axis.name != abscissa]
+    if len(ordinates) == 1 and len(others) > 2 and others[0].values.size <= MOST_PANELS:
+        parts = [(results.at(others[0].name, k), ordinates[0], point_label([(others[0], value)], results.model))
+                 for k, value in enumerate(others[0].values)]
+    else:
+        parts = [(results, ordinate, "") for ordinate in ordinates]
+    figure, panels = make_panels(len(parts))
     scales = scales_of([results.fields[ordinate] for ordinate in ordinates])
-    for panel, ordinate in zip(panels.flat, ordinates):
-        draw_curves(panel, results, abscissa, ordinate, curves, scales[ordinate])
-    add_key(figure, panels.flat[0], results, abscissa, curves)
+    for panel, (part, ordinate, title) in zip(panels, parts):
+        curves = find_curves(part, abscissa)
+        draw_curves(panel, part, abscissa, ordinate, curves, scales[ordinate])
+        panel.set_title(title)
+    add_key(figure, panels[0], part, abscissa, curves)
     return figure
+
+
+def draw_profiles(results, name, find_values=None, find_label=None):
+    """One profile along one axis, a curve for each point of the sweep; its values and labels may be other ones."""
+    x, profile = results.profile_axes[-1], results.profiles[name]
+    x_factor, x_unit = scale_of(x.values, x.unit)
+    factor, unit = scale_of(profile.values, profile.unit)
+    points = list(np.ndindex(*results.status.shape))
+    colours = COLOURS if len(points) <= len(COLOURS) else plt.get_cmap("viridis")(np.linspace(0, 1, len(points)))
+    figure, axes = plt.subplots(figsize=(5.6, 3.4))
+    for index, colour in zip(points, colours):
+        values = find_values(profile.values[index]) if find_values else profile.values[index]
+        label = find_label(index) if find_label else point_label(results.describe(index), results.model)
+        axes.plot(x.values * x_factor, values * factor, color=colour, label=label or "_")
+    axes.set_xlim(x.values[0] * x_factor, x.values[-1] * x_factor)
+    axes.set_xlabel(axis_label(x.name, x_unit))
+    axes.set_ylabel(axis_label(name, unit))
+    if axes.get_legend_handles_labels()[1]:
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure, axes
 
 
 def draw_curves(axes, results, abscissa, ordinate, curves, scale=None):
@@ -141,9 +165,13 @@ def find_curves(results, abscissa):
     return curves
 
 
+def _has_dashes(others):
+    """Are there two more swept variables, with few enough values for a colour and for dashes each?"""
+    return len(others) == 2 and others[1].values.size <= len(DASHES) and others[0].values.size <= len(COLOURS)
+
+
 def _style(others, index, place, count):
-    few_dashes = len(others) == 2 and others[1].values.size <= len(DASHES) and others[0].values.size <= len(COLOURS)
-    if few_dashes:
+    if _has_dashes(others):
         return {"color": COLOURS[index[0]], "linestyle": DASHES[index[1]]}
     if count <= MOST_IN_LEGEND:
         return {"color": COLOURS[place]}
@@ -154,12 +182,18 @@ def _style(others, index, place, count):
 
 
 def add_key(figure, axes, results, abscissa, curves):
-    """A legend, or a colour bar where the curves are many."""
+    """A legend, of colours and dashes apart where there are both, or a colour bar where the curves are many."""
     others = [axis for axis in results.axes if axis.name != abscissa]
     if not others:
         if len(axes.get_legend_handles_labels()[1]) > 1:
             add_legend(figure, axes, *_named(axes))
-    elif len(curves) <= 2 * MOST_IN_LEGEND and "linestyle" in curves[0].style or len(curves) <= MOST_IN_LEGEND:
+    elif _has_dashes(others) and len(curves) > MOST_INSIDE:
+        words = [(point_label([(others[0], value)], results.model), {"color": COLOURS[k]})
+                 for k, value in enumerate(others[0].values)]
+        words += [(point_label([(others[1], value)], results.model), {"color": "0.4", "linestyle": DASHES[k]})
+                  for k, value in enumerate(others[1].values)]
+        add_legend(figure, axes, [Line2D([], [], **style) for _, style in words], [word for word, _ in words])
+    elif len(curves) <= MOST_IN_LEGEND:
         add_legend(figure, axes, *_named(axes))
     elif len(others) == 1:
         factor, unit = scale_of(others[0].values, others[0].unit)

@@ -6,81 +6,62 @@ The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2
 import numpy as np
 
 from . import halfspace, sphere
-from .curves import add_key, draw_curves, draw_panels, find_curves
-from .labels import point_label, scale_of
+from .curves import draw_panels
 from .results import NothingToDraw
-from .style import plt
 from .surface import draw_pressure_maps, draw_stresses
 
 # results in the order in which they are worth drawing; others follow
 MAIN_RESULTS = ("friction_force", "friction_coefficient", "contact_width", "contact_area", "contact_radius", "approach",
                 "penetration", "load", "adhesion_area", "adhesion_radius")
 CHECKS = ("error_estimate", "energy_imbalance", "residual", "contact_violation")
-MOST_PANELS = 6
+MOST_RESULTS = 6
+# results drawn against a swept variable, as far as they vary, by model and variable; for others it is all that vary
+SHOWN = {
+    ("wavy_sliding", "load"): ("contact_width", "friction_force"),
+    ("wavy_sliding", "velocity"): ("friction_coefficient",),
+    ("sphere", "load"): ("friction_force", "friction_area"),
+    ("wave_1d", "mean_pressure"): ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap"),
+}
 
 
 def choose_figure(results):
-    """The procedure that draws a run: by its profiles, by its model and what was swept, or the general one."""
-    several = [axis.name for axis in results.axes if axis.values.size > 1]
-    if set(halfspace.STRESSES) <= set(results.profiles) and len(results.profile_axes) == 2:
-        return halfspace.draw_stress_maps
-    if "pressure" in results.profiles and results.model in PRESSURE_FIGURES:
-        return PRESSURE_FIGURES[results.model]
-    if "pressure" in results.profiles:
-        if (results.model, several) == ("sphere", ["tangential_force"]):
-            return sphere.draw_shear_traction
-        return draw_pressure_maps if len(results.profile_axes) == 2 else draw_stresses
-    if not several:
+    """The procedure that draws a run: by its profiles, or by its model and the variable that varies fastest."""
+    if "pressure" in results.profiles or set(halfspace.STRESSES) <= set(results.profiles):
+        return choose_profiles(results)
+    along = results.several[-1].name if results.several else None
+    if along is None:
         raise NothingToDraw(f"{results.path}: one point without profiles of the pressure: nothing to draw")
-    return FIGURES.get((results.model, frozenset(several)), draw_sweep)
+    return FIGURES.get((results.model, along), draw_sweep)
 
 
-def draw_width_and_friction(results):
-    """Contact width and friction force against load (GM Fig. 5)."""
-    return draw_panels(results, "load", ["contact_width", "friction_force"])
-
-
-def draw_coefficient(results):
-    """Friction coefficient against velocity (GM Fig. 6)."""
-    return draw_panels(results, "velocity", ["friction_coefficient"])
-
-
-def draw_friction(results):
-    """Friction force against load, a panel for each velocity (GM Fig. 8)."""
-    velocities = results.axes[results.axis_names.index("velocity")]
-    count = velocities.values.size
-    if count > MOST_PANELS:
-        return draw_panels(results, "load", ["friction_force"])
-    force = results.fields["friction_force"]
-    scale = scale_of(force.values, force.unit)
-    columns = min(count, 3)
-    figure, panels = plt.subplots(-(-count // columns), columns, squeeze=False,
-                                  figsize=(3.3 * columns + 0.4, 2.9 * -(-count // columns) + 0.2))
-    for panel in panels.flat[count:]:
-        panel.remove()
-    for place, panel in zip(range(count), panels.flat):
-        part = results.at("velocity", place)
-        curves = find_curves(part, "load")
-        draw_curves(panel, part, "load", "friction_force", curves, scale)
-        panel.set_title(point_label([(velocities, velocities.values[place])], results.model))
-    add_key(figure, panels.flat[0], part, "load", curves)
-    return figure
+def choose_profiles(results):
+    """The procedure that draws the profiles of a run."""
+    if len(results.profile_axes) == 2 and set(halfspace.STRESSES) <= set(results.profiles):
+        return halfspace.draw_stress_maps
+    if results.model in PRESSURE_FIGURES:
+        return PRESSURE_FIGURES[results.model]
+    if results.model == "sphere" and results.several and results.several[-1].name == "tangential_force":
+        return sphere.draw_shear_stress
+    return draw_pressure_maps if len(results.profile_axes) == 2 else draw_stresses
 
 
 def draw_sweep(results):
-    """Every result worth drawing against the variable that varies fastest among those with several values."""
-    several = [axis.name for axis in results.axes if axis.values.size > 1]
-    return draw_panels(results, several[-1], choose_results(results))
+    """The results worth drawing against the variable that varies fastest."""
+    return draw_panels(results, results.several[-1].name, choose_results(results))
 
 
 def choose_results(results):
     """Names of the results that vary, the main ones first."""
+    shown = SHOWN.get((results.model, results.several[-1].name), ()) if results.several else ()
+    varying = [name for name in shown if name in results.fields and _varies(results.fields[name].values)]
+    if varying:
+        return varying
     names = [name for name in MAIN_RESULTS if name in results.fields]
     names += [name for name in results.fields if name not in MAIN_RESULTS + CHECKS]
     varying = [name for name in names if _varies(results.fields[name].values)]
     if not varying:
         raise NothingToDraw(f"{results.path}: no result varies: nothing to draw")
-    return varying[:MOST_PANELS]
+    return varying[:MOST_RESULTS]
 
 
 def _varies(values):
@@ -88,23 +69,16 @@ def _varies(values):
     return finite.size > 1 and np.ptp(finite) > 1e-12 * np.max(np.abs(finite))
 
 
-# figures of their own, by model and the variables with several values; all others have that of draw_sweep
+# figures with more in them than results against a variable, by model and the variable that varies fastest
 FIGURES = {
-    ("wavy_sliding", frozenset({"load", "stress"})): draw_width_and_friction,
-    ("wavy_sliding", frozenset({"load", "stress", "velocity"})): draw_friction,
-    ("wavy_sliding", frozenset({"stress", "velocity"})): draw_coefficient,
-    ("sphere", frozenset({"contact_radius", "lambda"})): sphere.draw_radii_against_load,
-    ("sphere", frozenset({"load"})): sphere.draw_load,
-    ("sphere", frozenset({"interaction", "lambda", "load"})): sphere.draw_area,
-    ("sphere", frozenset({"interaction", "lambda", "load", "slip_energy_ratio"})): sphere.draw_area_left,
-    ("sphere", frozenset({"interaction", "tangential_displacement"})): sphere.draw_peeling,
-    ("sphere", frozenset({"tangential_force"})): sphere.draw_stick_radius,
-    ("sphere", frozenset({"lambda"})): sphere.draw_pull_off,
-    ("sphere", frozenset({"contact_radius", "work_of_adhesion"})): sphere.draw_load_and_radius,
-    ("wave_2d_elastic", frozenset({"mean_pressure"})): halfspace.draw_area,
-    ("wave_1d", frozenset({"mean_pressure"})): halfspace.draw_wave,
-    ("hertz", frozenset({"radius_1x"})): halfspace.draw_half_axes,
-    ("hertz", frozenset({"radius_2y"})): halfspace.draw_half_axes,
+    ("sphere", "contact_radius"): sphere.draw_radii,
+    ("sphere", "slip_energy_ratio"): sphere.draw_area_left,
+    ("sphere", "tangential_displacement"): sphere.draw_peeling,
+    ("sphere", "tangential_force"): sphere.draw_stick_radius,
+    ("sphere", "lambda"): sphere.draw_pull_off,
+    ("wave_2d_elastic", "mean_pressure"): halfspace.draw_area,
+    ("hertz", "radius_1x"): halfspace.draw_half_axes,
+    ("hertz", "radius_2y"): halfspace.draw_half_axes,
 }
 # figures of the pressure on the surface, by model; all others have those of `surface`
 PRESSURE_FIGURES = {

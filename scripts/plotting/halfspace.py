@@ -4,10 +4,11 @@ import math
 
 import numpy as np
 from matplotlib.colors import Normalize
+from matplotlib.lines import Line2D
 
-from .curves import draw_panels
+from .curves import draw_panels, draw_profiles, find_curves
 from .labels import axis_label, point_label, scale_of
-from .style import COLOURS, DASHES, norm_of, plt
+from .style import COLOURS, DASHES, make_panels, plt
 from .surface import choose_points, label_rows
 
 # bi-sinusoidal wave: mean pressure over that of full contact at which the summits' contacts merge (docs/periodic.md)
@@ -26,9 +27,12 @@ SHOWN, STEEP = 0.99, 10.0
 
 def draw_area(results):
     """Share of the area in contact against mean pressure, its error bound, and the asymptotes of Johnson, Greenwood, Higginson."""
-    q = _share_of_full(results)
+    if len(results.several) > 1:
+        return draw_panels(results, "mean_pressure", ["contact_fraction"])
+    q = _share_of_full(results).ravel()
     order = np.argsort(q)
-    q, area, error = q[order], *(results.fields[name].values[order] for name in ("contact_fraction", "contact_fraction_error"))
+    names = ("contact_fraction", "contact_fraction_error")
+    q, area, error = q[order], *(results.fields[name].values.ravel()[order] for name in names)
     figure, (axes, below) = plt.subplots(2, 1, sharex=True, figsize=(5.0, 4.6), height_ratios=(4, 1))
     axes.plot(q, area, color=COLOURS[2], linewidth=1, label="solved")
     axes.fill_between(q, area - error, area + error, color=COLOURS[2], alpha=0.3, linewidth=0)
@@ -64,13 +68,8 @@ def draw_contact_maps(results):
     shown = [np.tile(_mirror(_mirror(pressure[i] / full[i]).T).T, (2, 2)) for i in points]
     colours = plt.get_cmap("YlOrRd").with_extremes(bad=OPEN)
     norm = Normalize(0, max(np.nanmax(values, initial=0.0) for values in shown) or 1.0)
-    columns = min(3, len(points))
-    rows = -(-len(points) // columns)
-    figure, panels = plt.subplots(rows, columns, sharex=True, sharey=True, squeeze=False,
-                                  figsize=(2.5 * columns + 0.9, 2.65 * rows + 0.4))
-    for panel in panels.flat[len(points):]:
-        panel.set_visible(False)
-    for panel, index, values in zip(panels.flat, points, shown):
+    figure, panels = make_panels(len(points), (2.75, 2.75), (3.4, 3.2), shared=True)
+    for panel, index, values in zip(panels, points, shown):
         image = panel.pcolormesh(x, y, np.where(values > 0, values, np.nan), cmap=colours, norm=norm, shading="nearest",
                                  rasterized=True)
         panel.set_aspect("equal")
@@ -84,26 +83,11 @@ def draw_contact_maps(results):
 
 def draw_pressures(results):
     """Pressure along the surface, a curve for each point of the sweep."""
-    x, pressure = results.profile_axes[-1], results.profiles["pressure"]
-    mean = _values(results, "mean_pressure")
-    highest = min(np.nanmax(pressure.values, initial=0.0), TALLEST * np.nanmax(mean, initial=0.0)) or 1.0
-    x_factor, x_unit = scale_of(x.values, x.unit)
-    factor, unit = scale_of([highest], pressure.unit)
-    places = list(np.ndindex(*results.status.shape))
-    figure, axes = plt.subplots(figsize=(5.6, 3.4))
-    norm = norm_of(np.arange(len(places)))
-    for place, index in enumerate(places):
-        colour = COLOURS[place] if len(places) <= len(COLOURS) else plt.get_cmap("viridis")(norm(place))
-        label = point_label(results.describe(index), results.model)
-        if "full_contact_pressure" in results.fields:
-            label = f"$p/p^*$ = {_share_of_full(results)[index]:.3g}"
-        axes.plot(x.values * x_factor, _touching(pressure.values[index]) * factor, color=colour, label=label or "_")
-    axes.set_xlim(x.values[0] * x_factor, x.values[-1] * x_factor)
-    axes.set_ylim(0, 1.05 * highest * factor)
-    axes.set_xlabel(axis_label("x", x_unit))
-    axes.set_ylabel(axis_label("pressure", unit))
-    if axes.get_legend_handles_labels()[1]:
-        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    is_wave = "full_contact_pressure" in results.fields
+    figure, axes = draw_profiles(results, "pressure", _touching, _share_label(results) if is_wave else None)
+    pressure = results.profiles["pressure"]
+    highest = min(np.nanmax(pressure.values, initial=0.0), TALLEST * np.nanmax(results.values("mean_pressure"), initial=0.0))
+    axes.set_ylim(0, 1.05 * (highest or 1.0) * scale_of(pressure.values, pressure.unit)[0])
     return figure
 
 
@@ -155,30 +139,28 @@ def choose_levels(sizes):
 
 def draw_half_axes(results):
     """Half-axes of the ellipse of contact, largest pressure and approach against a principal radius."""
-    radius = next(axis for axis in results.axes if axis.values.size > 1)
+    radius = results.several[-1]
     figure = draw_panels(results, radius.name, ["contact_half_width", "peak_pressure", "approach"])
     axes = figure.axes[0]
-    line = axes.lines[0]
-    line.set_label("major $a$")
     factor, unit = scale_of(results.fields["contact_half_width"].values, "m")
-    minor = results.fields["minor_half_width"].values.ravel()[np.argsort(radius.values)]
-    axes.plot(line.get_xdata(), minor * factor, color=COLOURS[1], linestyle=DASHES[0], label="minor $b$")
+    minor = results.fields["minor_half_width"].values
+    along, order = results.axis_names.index(radius.name), np.argsort(radius.values)
+    majors = list(axes.lines)
+    for curve, line in zip(find_curves(results, radius.name), majors):
+        values = np.moveaxis(minor, along, -1)[curve.index][order]
+        axes.plot(line.get_xdata(), values * factor, color=line.get_color(), linestyle=DASHES[2])
     if np.isfinite(minor).any():
         axes.set_yscale("log")
         axes.relim()
         axes.autoscale(axis="y")
     axes.set_ylabel(f"Half-axis ({unit})")
-    axes.legend()
+    axes.legend(handles=[Line2D([], [], color="0.2", label="major $a$"),
+                         Line2D([], [], color="0.2", linestyle=DASHES[2], label="minor $b$")])
     for panel in figure.axes:
         if radius.values.max() < 0:
             # a concave radius: logarithmic, too
             panel.set_xscale("symlog", linthresh=-radius.values.max(), subs=range(2, 10))
     return figure
-
-
-def draw_wave(results):
-    """Share of a wave in contact, pressure of its crest and gaps against mean pressure."""
-    return draw_panels(results, "mean_pressure", ["contact_fraction", "peak_pressure", "mean_gap", "largest_gap"])
 
 
 def _add_levels(figure, panels, panel, image, unit):
@@ -205,15 +187,12 @@ def _mirror(values, sign=1.0):
     return np.concatenate([sign * values[::-1], values])
 
 
-def _values(results, name):
-    """A result, which may be swept, in the shape of the sweep."""
-    if name in results.fields:
-        return results.fields[name].values
-    along = results.axis_names.index(name)
-    shape = [-1 if k == along else 1 for k in range(results.status.ndim)]
-    return np.broadcast_to(results.axes[along].values.reshape(shape), results.status.shape)
-
-
 def _share_of_full(results):
     """Mean pressure over that of full contact."""
-    return _values(results, "mean_pressure") / results.fields["full_contact_pressure"].values
+    return results.values("mean_pressure") / results.fields["full_contact_pressure"].values
+
+
+def _share_label(results):
+    """What names the curve of a point: its mean pressure over that of full contact."""
+    share = _share_of_full(results)
+    return lambda index: f"$p/p^*$ = {share[index]:.3g}"

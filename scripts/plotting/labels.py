@@ -43,14 +43,11 @@ SYMBOLS = {
     "radius_1x": "R_{1x}",
     "radius_2y": "R_{2y}",
     "relative_area": "A/A_0",
-    "relative_force": r"T/(\pi b^2 \tau_0)",
     "relative_pull_off_load": r"P_c/(\pi w R)",
-    "relative_shear_traction": r"q/\tau_0",
     "relative_stick_radius": "e/b",
     "relaxation_time": "T_s",
     "retardation_ratio": r"\beta",
     "shear_strength": r"\tau_0",
-    "shear_traction": "q",
     "shear_stress": r"\tau",
     "slip": "s",
     "slip_energy_ratio": "g_0",
@@ -65,12 +62,11 @@ SYMBOLS = {
     "velocity": "V",
     "work_of_adhesion": "w",
 }
-NAMES = {"area_left": "contact area", "contact_half_width": "half-width", "lambda": "", "minor_half_width": "minor half-width",
+NAMES = {"area_left": "friction area", "contact_half_width": "half-width", "lambda": "", "minor_half_width": "minor half-width",
          "position_x": "position", "position_y": "position", "position_z": "position", "pull_off_load": "pull-off load",
          "r": "", "radius_1x": "principal radius", "radius_2y": "principal radius",
-         "relative_area": "contact area", "relative_force": "tangential force", "relative_pull_off_load": "pull-off load",
-         "relative_shear_traction": "shear stress", "relative_stick_radius": "stick radius",
-         "shear_traction": "shear stress", "stress": "adhesion stress",
+         "relative_area": "friction area", "relative_pull_off_load": "pull-off load", "relative_stick_radius": "stick radius",
+         "stress": "adhesion stress",
          "velocity": "sliding velocity", "x": "", "y": ""}
 PREFIXES = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 # the power to which a prefix is raised with the first letter of the unit; others keep their unit as it is

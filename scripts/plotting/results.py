@@ -103,6 +103,19 @@ class Results:
     def axis_names(self):
         return [axis.name for axis in self.axes]
 
+    @property
+    def several(self):
+        """The swept variables with several values, the slowest first."""
+        return [axis for axis in self.axes if axis.values.size > 1]
+
+    def values(self, name):
+        """A result, or a swept variable in the shape of the sweep."""
+        if name in self.fields:
+            return self.fields[name].values
+        along = self.axis_names.index(name)
+        shape = [-1 if k == along else 1 for k in range(self.status.ndim)]
+        return np.broadcast_to(self.axes[along].values.reshape(shape), self.status.shape)
+
     def at(self, name, place):
         """What belongs to one value of a swept variable: the same results without this axis; no profiles."""
         along = self.axis_names.index(name)

@@ -37,6 +37,18 @@ def use_style():
     })
 
 
+def make_panels(count, size=(3.3, 2.8), alone=(4.8, 3.5), shared=False):
+    """Panels of a size, or one of another size, in rows of two or three; with common axes if they are shared."""
+    columns = min(count, 2 if count == 4 else 3)
+    rows = -(-count // columns)
+    figure, panels = plt.subplots(rows, columns, squeeze=False, sharex=shared, sharey=shared,
+                                  figsize=alone if count == 1 else (size[0] * columns + 0.2, size[1] * rows + 0.2))
+    for panel in panels.flat[count:]:
+        # panels that share their axes have the labels of the row below
+        panel.set_visible(False) if shared else panel.remove()
+    return figure, list(panels.flat[:count])
+
+
 def is_logarithmic(values):
     """Are these values spread over decades in even ratios?"""
     values = np.sort(np.asarray(values, dtype=float))

@@ -5,7 +5,7 @@ from matplotlib.patches import Patch
 
 from .labels import axis_label, point_label, scale_of
 from .results import REASONS, SOLVED
-from .style import COLOURS, plt, pressure_colours
+from .style import COLOURS, make_panels, pressure_colours
 
 MOST_PANELS = 6
 # a gap below this part of the largest one is contact
@@ -22,7 +22,7 @@ def draw_stresses(results):
     names = [name for name in ("pressure", "shear_stress") if name in results.profiles]
     factor, unit = scale_of([np.nanmax(np.abs(results.profiles[name].values), initial=0.0) for name in names],
                             results.profiles["pressure"].unit)
-    figure, panels = make_panels(len(points), (3.4, 2.7))
+    figure, panels = make_panels(len(points), (3.4, 2.9), shared=True)
     for panel, index in zip(panels, points):
         shade_contact(panel, results, index, x.values * x_factor)
         for name, colour in zip(names, COLOURS):
@@ -47,7 +47,7 @@ def draw_pressure_maps(results):
     factor, unit = scale_of(pressure.values, pressure.unit)
     shown = np.array([pressure.values[index] for index in points]) * factor
     colours, norm = pressure_colours(np.nanmin(shown, initial=0.0), np.nanmax(shown, initial=0.0))
-    figure, panels = make_panels(len(points), (3.3, 3.05))
+    figure, panels = make_panels(len(points), (3.4, 3.2), (3.7, 3.5), shared=True)
     for panel, index, values in zip(panels, points, shown):
         image = panel.pcolormesh(x.values * x_factor, y.values * x_factor, values, cmap=colours, norm=norm,
                                  shading="nearest", rasterized=True)
@@ -66,17 +66,6 @@ def choose_points(results):
     if len(points) <= MOST_PANELS:
         return points
     return [points[i] for i in np.linspace(0, len(points) - 1, MOST_PANELS).round().astype(int)]
-
-
-def make_panels(count, size):
-    """Panels with common axes, three in a row, and the list of them."""
-    columns = min(count, 3 if count != 4 else 2)
-    rows = -(-count // columns)
-    figure, panels = plt.subplots(rows, columns, sharex=True, sharey=True, squeeze=False,
-                                  figsize=(size[0] * columns + 0.4, size[1] * rows + 0.5))
-    for panel in panels.flat[count:]:
-        panel.set_visible(False)
-    return figure, list(panels.flat[:count])
 
 
 def label_rows(panel, label):

@@ -8,7 +8,7 @@ import warnings
 import h5py
 import numpy as np
 
-from plot_files import SCRIPTS, PlotCase, make_file
+from plot_files import SCRIPTS, STATES, PlotCase, make_file
 
 from plotting import figures, halfspace, labels
 from plotting.results import Results
@@ -19,10 +19,8 @@ class PlotTest(PlotCase):
         stress, load, velocity = ("stress", [0.0, 5e3]), ("load", [-1.0, 0.0, 1.0]), ("velocity", [0.1, 1.0, 10.0])
         radius, x, y = ("radius", [1.0, 2.0, 4.0]), ("x", [-1.0, 0.0, 1.0]), ("y", [-1.0, 0.0, 1.0, 2.0])
         for expected, axes, surface in (
-            (figures.draw_width_and_friction, [stress, load], []),
-            (figures.draw_coefficient, [stress, velocity], []),
-            (figures.draw_friction, [velocity, stress, load], []),
-            (figures.draw_sweep, [radius], []),
+            (figures.draw_sweep, [stress, load], []),
+            (figures.draw_sweep, [velocity, stress, load], []),
             (figures.draw_sweep, [radius, stress, velocity, load], []),
             (figures.draw_stresses, [stress], [x]),
             (figures.draw_pressure_maps, [stress], [y, x]),
@@ -35,21 +33,28 @@ class PlotTest(PlotCase):
                 self.assertEqual(self.plot(), (0, ""))
                 self.assertTrue(self.file.with_suffix(".png").read_bytes().startswith(b"\x89PNG"))
 
-    def test_other_models_have_the_general_figure(self):
-        make_file(self.file, [("stress", [0.0, 5e3]), ("load", [0.0, 1.0, 2.0])], model="sphere")
-        self.assertIs(figures.choose_figure(Results(self.file)), figures.draw_sweep)
+    def test_results_of_a_sweep(self):
+        """Some models have results that are drawn against a variable, as far as they vary; of others it is all that vary."""
+        axes = [("stress", [0.0, 5e3]), ("load", [0.0, 1.0, 2.0])]
+        make_file(self.file, axes)
+        self.assertEqual(figures.choose_results(Results(self.file)), ["contact_width", "friction_force"])
+        with h5py.File(self.file, "r+") as file:
+            file["contact_width"][...] = 1.0
+        self.assertEqual(figures.choose_results(Results(self.file)), ["friction_force"])
+        make_file(self.file, axes, model="hertz")
+        self.assertEqual(figures.choose_results(Results(self.file))[:2], ["friction_force", "friction_coefficient"])
 
     def test_figures_of_the_sphere(self):
         load, lam, alpha = ("load", [-1.0, 0.0, 1.0]), ("lambda", [0.8, 1e6]), ("interaction", [0.0, 0.5])
         energy, force = ("slip_energy_ratio", [0.5, 1.0]), ("tangential_force", [0.1, 0.2])
         for expected, axes, radius in (
-            (figures.sphere.draw_radii_against_load, [lam, ("contact_radius", [0.5, 1.0, 1.5])], []),
-            (figures.sphere.draw_load, [load], []),
-            (figures.sphere.draw_area, [alpha, lam, load], []),
+            (figures.sphere.draw_radii, [lam, ("contact_radius", [0.5, 1.0, 1.5])], []),
+            (figures.draw_sweep, [load], []),
+            (figures.draw_sweep, [alpha, lam, load], []),
             (figures.sphere.draw_area_left, [load, alpha, lam, energy], []),
             (figures.sphere.draw_peeling, [alpha, ("tangential_displacement", [0.0, 1.0])], []),
             (figures.sphere.draw_stick_radius, [force], []),
-            (figures.sphere.draw_shear_traction, [force], [("r", [0.0, 0.5, 1.0])]),
+            (figures.sphere.draw_shear_stress, [force], [("r", [0.0, 0.5, 1.0])]),
             (figures.sphere.draw_pull_off, [("lambda", [1e-2, 1.0, 1e2])], []),
             (figures.draw_stresses, [load], [("r", [0.0, 0.5, 1.0])]),
         ):
@@ -65,7 +70,7 @@ class PlotTest(PlotCase):
         for expected, model, axes, surface in (
             (halfspace.draw_area, "wave_2d_elastic", [pressure], []),
             (halfspace.draw_contact_maps, "wave_2d_elastic", [pressure], [y, x]),
-            (halfspace.draw_wave, "wave_1d", [pressure], []),
+            (figures.draw_sweep, "wave_1d", [pressure], []),
             (halfspace.draw_pressures, "wave_1d", [pressure], [x]),
             (halfspace.draw_pressures, "rigid_punch", [load], [x]),
             (halfspace.draw_stress_maps, "rigid_punch", [], [y, x]),
@@ -73,7 +78,7 @@ class PlotTest(PlotCase):
             (halfspace.draw_half_axes, "hertz", [radius], []),
             (halfspace.draw_half_axes, "hertz", [("radius_2y", [-10.0, -1.0, -0.1])], []),
             (figures.draw_pressure_maps, "hertz", [radius], [y, x]),
-            (figures.sphere.draw_load_and_radius, "sphere", [work, ("contact_radius", [0.5, 1.0, 1.5])], []),
+            (figures.sphere.draw_radii, "sphere", [work, ("contact_radius", [0.5, 1.0, 1.5])], []),
         ):
             with self.subTest(expected=expected.__name__, model=model):
                 make_file(self.file, axes, surface, model=model)
@@ -123,17 +128,20 @@ class PlotTest(PlotCase):
             make_file(self.file, axes)
             self.assert_refused("nothing to draw", expected=3)
 
-    def test_every_registered_figure_without_a_solution(self):
-        for model, swept in figures.FIGURES:
-            with self.subTest(model=model, swept=sorted(swept)):
-                make_file(self.file, [(name, [0.0, 1.0]) for name in sorted(swept)], model=model)
-                with h5py.File(self.file, "r+") as file:
-                    file["status"][...] = -1
-                    for name in ("friction_force", "contact_width", "friction_coefficient"):
-                        file[name][...] = np.nan
-                with warnings.catch_warnings():
-                    warnings.simplefilter("error")
-                    self.assertEqual(self.plot(), (0, ""))
+    def test_every_registered_figure(self):
+        """With any other swept variables, and without a solution."""
+        for model, along in figures.FIGURES:
+            for others in ([], ["poisson_ratio", "interaction", "edge_fraction"]):
+                axes = [*((name, [0.1, 0.2]) for name in others), (along, [0.5, 1.0, 1.5])]
+                for is_solved in (True, False):
+                    with self.subTest(model=model, axes=[name for name, _ in axes], is_solved=is_solved):
+                        make_file(self.file, axes, model=model)
+                        if not is_solved:
+                            with h5py.File(self.file, "r+") as file:
+                                file["status"][...] = -1
+                                for name in set(file) - {"status", "blocks", *STATES, *dict(axes)}:
+                                    file[name][...] = np.nan
+                        self.assertEqual(self.plot()[0], 0)
 
     def test_profiles_of_another_model(self):
         make_file(self.file, [("load", [0.0, 1.0])], [("radius", [0.0, 0.5, 1.0])], model="sphere")

@@ -10,6 +10,7 @@ from plot_files import PlotCase, make_file
 from plotting import command, curves, figures, labels
 from plotting.chosen import draw_chosen
 from plotting.results import Field, Results
+from plotting.style import COLOURS
 
 
 class PlotChoiceTest(PlotCase):
@@ -60,14 +61,6 @@ class PlotChoiceTest(PlotCase):
         make_file(self.file, [("lambda", [0.1, 1.0, 10.0])], model="sphere")
         results = Results(self.file)
         self.assertIn(r"$P_c/(\pi w R)$", figures.sphere.draw_pull_off(results).axes[0].get_ylabel())
-        make_file(self.file, [("tangential_force", [0.2, 0.5, 0.8])], [("r", [0.0, 0.5, 1.0])], model="sphere")
-        with h5py.File(self.file, "r+") as file:
-            file["shear_strength"] = 4.0
-            file["status"].attrs["coordinates"] = "shear_strength"
-        results = Results(self.file)
-        panel = figures.sphere.draw_shear_traction(results).axes[0]
-        self.assertIn(r"$q/\tau_0$", panel.get_ylabel())
-        np.testing.assert_allclose(panel.lines[0].get_ydata(), results.profiles["shear_stress"].values[0] / 4.0)
 
     def test_concave_radii_have_ticks_within_decades(self):
         make_file(self.file, [("radius_2y", [-1.0, -0.1, -0.02])], model="hertz")
@@ -153,25 +146,46 @@ class PlotChoiceTest(PlotCase):
         # too far apart
         self.assertEqual((scales["a"][1], scales["b"][1]), ("Pa", "kPa"))
 
-    def test_panels_of_velocities(self):
+    def test_colours_and_dashes(self):
+        """Two more swept variables have a colour and dashes for each value; without adhesion the line is broken."""
         make_file(self.file, [("velocity", [0.1, 1.0]), ("stress", [0.0, 5e3]), ("load", [-1.0, 0.0, 1.0])])
-        figure = figures.draw_friction(Results(self.file))
-        self.assertEqual([panel.get_title() for panel in figure.axes], ["$V$ = 0.1 m/s", "$V$ = 1 m/s"])
-        for panel in figure.axes:
-            styles = {line.get_label(): line.get_linestyle() for line in panel.lines}
-            self.assertEqual(styles["no adhesion"], "--")
-            self.assertEqual(styles["$p_0$ = 5 kPa"], "-")
+        panel = figures.draw_sweep(Results(self.file)).axes[1]
+        self.assertEqual(panel.get_ylabel(), "Friction force $T$ (mN/m)")
+        styles = {line.get_label(): (line.get_linestyle(), line.get_color()) for line in panel.lines}
+        self.assertEqual([styles[f"$V$ = {v} m/s, {words}"] for v in ("0.1", "1") for words in ("no adhesion", "$p_0$ = 5 kPa")],
+                         [("--", COLOURS[0]), ("-", COLOURS[0]), ("--", COLOURS[1]), ("-", COLOURS[1])])
 
-    def test_force_over_that_of_sliding(self):
+    def test_panels_of_the_slowest_of_three(self):
+        axes = [("load", [0.0, 3.0]), ("interaction", [0.0, 0.5, 1.0]), ("lambda", [0.8, 1e6]), ("slip_energy_ratio", [0.5, 1.0])]
+        make_file(self.file, axes, model="sphere")
+        figure = figures.sphere.draw_area_left(Results(self.file))
+        self.assertEqual([panel.get_title() for panel in figure.axes], ["$P$ = 0 N/m", "$P$ = 3 N/m"])
+        words = [text.get_text() for text in (figure.legends[0] if figure.legends else figure.axes[0].get_legend()).get_texts()]
+        self.assertEqual(words, [r"$\alpha$ = 0", r"$\alpha$ = 0.5", r"$\alpha$ = 1", r"$\lambda$ = 0.8", r"$\lambda$ = 1e+06"])
+
+    def test_area_of_sliding(self):
+        """The area on which friction acts in sliding is the force over the strength; the reduced unit of force is twice that."""
+        for unit, expected in (("N", 1.0), ("1", 2.0)):
+            make_file(self.file, [("tangential_displacement", [0.0, 1.0, 2.0])], model="sphere")
+            with h5py.File(self.file, "r+") as file:
+                file["friction_area"][...] = [4.0, 3.0, np.nan]
+                file["friction_force"][...] = [0.0, 5.0, np.nan]
+                file["sliding_force"] = np.full(3, 6.0)
+                file["sliding_force"].attrs["units"] = unit
+                file["sliding_force"].dims[0].attach_scale(file["tangential_displacement"])
+                file["shear_strength"] = 3.0
+                file["status"].attrs["coordinates"] = "shear_strength"
+            figure = figures.sphere.draw_peeling(Results(self.file))
+            self.assertEqual(figure.axes[1].lines[-1].get_ydata()[-1], expected * 6.0 / 3.0 / 4.0)
+
+    def test_force_and_stick_radius(self):
         make_file(self.file, [("tangential_force", [0.1, 0.2, 0.3])], model="sphere")
         with h5py.File(self.file, "r+") as file:
-            file["friction_radius"][...] = 2.0
+            file["friction_radius"][...] = [2.0, 2.0, 0.0]
             file["stick_radius"][...] = [2.0, 1.0, 0.0]
-            file["friction_area"][...] = 4 * np.pi
         axes = figures.sphere.draw_stick_radius(Results(self.file)).axes[0]
-        self.assertEqual(axes.get_xlabel(), r"Tangential force $T/(\pi b^2 \tau_0)$")
-        # J 3.4 at gamma = 1, 1/2, 0
-        np.testing.assert_allclose(axes.lines[0].get_xdata(), [0.0, 2 / np.pi * (np.pi / 3 + np.sqrt(3) / 4), 1.0], atol=1e-15)
+        self.assertEqual(axes.get_xlabel(), "Tangential force $T$")
+        np.testing.assert_array_equal(axes.lines[0].get_ydata(), [1.0, 0.5, np.nan])
 
     def test_long_legends_stand_outside(self):
         make_file(self.file, [("stress", [1e3, 2e3, 3e3, 4e3, 5e3]), ("load", [0.0, 1.0])])
