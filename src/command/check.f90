@@ -35,7 +35,8 @@ contains
       character(:), allocatable :: text
 
       call open_case(command%subject, run, outcome)
-      if (outcome%exit_status /= exit_success .or. command%is_quiet) return
+      if (command%names_output .and. outcome%exit_status == exit_success) call outcome%say(run%output//newline)
+      if (outcome%exit_status /= exit_success .or. command%is_quiet .or. command%names_output) return
       if (len(run%title) > 0) call outcome%say(run%title//newline)
       call outcome%say(pad('model', name_width)//run%model%name//newline)
       call outcome%say(describe_values(run))

@@ -16,14 +16,15 @@ module adfric_command_help_pages
       '      --resume goes on with FILE.h5.partial if a run was stopped, --shard I/N solves'//newline// &
       '      the part I of N into FILE.part-000I-of-000N.h5'//newline// &
       '  adfric merge FILE.h5 PART.h5 ... [--virtual] [--force] [--quiet]'//newline// &
-      '      put the parts together to the file that one run would have written;'//newline// &
+      '      put the parts of a run together: the file that one run would have written;'//newline// &
       '      --virtual leaves the results in the parts and refers to them'//newline// &
-      '  adfric check INPUT.nml'//newline// &
-      '      read and validate, write nothing; print the resolved case, the number of points, how long a run takes,'//newline// &
-      '      and what looks like a slip in the units'//newline// &
+      '  adfric check INPUT.nml [--quiet] [--output-name]'//newline// &
+      '      read and validate, write nothing; print the value of every variable, the number of points,'//newline// &
+      '      how long a run takes, and what looks like a slip in the units; --quiet prints nothing but errors,'//newline// &
+      '      --output-name nothing but the name of the results file'//newline// &
       '  adfric help [TOPIC]'//newline// &
-      '      topics: models, groups, variables, results, units, input, outputs, and any name of these:'//newline// &
-      '      a model, a group, a variable, a result, a status, a word that one of them may be'//newline// &
+      '      topics: models, groups, variables, results, units, input, outputs; or the name of a model,'//newline// &
+      '      group, variable, result or status, or a word that a variable or a result may be'//newline// &
       '  adfric --version'//newline// &
       newline// &
       'Exit status: 0 every point is answered, 1 some points did not converge,'//newline// &

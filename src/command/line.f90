@@ -12,7 +12,7 @@ module adfric_command_line
    !> What the program can do.
    character(*), parameter :: known_commands = 'run merge check help'
    !> Options of all commands.
-   character(*), parameter :: known_options = '--output --force --resume --shard --virtual --quiet --help --version'
+   character(*), parameter :: known_options = '--output --force --resume --shard --virtual --quiet --output-name --help --version'
 
    !> A word of the command line.
    type :: argument_t
@@ -40,6 +40,8 @@ module adfric_command_line
       logical :: is_virtual = .false.
       !> Show nothing but errors?
       logical :: is_quiet = .false.
+      !> Show the name of the results file and nothing else?
+      logical :: names_output = .false.
    end type command_t
 
 contains
@@ -136,6 +138,8 @@ contains
          command%is_virtual = .true.
       case ('--quiet')
          command%is_quiet = .true.
+      case ('--output-name')
+         command%names_output = .true.
       case ('--help', '-h')
          if (command%name /= 'help') command%subject = command%name
          command%name = 'help'
@@ -269,6 +273,7 @@ contains
          call check_option('--resume', command%resumes, 'run', command, error)
          call check_option('--shard', .not. command%part%is_whole(), 'run', command, error)
          call check_option('--virtual', command%is_virtual, 'merge', command, error)
+         call check_option('--output-name', command%names_output, 'check', command, error)
          call check_option('--force', command%overwrite, 'run and merge', command, error)
       end if
    end subroutine check_complete

@@ -18,9 +18,9 @@ module adfric_numerics_fftw_bindings
       type(c_ptr) function fftw_plan_r2r_2d(n0, n1, in, out, kind0, kind1, flags) bind(c, name='fftw_plan_r2r_2d')
          import :: c_double, c_int, c_ptr
          implicit none (type, external)
-         !> Number of points along the second dimension of the Fortran array.
+         !> Number of samples along the second dimension of the Fortran array.
          integer(c_int), intent(in), value :: n0
-         !> Number of points along the first dimension of the Fortran array.
+         !> Number of samples along the first dimension of the Fortran array.
          integer(c_int), intent(in), value :: n1
          !> Transform along the second dimension of the Fortran array, `fftw_redft10` or `fftw_redft01`.
          integer(c_int), intent(in), value :: kind0
@@ -38,9 +38,9 @@ module adfric_numerics_fftw_bindings
       type(c_ptr) function fftw_plan_dft_r2c_2d(n0, n1, in, out, flags) bind(c, name='fftw_plan_dft_r2c_2d')
          import :: c_double, c_double_complex, c_int, c_ptr
          implicit none (type, external)
-         !> Number of points along the second dimension of the Fortran array.
+         !> Number of samples along the second dimension of the Fortran array.
          integer(c_int), intent(in), value :: n0
-         !> Number of points along the first dimension of the Fortran array.
+         !> Number of samples along the first dimension of the Fortran array.
          integer(c_int), intent(in), value :: n1
          !> `fftw_measure` or `fftw_estimate`.
          integer(c_int), intent(in), value :: flags
@@ -54,9 +54,9 @@ module adfric_numerics_fftw_bindings
       type(c_ptr) function fftw_plan_dft_c2r_2d(n0, n1, in, out, flags) bind(c, name='fftw_plan_dft_c2r_2d')
          import :: c_double, c_double_complex, c_int, c_ptr
          implicit none (type, external)
-         !> Number of points along the second dimension of the Fortran array.
+         !> Number of samples along the second dimension of the Fortran array.
          integer(c_int), intent(in), value :: n0
-         !> Number of points along the first dimension of the Fortran array.
+         !> Number of samples along the first dimension of the Fortran array.
          integer(c_int), intent(in), value :: n1
          !> `fftw_measure` or `fftw_estimate`.
          integer(c_int), intent(in), value :: flags

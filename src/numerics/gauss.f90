@@ -1,11 +1,11 @@
-!> Gauss's rule of 16 points on (-1, 1), exact for polynomials of degree 31.
+!> Gauss's rule of 16 nodes on (-1, 1), exact for polynomials of degree 31.
 module adfric_numerics_gauss
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
    public :: gauss_nodes, gauss_weights
 
-   !> Nodes and weights of 16 points.
+   !> The 16 nodes and their weights.
    real(dp), parameter :: gauss_nodes(16) = [ &
       & -0.98940093499164993260_dp, &
       & -0.94457502307323257608_dp, &

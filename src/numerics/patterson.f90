@@ -1,7 +1,7 @@
-!> A family of nested rules on (-1, 1): Gauss's of 5 points, Kronrod's extension of it to 11, Patterson's of that to 23
-!> and 47 points, and below them the one of the midpoint. Each keeps all points of the one before.
+!> A family of nested rules on (-1, 1): Gauss's of 5 nodes, Kronrod's extension of it to 11, Patterson's of that to 23
+!> and 47 nodes, and below them the one of the midpoint. Each keeps all nodes of the one before.
 !>
-!> The rules of n = 11, 23 and 47 points are exact for polynomials of degree (3n + 1)/2 (T. N. L. Patterson, Math. Comp.
+!> The rules of n = 11, 23 and 47 nodes are exact for polynomials of degree (3n + 1)/2 (T. N. L. Patterson, Math. Comp.
 !> 22 (1968) 847). All weights are positive.
 module adfric_numerics_patterson
    use adfric_base_kinds, only: dp

@@ -1,7 +1,7 @@
 !> Multiplication of the modes of a periodic field by a symbol: transform, multiply, transform back.
 !>
-!> A general field of nx by ny points goes through the real Fourier transform, modes `(nx/2 + 1, ny)`. A field that is even about
-!> the ends of its range, with points in the middles of nx by ny cells, is a quarter of a period of 2 nx by 2 ny points and goes
+!> A general field of nx by ny samples goes through the real Fourier transform, modes `(nx/2 + 1, ny)`. A field that is even about
+!> the ends of its range, with samples in the middles of nx by ny cells, is a quarter of a period of 2 nx by 2 ny samples and goes
 !> through the cosine transform, modes `(nx, ny)`. A filter owns its plans and its buffers: one for each thread.
 module adfric_numerics_spectral_filter
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_null_ptr, c_ptr, c_size_t
@@ -39,7 +39,7 @@ contains
    subroutine new_spectral_filter(self, nx, ny, is_even, is_measured, error)
       !> Receives the plans and buffers; of no use after an error.
       type(spectral_filter_t), intent(out) :: self
-      !> Number of points in each direction, 1 or more.
+      !> Number of samples in each direction, 1 or more.
       integer, intent(in) :: nx, ny
       !> Is the field even about the ends of its range?
       logical, intent(in) :: is_even
@@ -69,7 +69,7 @@ contains
    subroutine make_plans(self, nx, ny, flag)
       !> In: `is_even` is set. Out: with buffers and plans; what failed is null.
       type(spectral_filter_t), intent(inout) :: self
-      !> Number of points in each direction, 1 or more.
+      !> Number of samples in each direction, 1 or more.
       integer(c_int), intent(in) :: nx, ny
       !> `fftw_measure` or `fftw_estimate`.
       integer(c_int), intent(in) :: flag

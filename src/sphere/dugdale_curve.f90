@@ -14,7 +14,7 @@ module adfric_sphere_dugdale_curve
    use adfric_numerics_trigonometry, only: sinc_minus_cos
    implicit none (type, external)
    private
-   public :: point_t, get_point, get_disc_radius, get_disc, guess_place, farthest, largest_radius
+   public :: curve_point_t, get_curve_point, get_disc_radius, get_disc, guess_place, farthest, largest_radius
 
    !> Contacts are looked for up to this reduced radius, and up to this place y towards a = 0; real ones are far from both.
    real(dp), parameter :: largest_radius = 1.0e60_dp, farthest = 150.0_dp
@@ -22,17 +22,17 @@ module adfric_sphere_dugdale_curve
    real(dp), parameter :: narrow = 0.5_dp
 
    !> A point of the curve, and its change with the place.
-   type :: point_t
+   type :: curve_point_t
       !> Radii of contact and adhesion, load, approach.
       real(dp) :: radius = 0, adhesion_radius = 0, load = 0, approach = 0
       !> Derivatives of these four by the place.
       real(dp) :: radius_slope = 0, adhesion_radius_slope = 0, load_slope = 0, approach_slope = 0
-   end type point_t
+   end type curve_point_t
 
 contains
 
    !> The point at a place.
-   elemental subroutine get_point(lambda, ratio, place, point)
+   elemental subroutine get_curve_point(lambda, ratio, place, point)
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
       !> X, the share of adhesion that is left [-], >= 0.
@@ -40,7 +40,7 @@ contains
       !> Place y = ln tan th on the curve.
       real(dp), intent(in) :: place
       !> Receives radii, load and approach, reduced, and their slopes.
-      type(point_t), intent(out) :: point
+      type(curve_point_t), intent(out) :: point
       real(dp) :: t, th, s, c, s_c, cos_2, f, k, aa, bb, root, c_slope, total, pull
 
       t = exp(place)
@@ -76,7 +76,7 @@ contains
          p%load_slope = p%load_slope*s_c
          p%approach_slope = p%approach_slope*s_c
       end associate
-   end subroutine get_point
+   end subroutine get_curve_point
 
    !> Radius of adhesion at a = 0, where the curve ends.
    elemental real(dp) function get_disc_radius(lambda, ratio) result(radius)

@@ -8,7 +8,7 @@ module adfric_sphere_maugis_dugdale
    use adfric_numerics_powers, only: cube_root
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_sphere_contact, only: contact_t, theory_t, branch_stable, control_approach
-   use adfric_sphere_dugdale_curve, only: point_t, get_point, get_disc, get_disc_radius, guess_place, &
+   use adfric_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc, get_disc_radius, guess_place, &
       & farthest, largest_radius
    implicit none (type, external)
    private
@@ -162,7 +162,7 @@ contains
       !> Receives the contact at the end of stability.
       type(contact_t), intent(out) :: contact
       type(curve_equation_t) :: equation
-      type(point_t) :: point
+      type(curve_point_t) :: point
       real(dp) :: mean, largest
 
       largest = get_disc_radius(self%lambda, self%ratio)
@@ -179,7 +179,7 @@ contains
          contact%place = guess_pull_off(control, self%ratio**(2.0_dp/3)*self%lambda)
          call find_root(equation, start_of(self), farthest, .true., contact%place, contact%is_converged, &
             & close_enough)
-         call get_point(self%lambda, self%ratio, contact%place, point)
+         call get_curve_point(self%lambda, self%ratio, contact%place, point)
          call read_point(point, 0.0_dp, contact, equation%quantity)
       end if
       contact%is_stable = .true.
@@ -222,7 +222,7 @@ contains
       !> Place where the part begins, if the quantity rises along it; if absent, it falls from the largest contact on.
       real(dp), intent(in), optional :: rises_from
       type(curve_equation_t) :: equation
-      type(point_t) :: point
+      type(curve_point_t) :: point
       real(dp) :: excess, slope, step, low
       integer :: iteration
       logical :: does_rise
@@ -242,7 +242,7 @@ contains
          contact%slope = 0
       end if
       do iteration = 1, max_plain_steps
-         call get_point(self%lambda, self%ratio, contact%place, point)
+         call get_curve_point(self%lambda, self%ratio, contact%place, point)
          call equation%compare(point, excess, slope)
          if (.not. abs(slope) > 0 .or. (slope > 0 .neqv. does_rise)) exit
          step = -excess/slope
@@ -258,7 +258,7 @@ contains
       else if (is_alone) then
          if (.not. does_rise) low = start_of(self)
          call find_root(equation, low, high, does_rise, contact%place, contact%is_converged, close_enough)
-         call get_point(self%lambda, self%ratio, contact%place, point)
+         call get_curve_point(self%lambda, self%ratio, contact%place, point)
          call read_point(point, 0.0_dp, contact, quantity)
       end if
       if (quantity == load_along) contact%load = value
@@ -276,7 +276,7 @@ contains
    !> The contact a small step from a point of the curve.
    pure subroutine read_point(point, step, contact, quantity)
       !> Point of the curve, with its slopes.
-      type(point_t), intent(in) :: point
+      type(curve_point_t), intent(in) :: point
       !> Change of the place from this point, so small that the curve is straight.
       real(dp), intent(in) :: step
       !> Receives the radii, load, approach and stability of the state; the rest stays.
@@ -317,11 +317,11 @@ contains
       real(dp), intent(out) :: value
       !> Derivative of the value by the place.
       real(dp), intent(out) :: slope
-      type(point_t) :: point, next
+      type(curve_point_t) :: point, next
 
-      call get_point(self%lambda, self%ratio, x, point)
+      call get_curve_point(self%lambda, self%ratio, x, point)
       if (self%is_slope) then
-         call get_point(self%lambda, self%ratio, x + small_step, next)
+         call get_curve_point(self%lambda, self%ratio, x + small_step, next)
          value = merge(point%approach_slope, point%load_slope, self%quantity == approach_along)
          slope = (merge(next%approach_slope, next%load_slope, self%quantity == approach_along) - value)/small_step
       else
@@ -335,7 +335,7 @@ contains
       !> The equation, with the quantity and its given value.
       class(curve_equation_t), intent(in) :: self
       !> Point of the curve, with its slopes.
-      type(point_t), intent(in) :: point
+      type(curve_point_t), intent(in) :: point
       !> Quantity at the point less its given value.
       real(dp), intent(out) :: value
       !> Derivative of the value by the place.

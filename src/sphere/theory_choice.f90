@@ -7,7 +7,7 @@ module adfric_sphere_theory_choice
    use adfric_sphere_contact, only: contact_t, theory_t, theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale, &
       & control_load, control_approach, control_radius, branch_stable, find_contact
    use adfric_sphere_dmt, only: dmt_t
-   use adfric_sphere_dugdale_curve, only: point_t, get_point, get_disc
+   use adfric_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc
    use adfric_sphere_hertz, only: hertz_t
    use adfric_sphere_jkr, only: jkr_t
    use adfric_sphere_maugis_dugdale, only: maugis_t
@@ -268,7 +268,7 @@ contains
       !> The contact, which has been found.
       type(contact_t), intent(in) :: contact
       type(contact_t) :: again
-      type(point_t) :: point
+      type(curve_point_t) :: point
       real(dp), dimension(3) :: values, others, terms, slopes, sizes, powers
       real(dp) :: shift
       integer :: held
@@ -278,7 +278,7 @@ contains
       select type (theory)
       type is (maugis_t)
          if (contact%radius > 0) then
-            call get_point(theory%lambda, theory%ratio, contact%place, point)
+            call get_curve_point(theory%lambda, theory%ratio, contact%place, point)
             again%radius = point%radius
             again%load = point%load
             again%approach = point%approach

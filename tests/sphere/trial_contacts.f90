@@ -3,7 +3,7 @@ module trial_contacts
    use adfric_base_kinds, only: dp
    use adfric_sphere_contact, only: contact_t
    use adfric_sphere_dmt, only: dmt_t
-   use adfric_sphere_dugdale_curve, only: point_t, get_point, get_disc
+   use adfric_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc
    use adfric_sphere_hertz, only: hertz_t
    use adfric_sphere_jkr, only: jkr_t
    use adfric_sphere_maugis_dugdale, only: maugis_t
@@ -17,9 +17,9 @@ contains
    !> Contact of Maugis's theory at a place on its curve.
    type(contact_t) function curve_contact(lambda, ratio, place) result(contact)
       real(dp), intent(in) :: lambda, ratio, place
-      type(point_t) :: point
+      type(curve_point_t) :: point
 
-      call get_point(lambda, ratio, place, point)
+      call get_curve_point(lambda, ratio, place, point)
       contact = contact_t()
       contact%is_found = .true.
       contact%radius = point%radius
