@@ -1,12 +1,8 @@
 # Completion of adfric in bash: commands, options, topics of help, inputs and results files.
 
-# Topics of `adfric help`; names of models, groups, variables and results are asked of the program itself.
+# Topics of `adfric help`: the program itself lists them, one a line.
 _adfric_topics() {
-   local list
-   printf '%s\n' models groups variables results units input outputs
-   for list in models groups variables results; do
-      "$1" help "$list" 2>/dev/null | sed -n 's/^  &\{0,1\}\([a-z][a-z_0-9]*\).*/\1/p'
-   done | sort -u
+   "$1" help names 2>/dev/null | sort -u
 }
 
 # Files with one of some endings, and folders: _adfric_files WORD ENDING ...
@@ -35,6 +31,7 @@ _adfric() {
    '') options='--help --version' ;;
    run) options='--output --force --quiet --resume --shard --help' ;;
    merge) options='--virtual --force --quiet --help' ;;
+   check) options='--quiet --output-name --help' ;;
    esac
 
    if [ "$before" = --output ]; then

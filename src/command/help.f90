@@ -3,7 +3,7 @@ module adfric_command_help
    use adfric, only: new_model, known_models
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_words, only: count_words, get_word, has_word
-   use adfric_base_text, only: newline, to_lower
+   use adfric_base_text, only: join_words, newline, to_lower
    use adfric_command_help_entries, only: entries_t
    use adfric_command_help_lists, only: model_box_t, list_topics, show_list
    use adfric_command_help_names, only: describe_model, describe_outputs, describe_name, describe_common, list_names
@@ -17,7 +17,7 @@ module adfric_command_help
    public :: give_help
 
    !> Topics that are pages, and names of the groups that every input has.
-   character(*), parameter :: page_topics = 'input outputs', common_groups = 'job sweep'
+   character(*), parameter :: page_topics = 'input outputs names', common_groups = 'job sweep'
 
 contains
 
@@ -88,6 +88,8 @@ contains
          text = outputs_head//newline//describe_common('')//newline//describe_every_model(models, topic)
       else if (topic == 'input') then
          text = input_page
+      else if (topic == 'names') then
+         text = join_words(every_name(models), newline)//newline
       else
          text = explain(models, topic)
       end if

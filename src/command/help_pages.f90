@@ -24,7 +24,8 @@ module adfric_command_help_pages
       '      --output-name nothing but the name of the results file'//newline// &
       '  adfric help [TOPIC]'//newline// &
       '      topics: models, groups, variables, results, units, input, outputs; or the name of a model,'//newline// &
-      '      group, variable, result or status, or a word that a variable or a result may be'//newline// &
+      '      group, variable, result or status, or a word that a variable or a result may be;'//newline// &
+      '      names lists all of these, one a line'//newline// &
       '  adfric --version'//newline// &
       newline// &
       'Exit status: 0 every point is answered, 1 some points did not converge,'//newline// &

@@ -257,7 +257,7 @@ class CompletionTest(Installed):
         self.assertLessEqual({"models", "input", "outputs", "sphere", "surface_elastic", "foundation", "load", "contact_area"}, topics)
         for topic in sorted(topics)[::10]:
             self.succeed(TREE / "adfric", "help", topic)
-        self.assertEqual({"wave_1d", "wave_2d_elastic"}, self.complete("adfric help wave_"))
+        self.assertEqual({"wave_1d", "wave_2d", "wave_2d_elastic", "wave_3d"}, self.complete("adfric help wave_"))
 
     @unittest.skipUnless(shutil.which("zsh"), "there is no zsh")
     def test_zsh(self):
@@ -287,7 +287,7 @@ def contents(folder):
 
 def options_of(text):
     """The options that a text names."""
-    return set(re.findall(r"(?<![\w-])--[a-z]+", text))
+    return set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text))
 
 
 def known_options():
