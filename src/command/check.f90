@@ -88,15 +88,17 @@ contains
       !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: line
-      integer :: k
+      integer :: j, k
 
       line = ''
       do k = 1, size(run%plan%axes)
-         associate (place => run%plan%axes(k)%variable)
-            if (k > 1) line = line//', '
-            line = line//run%model%variables(place)%group//'%'//run%model%variables(place)%name//' = ' &
-               //show_number(run%plan%base(place))//show_unit(run%model%unit_of(run%plan%base, place))
-         end associate
+         do j = 1, size(run%plan%axes(k)%variables)
+            associate (place => run%plan%axes(k)%variables(j))
+               if (len(line) > 0) line = line//', '
+               line = line//run%model%variables(place)%group//'%'//run%model%variables(place)%name//' = ' &
+                  //show_number(run%plan%base(place))//show_unit(run%model%unit_of(run%plan%base, place))
+            end associate
+         end do
       end do
       if (len(line) > 0) line = 'at the first point, '//line//newline
    end function describe_first_point
@@ -149,17 +151,18 @@ contains
       !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
-      integer :: k
+      integer :: j, k
 
       lines = ''
       do k = 1, size(run%plan%axes)
-         associate (variable => run%model%variables(run%plan%axes(k)%variable), values => run%plan%axes(k)%values)
-            lines = lines//pad('sweep of '//variable%group//'%'//variable%name, name_width)// &
-               show_count(size(values))//' values, '//show_number(values(1))
-            if (size(values) > 1) lines = lines//' to '//show_number(values(size(values)))
-            lines = lines//show_unit(run%model%unit_of(run%plan%base, run%plan%axes(k)%variable))
-            lines = lines//newline
-         end associate
+         do j = 1, size(run%plan%axes(k)%variables)
+            associate (place => run%plan%axes(k)%variables(j), values => run%plan%axes(k)%values(j, :))
+               lines = lines//pad('sweep of '//run%model%variables(place)%group//'%'//run%model%variables(place)%name, name_width) &
+                  //show_count(size(values))//' values, '//show_number(values(1))
+               if (size(values) > 1) lines = lines//' to '//show_number(values(size(values)))
+               lines = lines//show_unit(run%model%unit_of(run%plan%base, place))//newline
+            end associate
+         end do
       end do
    end function describe_sweep
 

@@ -45,17 +45,12 @@ contains
       !> Does the variable take its values from a dataset?
       logical, intent(in) :: is_dataset
       real(dp), allocatable :: values(:)
-      integer :: k
 
       allocate (values(0))
       if (is_dataset) then
          if (run%datasets(place)%is_given()) values = [run%datasets(place)%highest, run%datasets(place)%lowest]
-      else if (run%plan%is_swept(place)) then
-         do k = 1, size(run%plan%axes)
-            if (run%plan%axes(k)%variable == place) values = run%plan%axes(k)%values
-         end do
       else if (is_set(run%plan%base(place))) then
-         values = [run%plan%base(place)]
+         values = run%plan%values_of(place)
       end if
    end function values_of
 

@@ -26,25 +26,29 @@ contains
       type(axis_t), intent(in) :: axes(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      integer :: k
+      integer :: j, k
 
       call check_point(file, model, input, input%values, '', problems)
       do k = 1, size(axes)
-         call check_end(file, model, input, axes(k), minloc(axes(k)%values, dim=1), problems)
-         call check_end(file, model, input, axes(k), maxloc(axes(k)%values, dim=1), problems)
+         do j = 1, size(axes(k)%variables)
+            call check_end(file, model, input, axes(k), j, minloc(axes(k)%values(j, :), dim=1), problems)
+            call check_end(file, model, input, axes(k), j, maxloc(axes(k)%values(j, :), dim=1), problems)
+         end do
       end do
    end subroutine check_consistency
 
-   !> Check where one swept variable takes another than its first value.
-   subroutine check_end(file, model, input, axis, number, problems)
+   !> Check where one swept variable takes its least or greatest value, unless that is the first one.
+   subroutine check_end(file, model, input, axis, place, number, problems)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The model, which knows what its values may be together.
       class(model_t), intent(in) :: model
       !> Values of all variables, and which of them are given, swept or broken.
       type(case_t), intent(in) :: input
-      !> The swept variable with its values.
+      !> The swept variables with their values.
       type(axis_t), intent(in) :: axis
+      !> Place of the variable among those of the axis, from 1.
+      integer, intent(in) :: place
       !> Which value of the axis is looked at, from 1; nothing is done at the first one.
       integer, intent(in) :: number
       !> Receives what is wrong with the input; nothing is removed.
@@ -53,10 +57,10 @@ contains
 
       if (number == 1) return
       values = input%values
-      values(axis%variable) = axis%values(number)
-      associate (variable => model%variables(axis%variable))
+      values(axis%variables) = axis%values(:, number)
+      associate (variable => model%variables(axis%variables(place)))
          call check_point(file, model, input, values, ' (at '//variable%name//' = '// &
-            show_value(axis%values(number), variable)//')', problems)
+            show_value(axis%values(place, number), variable)//')', problems)
       end associate
    end subroutine check_end
 

@@ -15,7 +15,7 @@ module adfric_input_sweep
    use adfric_model_model, only: model_t
    use adfric_model_table, only: kind_real, kind_integer
    use adfric_model_vocabulary, only: list_groups_of, list_variables
-   use adfric_run_plan, only: axis_t, plan_t
+   use adfric_run_plan, only: axis_t, new_axis, plan_t
    implicit none (type, external)
    private
    public :: read_sweeps, find_size_problem
@@ -46,15 +46,15 @@ contains
          if (file%groups(i)%name /= 'sweep') cycle
          if (problems%is_enough()) exit
          call read_axis(file, i, model, input, axis, problems)
-         if (axis%variable == 0) cycle
+         if (.not. allocated(axis%variables)) cycle
          n = n + 1
-         axes(n)%variable = axis%variable
+         call move_alloc(axis%variables, axes(n)%variables)
          call move_alloc(axis%values, axes(n)%values)
       end do
       if (n < size(axes)) axes = axes(:n)
    end subroutine read_sweeps
 
-   !> Read one sweep; the variable is 0 if the axis cannot be used.
+   !> Read one sweep.
    subroutine read_axis(file, group, model, input, axis, problems)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
@@ -64,25 +64,26 @@ contains
       class(model_t), intent(in) :: model
       !> In: what the groups and earlier sweeps give. Out: also what this sweep does.
       type(case_t), intent(inout) :: input
-      !> Place of the variable in the model's table, and its values; place 0 if the axis cannot be used.
+      !> The variable and its values; not allocated if the axis cannot be used.
       type(axis_t), intent(out) :: axis
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
+      real(dp), allocatable :: values(:)
       integer :: variable, n_before
 
       call report_unknown_names(file, group, sweep_names, problems)
-      call read_sweep_values(file, group, axis%values, problems)
+      call read_sweep_values(file, group, values, problems)
       call find_swept_variable(file, group, model, input, variable, problems)
       if (variable == 0) return
       n_before = problems%count()
       call check_not_twice(file, group, model, variable, input, problems)
-      if (size(axis%values) > 0) call check_swept_range(file, group, model, variable, axis%values, problems)
-      if (problems%count() > n_before .or. size(axis%values) == 0) then
+      if (size(values) > 0) call check_swept_range(file, group, model, variable, values, problems)
+      if (problems%count() > n_before .or. size(values) == 0) then
          input%is_broken(variable) = .true.
          if (input%line(variable) > 0) return
       else
-         axis%variable = variable
-         input%values(variable) = axis%values(1)
+         call new_axis(axis, variable, values)
+         input%values(variable) = values(1)
       end if
       input%is_swept(variable) = .true.
       input%line(variable) = file%line_of(file%groups(group)%first)
@@ -277,15 +278,17 @@ contains
       character(:), allocatable :: text
       character(:), allocatable :: counts
       real(dp) :: n_points
+      integer(i8) :: lengths(size(plan%axes))
       integer :: k
 
       text = ''
       counts = ''
       n_points = 1
-      do k = 1, size(plan%axes)
-         n_points = min(n_points*real(size(plan%axes(k)%values, kind=i8), dp), 2*most_points)
+      lengths = plan%shape()
+      do k = 1, size(lengths)
+         n_points = min(n_points*real(lengths(k), dp), 2*most_points)
          if (k > 1) counts = counts//' x '
-         counts = counts//show_count(size(plan%axes(k)%values, kind=i8))
+         counts = counts//show_count(lengths(k))
       end do
       if (n_points > most_points) text = 'the sweep has too many points, given '//counts// &
          ', allowed: 2**53 points in all'

@@ -69,8 +69,9 @@ contains
       allocate (derived, source=run%model%get_derived(run%plan%base))
       do i = 1, size(derived)
          is_constant = .not. has_word(list_taken(run), derived(i)%name)
-         do k = 1, size(run%plan%axes)
-            if (derived(i)%follows_from(run%model%variables(run%plan%axes(k)%variable)%name)) is_constant = .false.
+         do k = 1, size(run%model%variables)
+            if (.not. run%plan%is_swept(k)) cycle
+            if (derived(i)%follows_from(run%model%variables(k)%name)) is_constant = .false.
          end do
          if (.not. is_constant) cycle
          constant%name = derived(i)%name
@@ -125,8 +126,8 @@ contains
       do i = 1, size(run%model%profiles)
          names = names//' '//run%model%profiles(i)%name
       end do
-      do i = 1, size(run%plan%axes)
-         names = names//' '//run%model%variables(run%plan%axes(i)%variable)%name
+      do i = 1, size(run%model%variables)
+         if (run%plan%is_swept(i)) names = names//' '//run%model%variables(i)%name
       end do
    end function list_taken
 

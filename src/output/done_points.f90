@@ -179,7 +179,7 @@ contains
                allocate (values(size(run%model%variables), size(results, 1)))
                call run%plan%get_values(layout%blocks%first_point(block), values)
             end if
-            results(:, i) = values(run%plan%axes(k)%variable, :)
+            results(:, i) = values(run%plan%axes(k)%variables(1), :)
          end do
       end do
    end subroutine add_swept

@@ -64,7 +64,7 @@ module adfric_output_layout
 
 contains
 
-   !> Find the datasets of a run.
+   !> Find the datasets of a run, along each axis of which one variable changes.
    subroutine new_layout(self, run)
       !> Receives the datasets and the points of the file.
       type(layout_t), intent(out) :: self
@@ -101,16 +101,17 @@ contains
 
       allocate (axes(size(run%plan%axes)))
       do k = 1, size(axes)
-         associate (variable => run%model%variables(run%plan%axes(k)%variable), axis => axes(k))
+         associate (place => run%plan%axes(k)%variables(1), variable => run%model%variables(run%plan%axes(k)%variables(1)), &
+                    axis => axes(k))
             n_same = 0
             do i = 1, size(axes)
-               if (run%model%variables(run%plan%axes(i)%variable)%name == variable%name) n_same = n_same + 1
+               if (run%model%variables(run%plan%axes(i)%variables(1))%name == variable%name) n_same = n_same + 1
             end do
             axis%name = variable%name
             if (n_same > 1) axis%name = variable%group//'_'//variable%name
-            axis%unit = file_unit(run%model%unit_of(run%plan%base, run%plan%axes(k)%variable))
+            axis%unit = file_unit(run%model%unit_of(run%plan%base, place))
             axis%long_name = variable%meaning
-            axis%values = run%plan%axes(k)%values
+            axis%values = run%plan%axes(k)%values(1, :)
          end associate
       end do
    end subroutine find_axes

@@ -4,7 +4,7 @@
 !> a run that was stopped goes on, and the final name when it is complete. A lock keeps other runs away.
 module adfric_output_results_file
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_error, only: error_t, set_error, file_failure
+   use adfric_base_error, only: error_t, set_error, file_failure, input_failure
    use adfric_hdf5_calls, only: hdf5_calls_t, no_id
    use adfric_hdf5_file, only: create_file, flush_file
    use adfric_output_constants, only: add_derived_constants
@@ -85,6 +85,8 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(layout_t) :: layout
 
+      call check_axes(run, error)
+      if (allocated(error)) return
       call new_layout(layout, run)
       call check_partial_name(run%output, overwrite, error)
       if (.not. allocated(error)) call take_name(self, run%output, overwrite, layout, error)
@@ -174,6 +176,17 @@ contains
       call calls%get_error(self%path//': cannot create', error)
       self%safe_at = wall_clock()
    end subroutine create_all
+
+   !> Refuse a run with axes that have no form in the file.
+   subroutine check_axes(run, error)
+      !> The run, along each axis of which one variable should change.
+      class(run_t), intent(in) :: run
+      !> Not allocated if the run can be written.
+      type(error_t), allocatable, intent(out) :: error
+
+      if (run%plan%has_joint_axis()) call set_error(error, input_failure, &
+         run%output//': cannot create: a results file has no form for variables that are swept together')
+   end subroutine check_axes
 
    !> What every run does first: take the name.
    subroutine take_name(self, path, overwrite, layout, error)

@@ -18,7 +18,7 @@ contains
       class(run_t), intent(in) :: run
       character(checksum_length) :: hash
       type(checksum_t) :: sum
-      integer :: i
+      integer :: i, j
 
       call sum%add_text(program_version)
       call sum%add_text(git_revision)
@@ -31,10 +31,14 @@ contains
             call sum%add_reals(run%plan%base(i:i))
          end do
          do i = 1, size(axes)
-            call sum%add_text(variables(axes(i)%variable)%group)
-            call sum%add_text(variables(axes(i)%variable)%name)
-            call sum%add_reals([real(size(axes(i)%values), dp)])
-            call sum%add_reals(axes(i)%values)
+            do j = 1, size(axes(i)%variables)
+               call sum%add_text(variables(axes(i)%variables(j))%group)
+               call sum%add_text(variables(axes(i)%variables(j))%name)
+            end do
+            call sum%add_reals([real(size(axes(i)%values, 2), dp)])
+            do j = 1, size(axes(i)%variables)
+               call sum%add_reals(axes(i)%values(j, :))
+            end do
          end do
       end associate
       do i = 1, size(run%datasets)

@@ -1,32 +1,48 @@
-!> The grid of points of a sweep: the outer product of the swept variables.
+!> The points of a sweep: the outer product of its axes, along each of which one or several variables change.
 module adfric_run_plan
    use adfric_base_kinds, only: dp, i8
    implicit none (type, external)
    private
-   public :: axis_t, plan_t
+   public :: axis_t, new_axis, plan_t
 
-   !> One swept variable.
+   !> Variables that change together, such as one that is swept alone, or all variables of a list of points.
    type :: axis_t
-      !> Place of the variable in the model's table, from 1; 0: none.
-      integer :: variable = 0
-      !> Values that the variable takes, in the order given by the user.
-      real(dp), allocatable :: values(:)
+      !> Places of the variables in the model's table, from 1.
+      integer, allocatable :: variables(:)
+      !> Values of the variables, in the order given by the user; shape `(n_variables, n_values)`.
+      real(dp), allocatable :: values(:, :)
    end type axis_t
 
    !> Every point of a run. Points are numbered from 1; the last axis varies fastest.
    type :: plan_t
       !> Values of all variables of the model where nothing is swept; shape `(n_variables)`.
       real(dp), allocatable :: base(:)
-      !> Swept variables, the slowest first; size 0 for a single point.
+      !> What is swept, the slowest first; size 0 for a single point.
       type(axis_t), allocatable :: axes(:)
    contains
       procedure :: n_points
       procedure :: shape => plan_shape
       procedure :: is_swept
+      procedure :: values_of
+      procedure :: has_joint_axis
       procedure :: get_values
    end type plan_t
 
 contains
+
+   !> An axis along which one variable changes.
+   pure subroutine new_axis(self, variable, values)
+      !> Receives the variable and its values.
+      type(axis_t), intent(out) :: self
+      !> Place of the variable in the model's table, from 1.
+      integer, intent(in) :: variable
+      !> Values that the variable takes, in the order given by the user.
+      real(dp), intent(in) :: values(:)
+
+      self%variables = [variable]
+      allocate (self%values(1, size(values)))
+      self%values(1, :) = values
+   end subroutine new_axis
 
    !> Number of points of the run.
    pure integer(i8) function n_points(self)
@@ -43,10 +59,10 @@ contains
       integer(i8), allocatable :: counts(:)
       integer :: k
 
-      counts = [(size(self%axes(k)%values, kind=i8), k=1, size(self%axes))]
+      counts = [(size(self%axes(k)%values, 2, kind=i8), k=1, size(self%axes))]
    end function plan_shape
 
-   !> Is a variable swept?
+   !> Is a variable swept, alone or together with others?
    pure logical function is_swept(self, variable)
       !> The run, whose axes are searched.
       class(plan_t), intent(in) :: self
@@ -56,9 +72,37 @@ contains
 
       is_swept = .false.
       do k = 1, size(self%axes)
-         is_swept = is_swept .or. self%axes(k)%variable == variable
+         is_swept = is_swept .or. any(self%axes(k)%variables == variable)
       end do
    end function is_swept
+
+   !> Every value that a variable takes: those of its axis, or the one of all points.
+   pure function values_of(self, variable) result(values)
+      !> The run, with its base values and axes.
+      class(plan_t), intent(in) :: self
+      !> Place of the variable in the model's table, from 1.
+      integer, intent(in) :: variable
+      real(dp), allocatable :: values(:)
+      integer :: j, k
+
+      values = self%base(variable:variable)
+      do k = 1, size(self%axes)
+         j = findloc(self%axes(k)%variables, variable, dim=1)
+         if (j > 0) values = self%axes(k)%values(j, :)
+      end do
+   end function values_of
+
+   !> Do several variables change together along any of the axes?
+   pure logical function has_joint_axis(self)
+      !> The run, whose axes are looked at.
+      class(plan_t), intent(in) :: self
+      integer :: k
+
+      has_joint_axis = .false.
+      do k = 1, size(self%axes)
+         has_joint_axis = has_joint_axis .or. size(self%axes(k)%variables) > 1
+      end do
+   end function has_joint_axis
 
    !> Values of all variables at the points `first`, `first + 1`, ...
    pure subroutine get_values(self, first, values)
@@ -68,19 +112,42 @@ contains
       integer(i8), intent(in) :: first
       !> Values of all variables at n points; shape `(n_variables, n)`.
       real(dp), intent(out) :: values(:, :)
-      integer(i8) :: rest
-      integer :: i, k
+      integer(i8) :: places(size(self%axes)), rest
+      integer :: i, j, k
 
+      rest = first - 1
+      do k = size(self%axes), 1, -1
+         associate (n => size(self%axes(k)%values, 2, kind=i8))
+            places(k) = 1 + mod(rest, n)
+            rest = rest/n
+         end associate
+      end do
       do i = 1, size(values, 2)
          values(:, i) = self%base
-         rest = first + i - 2
-         do k = size(self%axes), 1, -1
+         do k = 1, size(self%axes)
             associate (axis => self%axes(k))
-               values(axis%variable, i) = axis%values(1 + mod(rest, size(axis%values, kind=i8)))
-               rest = rest/size(axis%values, kind=i8)
+               do j = 1, size(axis%variables)
+                  values(axis%variables(j), i) = axis%values(j, places(k))
+               end do
             end associate
          end do
+         call step(self, places)
       end do
    end subroutine get_values
+
+   !> Go to the next point.
+   pure subroutine step(self, places)
+      !> The run, whose last axis varies fastest.
+      class(plan_t), intent(in) :: self
+      !> Place of the point among the values of each axis, from 1; behind the last point comes the first one.
+      integer(i8), intent(inout) :: places(:)
+      integer :: k
+
+      do k = size(places), 1, -1
+         places(k) = places(k) + 1
+         if (places(k) <= size(self%axes(k)%values, 2, kind=i8)) return
+         places(k) = 1
+      end do
+   end subroutine step
 
 end module adfric_run_plan

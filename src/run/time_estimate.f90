@@ -184,7 +184,7 @@ contains
       call run%plan%get_values(blocks%first_point(block), values)
       call cpu_time(start)
       shape = run%profile_shape()
-      if (product(shape) > 0) then
+      if (all(shape > 0)) then
          allocate (profiles(shape(1), shape(2), shape(3)))
          call run%model%solve_block_and_profiles(values, results, errors, status, counts, profiles, waste)
       else

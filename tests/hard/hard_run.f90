@@ -4,7 +4,7 @@ module hard_run
    use adfric_command_case, only: open_case
    use adfric_command_outcome, only: outcome_t
    use adfric_input_run, only: run_input_t
-   use memory_sink, only: n_different_bits
+   use counting_sink, only: n_different_bits
    use random_dice, only: dice_t, new_dice
    use read_back, only: results_reader_t, open_results
    use search_draw, only: drawn_case_t
@@ -165,8 +165,8 @@ contains
       n = 1
       drawn%swept = 1
       associate (axes => run%input%plan%axes)
-         if (size(axes) > 0) n = size(axes(size(axes))%values)
-         if (size(axes) > 0) drawn%swept = axes(size(axes))%variable
+         if (size(axes) > 0) n = size(axes(size(axes))%values, 2)
+         if (size(axes) > 0) drawn%swept = axes(size(axes))%variables(1)
       end associate
       ! no hard case has datasets
       allocate (drawn%values(size(run%input%plan%base), n), drawn%data(0))
@@ -200,7 +200,7 @@ contains
       integer, intent(in) :: which
       real(dp), allocatable :: values(:)
 
-      values = self%input%plan%axes(which)%values
+      values = self%input%plan%axes(which)%values(1, :)
    end function swept
 
    function number(n) result(text)

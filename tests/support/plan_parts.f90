@@ -2,7 +2,7 @@
 module plan_parts
    use adfric_base_kinds, only: dp
    use adfric_model_model, only: model_t
-   use adfric_run_plan, only: plan_t, axis_t
+   use adfric_run_plan, only: plan_t, axis_t, new_axis
    use adfric_run_run, only: run_t, new_run
    implicit none (type, external)
    private
@@ -45,8 +45,7 @@ contains
       do k = 1, n
          axes(k) = plan%axes(k)
       end do
-      axes(n + 1)%variable = variable
-      axes(n + 1)%values = values
+      call new_axis(axes(n + 1), variable, values)
       call move_alloc(axes, plan%axes)
    end subroutine add_axis
 

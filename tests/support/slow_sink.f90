@@ -4,13 +4,13 @@ module slow_sink
    use omp_lib, only: omp_get_thread_num
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t, set_error, file_failure
-   use memory_sink, only: memory_sink_t
+   use counting_sink, only: counting_sink_t
    implicit none (type, external)
    private
    public :: slow_sink_t
 
    !> Keeps everything, slowly.
-   type, extends(memory_sink_t) :: slow_sink_t
+   type, extends(counting_sink_t) :: slow_sink_t
       !> How long each call takes [us].
       integer :: delay = 0
       !> Shall it not become ready?
@@ -57,7 +57,7 @@ contains
 
       call enter(self)
       if (self%n_preparations == 0) self%n_too_early = self%n_too_early + 1
-      call self%memory_sink_t%put(first, results, error_estimate, status, counts, error)
+      call self%counting_sink_t%put(first, results, error_estimate, status, counts, error)
       call leave(self)
    end subroutine keep_slowly
 
