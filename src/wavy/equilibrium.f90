@@ -8,7 +8,7 @@ module adfric_wavy_equilibrium
    use adfric_base_kinds, only: dp
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_wavy_crosswise, only: memory_t
-   use adfric_wavy_load_search, only: search_down, search_up, search_found, search_empty
+   use adfric_wavy_load_search, only: find_first_state, downwards, upwards, search_found, search_empty
    use adfric_wavy_load_starts, only: start_above, start_below, search_without_adhesion, highest
    use adfric_wavy_load_trial, only: trial_t, try_penetration, carries_load, get_reach, is_plain, round_off, indistinct
    use adfric_wavy_steady_state, only: branch_adhered
@@ -207,8 +207,8 @@ contains
             if (outcome == search_found) call try_penetration(surface, start, load, memory, high)
          end if
          ! adhesion does not reach further down than its stress lifts the foundation
-         if (outcome == search_found) &
-            & call search_down(surface, load, .false., -(surface%stress + surface%range), memory, low, high, outcome)
+         if (outcome == search_found) call find_first_state(surface, load, downwards, .false., -(surface%stress + surface%range), &
+            & memory, high, low, outcome)
       else
          if (neighbour%n > 0) then
             low = neighbour%last
@@ -220,7 +220,8 @@ contains
          ! a little beyond endless contact, for round-off
          start = highest(surface, load)
          start = start + indistinct*max(1.0_dp, abs(start))
-         if (outcome == search_found) call search_up(surface, load, .not. load > 0, start, memory, low, high, outcome)
+         if (outcome == search_found) &
+            & call find_first_state(surface, load, upwards, .not. load > 0, start, memory, low, high, outcome)
       end if
       if (outcome /= search_found) return
       call close_bracket(surface, load, memory, low, high)

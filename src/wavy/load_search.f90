@@ -13,8 +13,10 @@ module adfric_wavy_load_search
    use adfric_wavy_surface, only: surface_t
    implicit none (type, external)
    private
-   public :: search_down, search_up, find_entry, search_found, search_empty, search_failed
+   public :: find_first_state, find_entry, downwards, upwards, search_found, search_empty
 
+   !> The way of a search, towards smaller or larger penetrations.
+   integer, parameter :: downwards = -1, upwards = 1
    !> How a search ends: a state, no state for certain, or neither.
    integer, parameter :: search_found = 1, search_empty = 2, search_failed = 3
    !> Trials of one search, and those that may be put aside at once.
@@ -30,117 +32,139 @@ module adfric_wavy_load_search
 
 contains
 
-   !> The largest penetration that carries a load, below one above which all carry more.
-   pure subroutine search_down(surface, load, is_turn, lowest, memory, low, high, outcome)
+   !> The first penetration that carries a load, on the way from one that does not: downwards the largest, from where all above
+   !> carry more; upwards the smallest, from one that carries less.
+   pure subroutine find_first_state(surface, load, direction, has_turned, limit, memory, near, far, outcome)
       !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Load that is sought, per period in x (and y) [h/K].
       real(dp), intent(in) :: load
-      !> Is `high` where the load has just turned, from falling on the way down to rising?
+      !> The way of the search, `downwards` or `upwards`.
+      integer, intent(in) :: direction
+      !> Does the search begin where the load has just turned? Downwards: from falling on the way to rising. Upwards: the surface
+      !> has just been drawn in, so `near` may carry the load to within its tolerance where the load still falls, and that is not
+      !> the state that is sought.
+      logical, intent(in) :: has_turned
+      !> Beyond this penetration nothing is sought [h].
+      real(dp), intent(in) :: limit
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
+      type(memory_t), intent(inout) :: memory
+      !> In: the penetration where the search begins. Out: the last one on the way before the state, if one is found.
+      type(trial_t), intent(inout) :: near
+      !> If a state is found, a penetration beyond it; the state is the only one between the two.
+      type(trial_t), intent(out) :: far
+      !> How the search ends, one of `search_...`.
+      integer, intent(out) :: outcome
+      type(aside_t) :: aside
+      type(trial_t) :: last
+      real(dp) :: sure, next
+      logical :: is_turn, is_over
+      integer :: k
+
+      outcome = search_found
+      last = near
+      is_turn = has_turned
+      do k = 1, max_trials
+         far = near
+         if (direction == downwards) then
+            is_turn = (is_turn .and. near%totals%structure == last%totals%structure) .or. near%totals%load_slope > 0
+         else
+            is_turn = is_turn .and. .not. near%excess > last%excess
+         end if
+         if (carries_load(surface, near) .and. .not. (direction == upwards .and. is_turn)) return
+         if (aside%n == 0) then
+            call step_on(surface, direction, is_turn, limit, near, last, next, is_over)
+            if (is_over) exit
+         else
+            far = aside%trials(aside%n)
+            sure = get_sure(surface, direction, near, far%totals%slope_bound)
+            if (is_clear(surface, direction, is_turn, sure, near, far, aside%trials(max(aside%n - 1, 1)))) then
+               if (merge(far%excess < 0, far%excess >= 0, direction == downwards)) return
+               last = near
+               near = far
+               aside%n = aside%n - 1
+               cycle
+            end if
+            next = divide(near%penetration, sure, far%penetration)
+         end if
+         call add_trial(surface, next, near%penetration, load, memory, aside, outcome)
+         if (outcome == search_failed) return
+      end do
+      outcome = merge(search_empty, search_failed, k <= max_trials)
+   end subroutine find_first_state
+
+   !> The next penetration of a search where no trial is put aside.
+   pure subroutine step_on(surface, direction, is_turn, limit, near, last, next, is_over)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
+      type(surface_t), intent(in) :: surface
+      !> The way of the search, `downwards` or `upwards`.
+      integer, intent(in) :: direction
+      !> Has the load just turned? Upwards it still falls then.
       logical, intent(in) :: is_turn
-      !> Below this penetration nothing is sought [h].
-      real(dp), intent(in) :: lowest
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
-      type(memory_t), intent(inout) :: memory
-      !> If a state is found, a penetration that carries less; the state is the only one between the two.
-      type(trial_t), intent(out) :: low
-      !> In: a penetration above which all carry more than the load, and which carries no less. Out: the last such penetration.
-      type(trial_t), intent(inout) :: high
-      !> How the search ends, one of `search_...`.
-      integer, intent(out) :: outcome
-      type(aside_t) :: aside
-      type(trial_t) :: last
-      real(dp) :: sure, next
-      logical :: has_risen, is_clear
-      integer :: k
+      !> Beyond this penetration nothing is sought [h].
+      real(dp), intent(in) :: limit
+      !> The trial where the search stands, and the one before it.
+      type(trial_t), intent(in) :: near, last
+      !> The next penetration [h].
+      real(dp), intent(out) :: next
+      !> Is there nothing to seek before the limit?
+      logical, intent(out) :: is_over
+      real(dp) :: sure
 
-      outcome = search_found
-      last = high
-      has_risen = is_turn
-      do k = 1, max_trials
-         low = high
-         if (carries_load(surface, high)) return
-         sure = high%penetration - get_fall(surface, high)
-         has_risen = (has_risen .and. high%totals%structure == last%totals%structure) .or. high%totals%load_slope > 0
-         if (aside%n == 0) then
-            if (sure <= lowest) exit
-            next = min(sure, high%penetration - get_step(surface, high, last))
-         else
-            low = aside%trials(aside%n)
-            is_clear = low%penetration >= sure .or. is_plain(surface, low, high, low) .or. is_one(low%penetration, sure)
-            if (.not. is_clear .and. low%excess > 0) &
-               & is_clear = is_past_least(surface, has_risen, aside%trials(max(aside%n - 1, 1)), low, high)
-            if (is_clear) then
-               if (low%excess < 0) return
-               last = high
-               high = low
-               aside%n = aside%n - 1
-               cycle
-            end if
-            next = divide(high%penetration, sure, low%penetration)
-         end if
-         call add_trial(surface, next, high%penetration, load, memory, aside, outcome)
-         if (outcome == search_failed) return
-      end do
-      outcome = merge(search_empty, search_failed, k <= max_trials)
-   end subroutine search_down
+      if (direction == downwards) then
+         sure = get_sure(surface, direction, near, near%totals%slope_bound)
+         is_over = sure <= limit
+         next = min(sure, near%penetration - get_step(surface, near, last))
+      else
+         is_over = near%penetration >= limit
+         ! the slope is 1 at most
+         sure = get_sure(surface, direction, near, 1.0_dp)
+         next = near%penetration + get_longest_step(surface)
+         if (.not. is_turn) next = near%penetration + get_step(surface, near, last)
+         next = max(sure, min(next, limit))
+      end if
+   end subroutine step_on
 
-   !> The smallest penetration that carries a load, above one that carries less.
-   pure subroutine search_up(surface, load, is_drawn_in, highest, memory, low, high, outcome)
+   !> The penetration up to which a search passes no state for certain [h].
+   pure real(dp) function get_sure(surface, direction, near, slope_bound) result(sure)
       !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
-      !> Load that is sought, per period in x (and y) [h/K].
-      real(dp), intent(in) :: load
-      !> Has the surface just been drawn in? Then `low` may carry the load to within its tolerance, and is not the state that is
-      !> sought: the load falls there.
-      logical, intent(in) :: is_drawn_in
-      !> Above this penetration nothing is sought [h].
-      real(dp), intent(in) :: highest
-      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
-      type(memory_t), intent(inout) :: memory
-      !> In: a penetration that carries less than the load. Out: the last such penetration.
-      type(trial_t), intent(inout) :: low
-      !> If a state is found, a penetration that carries no less; the state is the only one between the two.
-      type(trial_t), intent(out) :: high
-      !> How the search ends, one of `search_...`.
-      integer, intent(out) :: outcome
-      type(aside_t) :: aside
-      type(trial_t) :: last
-      real(dp) :: sure, next
-      logical :: is_falling
-      integer :: k
+      !> The way of the search, `downwards` or `upwards`.
+      integer, intent(in) :: direction
+      !> The trial where the search stands.
+      type(trial_t), intent(in) :: near
+      !> Bound of the slope up to the furthest penetration in question [1/K]; downwards the trial has its own.
+      real(dp), intent(in) :: slope_bound
 
-      outcome = search_found
-      last = low
-      is_falling = is_drawn_in
-      do k = 1, max_trials
-         high = low
-         is_falling = is_falling .and. .not. low%excess > last%excess
-         if (carries_load(surface, low) .and. .not. is_falling) return
-         if (aside%n == 0) then
-            if (low%penetration >= highest) exit
-            ! the slope is 1 at most
-            sure = low%penetration + get_reach(low, 1.0_dp)
-            next = low%penetration + get_longest_step(surface)
-            if (.not. is_falling) next = low%penetration + get_step(surface, low, last)
-            next = max(sure, min(next, highest))
-         else
-            high = aside%trials(aside%n)
-            sure = low%penetration + get_reach(low, high%totals%slope_bound)
-            if (high%penetration <= sure .or. is_plain(surface, low, high, high) .or. is_one(sure, high%penetration)) then
-               if (high%excess >= 0) return
-               last = low
-               low = high
-               aside%n = aside%n - 1
-               cycle
-            end if
-            next = divide(low%penetration, sure, high%penetration)
-         end if
-         call add_trial(surface, next, low%penetration, load, memory, aside, outcome)
-         if (outcome == search_failed) return
-      end do
-      outcome = merge(search_empty, search_failed, k <= max_trials)
-   end subroutine search_up
+      if (direction == downwards) then
+         sure = near%penetration - get_fall(surface, near)
+      else
+         sure = near%penetration + get_reach(near, slope_bound)
+      end if
+   end function get_sure
+
+   !> Is no state passed on the way from one trial to the next, but for one that is crossed?
+   pure logical function is_clear(surface, direction, is_turn, sure, near, far, further)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
+      type(surface_t), intent(in) :: surface
+      !> The way of the search, `downwards` or `upwards`.
+      integer, intent(in) :: direction
+      !> Downwards: does the load rise with the penetration somewhere above `near`, between the same regimes?
+      logical, intent(in) :: is_turn
+      !> The penetration up to which no state is passed for certain [h].
+      real(dp), intent(in) :: sure
+      !> The trial where the search stands, the next one on the way, and the one behind that, or once more the next one.
+      type(trial_t), intent(in) :: near, far, further
+
+      is_clear = direction*(far%penetration - sure) <= 0 .or. is_one(far%penetration, sure)
+      if (is_clear) return
+      if (direction == upwards) then
+         is_clear = is_plain(surface, near, far, far)
+      else
+         is_clear = is_plain(surface, far, near, far)
+         if (.not. is_clear .and. far%excess > 0) is_clear = is_past_least(surface, is_turn, further, far, near)
+      end if
+   end function is_clear
 
    !> The smallest penetration that carries less than a load, for a surface that adhesion draws in. What carries more is
    !> certain downwards from each trial.
@@ -218,11 +242,11 @@ contains
    end function divide
 
    !> Are two penetrations as good as one?
-   pure logical function is_one(low, high)
-      !> The smaller and the larger penetration [h].
-      real(dp), intent(in) :: low, high
+   pure logical function is_one(one, other)
+      !> The two penetrations [h].
+      real(dp), intent(in) :: one, other
 
-      is_one = high - low <= indistinct*max(abs(high), 1.0_dp)
+      is_one = abs(other - one) <= indistinct*max(abs(max(one, other)), 1.0_dp)
    end function is_one
 
    !> How long the next step is [h]: along the tangent, and not too long.

@@ -7,7 +7,7 @@ module adfric_wavy_pull_off
    use adfric_base_kinds, only: dp
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_load
-   use adfric_wavy_load_search, only: search_down, search_found, search_empty
+   use adfric_wavy_load_search, only: find_first_state, downwards, search_found, search_empty
    use adfric_wavy_load_trial, only: trial_t, try_penetration, try_near, is_plain, has_moving_edges, round_off, &
       & indistinct
    use adfric_wavy_steady_state, only: branch_adhered
@@ -86,8 +86,9 @@ contains
          call follow_to_turn(adhered, memory, start, turns(k), high)
          if (.not. turns(k)%least%totals%is_converged) return
          high%excess = high%totals%load - turns(k)%least%totals%load
-         call search_down(adhered, turns(k)%least%totals%load, high%totals%structure == turns(k)%least%totals%structure, &
-            & -(surface%stress + surface%range), memory, low, high, outcome)
+         call find_first_state(adhered, turns(k)%least%totals%load, downwards, &
+            & high%totals%structure == turns(k)%least%totals%structure, -(surface%stress + surface%range), &
+            & memory, high, low, outcome)
          if (outcome /= search_found) exit
          start = high
          if (low%excess < high%excess) start = low
