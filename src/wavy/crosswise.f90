@@ -9,10 +9,10 @@ module adfric_wavy_crosswise
    use adfric_numerics_patterson, only: n_levels, n_half
    use adfric_wavy_interval, only: interval_t, new_interval, raise_interval, split_interval, can_be_raised
    use adfric_wavy_panels, only: panel_t, division_t, divide_surface
-   use adfric_wavy_steady_state, only: find_steady_state, branch_approach
+   use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_saturated
    use adfric_wavy_surface, only: negligible, surface_t, totals_t, new_surface_strip, share_at, add_strip, add_totals, &
-      & add_load_slope, add_regime
+      & add_load_slope, add_regime, is_same_surface
    implicit none (type, external)
    private
    public :: memory_t, get_totals
@@ -30,7 +30,8 @@ module adfric_wavy_crosswise
    type :: memory_t
       !> The crest strips of the last surface and of the one before.
       type(steady_state_t) :: crest, before
-      !> Penetration of the last surface [h].
+      !> The last surface, and its penetration [h].
+      type(surface_t) :: surface
       real(dp) :: penetration = -huge(1.0_dp)
       !> Do the surfaces change in equal steps, so that two of them foretell the next?
       logical :: is_even = .false.
@@ -62,12 +63,9 @@ contains
 
       error = 0
       call new_surface_strip(surface, penetration, 1.0_dp, strip)
-      if (surface%branch == branch_approach .and. penetration < memory%penetration) then
-         ! a state that was found on the way up may still be one, and not the first from above any more
-         call find_steady_state(strip, surface%branch, crest)
-      else
-         call find_steady_state(strip, surface%branch, crest, next_crest(memory))
-      end if
+      call find_steady_state(strip, surface%branch, crest, next_crest(memory), &
+         & adheres_more=penetration >= memory%penetration .and. is_same_surface(surface, memory%surface))
+      memory%surface = surface
       memory%penetration = penetration
       memory%before = memory%crest
       memory%crest = crest

@@ -343,7 +343,9 @@ contains
       end if
    end subroutine divide_between
 
-   !> Of two regimes, is it the first whose end can be found more easily?
+   !> Of two regimes that follow each other, is it the first whose end divides them? On the adhered branch that is the one that
+   !> adheres more, on the approach branch the one that adheres less: the other may still exist beyond. Ends in closed form have been
+   !> found before.
    pure logical function ends_first(surface, one, two)
       !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
@@ -353,7 +355,11 @@ contains
 
       ! by regime number: free, adhesion only, discrete, saturated adhesion, adhesion zones, saturated
       order = [0, 1, 0, 0, 2, 0]
-      if (surface%branch == branch_adhered) order(regime_saturated_adhesion) = 3
+      if (surface%branch == branch_adhered) then
+         order(regime_saturated_adhesion) = 3
+      else
+         order(regime_adhesion_only) = 3
+      end if
       ends_first = order(one) >= order(two)
    end function ends_first
 

@@ -35,18 +35,24 @@ module adfric_wavy_steady_state
 contains
 
    !> Find the steady state of a strip.
-   pure subroutine find_steady_state(strip, branch, state, guess, is_regime_known)
+   !>
+   !> With adhesion zones several states may be stable. Of a strip that adheres more, the first state from above may lie below those
+   !> of this one, and still continue to one of them: so on the approach branch a state of a neighbour is continued only where it is
+   !> known to adhere less.
+   pure subroutine find_steady_state(strip, branch, state, guess, is_regime_known, adheres_more)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
       !> The branch that is sought, one of `branch_...`.
       integer, intent(in) :: branch
       !> The steady state; `is_converged` tells whether it was found.
       type(steady_state_t), intent(out) :: state
-      !> State of a neighbouring strip; it may save time. Where several states are stable, the one that continues it is taken.
+      !> State of a neighbouring strip; it may save time.
       type(steady_state_t), intent(in), optional :: guess
       !> Is this strip known to be in the regime of the guess, if it is stable there? Then nothing else is tried.
       logical, intent(in), optional :: is_regime_known
-      logical :: is_found, is_known
+      !> Does this strip adhere wherever the neighbour does, for it is the same at a larger penetration? If absent, that is not known.
+      logical, intent(in), optional :: adheres_more
+      logical :: is_found, is_known, may_continue
       real(dp) :: bound_width
 
       if (strip%stress <= 0) then
@@ -65,7 +71,9 @@ contains
       call try_bound(strip, branch, state, is_found, guess)
       if (is_found) return
       bound_width = state%bound_width
-      if (present(guess)) then
+      may_continue = branch == branch_adhered
+      if (present(adheres_more)) may_continue = may_continue .or. adheres_more
+      if (may_continue .and. present(guess)) then
          if (guess%regime == regime_adhesion_zones) call continue_state(strip, guess, state, is_found)
       end if
       if (.not. is_found) call search_with_release(strip, branch, state)
