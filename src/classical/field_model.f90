@@ -5,6 +5,7 @@ module adfric_classical_field_model
    use adfric_classical_model, only: halfspace_model_t
    use adfric_classical_point_memory, only: point_memory_t
    use adfric_model_status, only: status_solved
+   use adfric_model_rows, only: result_row
    use adfric_model_table, only: result_t, profile_t
    implicit none (type, external)
    private
@@ -62,11 +63,7 @@ contains
 
       do k = 1, count_words(components)
          name = get_word(components, k)
-         r(k)%name = 'stress_'//name
-         r(k)%unit = 'Pa'
-         r(k)%long_name = 'stress s_'//name//', tension positive'
-         r(k)%flag_meanings = ''
-         r(k)%is_main = .true.
+         r(k) = result_row(name='stress_'//name, unit='Pa', long_name='stress s_'//name//', tension positive', is_main=.true.)
       end do
    end subroutine set_stresses
 
@@ -77,7 +74,7 @@ contains
       integer, parameter :: shear = 4
 
       call set_stresses('xx yy xy', r)
-      r(shear) = result_t('largest_shear_stress', 'Pa', 'largest shear stress in the plane', '', .true.)
+      r(shear) = result_row(name='largest_shear_stress', unit='Pa', long_name='largest shear stress in the plane', is_main=.true.)
    end subroutine set_plane_stresses
 
    !> Set rows of displacements.
@@ -91,10 +88,7 @@ contains
 
       do k = 1, count_words(components)
          name = get_word(components, k)
-         r(k)%name = 'displacement_'//name
-         r(k)%unit = 'm'
-         r(k)%long_name = 'displacement along '//name
-         r(k)%flag_meanings = ''
+         r(k) = result_row(name='displacement_'//name, unit='m', long_name='displacement along '//name)
       end do
    end subroutine set_displacements
 

@@ -12,7 +12,7 @@ module adfric_classical_hertz_model
    use adfric_classical_point_memory, only: point_memory_t
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
    use adfric_model_requirements, only: need, need_one
-   use adfric_model_rows, only: positive, choice, number, contact_profiles
+   use adfric_model_rows, only: positive, choice, number, contact_profiles, result_row
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_model_table, only: result_t, variable_t
    implicit none (type, external)
@@ -44,21 +44,24 @@ contains
       type(hertz_model_t), intent(out) :: self
       type(variable_t) :: v(n_variables)
 
-      v(v_kind) = choice('contact', 'kind', 'parallel cylinders, spheres, or any smooth bodies', 'line circular elliptical')
-      v(v_radius) = positive('contact', 'radius', 'm', 'R of line and circle, 1/R = 1/R1 + 1/R2')
-      v(v_radius_1x) = number('contact', 'radius_1x', 'm', 'principal radius of the first body, convex > 0; not given: flat')
-      v(v_radius_1y) = number('contact', 'radius_1y', 'm', 'its other principal radius')
-      v(v_radius_2x) = number('contact', 'radius_2x', 'm', 'principal radius of the second body')
-      v(v_radius_2y) = number('contact', 'radius_2y', 'm', 'its other principal radius')
-      v(v_angle) = number('contact', 'angle', 'rad', 'from the first principal direction of body 1 to that of body 2', 0.0_dp)
-      call set_modulus_rows(positive('solid', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_second_poisson_ratio))
+      v(v_kind) = choice(group='contact', name='kind', meaning='parallel cylinders, spheres, or any smooth bodies', &
+         & choices='line circular elliptical')
+      v(v_radius) = positive(group='contact', name='radius', unit='m', meaning='R of line and circle, 1/R = 1/R1 + 1/R2')
+      v(v_radius_1x) = number(group='contact', name='radius_1x', unit='m', &
+         & meaning='principal radius of the first body, convex > 0; not given: flat')
+      v(v_radius_1y) = number(group='contact', name='radius_1y', unit='m', meaning='its other principal radius')
+      v(v_radius_2x) = number(group='contact', name='radius_2x', unit='m', meaning='principal radius of the second body')
+      v(v_radius_2y) = number(group='contact', name='radius_2y', unit='m', meaning='its other principal radius')
+      v(v_angle) = number(group='contact', name='angle', unit='rad', &
+         & meaning='from the first principal direction of body 1 to that of body 2', default=0.0_dp)
+      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
+         & v(v_contact_modulus:v_second_poisson_ratio))
       v(v_poisson_ratio)%meaning = 'of the first body, and for the largest shear stress; a line without it: that in the plane'
-      v(v_load) = number('operating', 'load', 'N; N/m for line', 'load')
-      v(v_load)%lower = 0
-      v(v_approach) = number('operating', 'approach', 'm', 'of distant points, instead of the load; not for a line')
-      v(v_approach)%lower = 0
-      call self%set_tables('hertz', 'smooth elastic bodies in contact along a line, on a circle or an ellipse', v, &
-         & get_results(), contact_profiles(), 'y x', .false.)
+      v(v_load) = number(group='operating', name='load', unit='N; N/m for line', meaning='load', lower=0.0_dp)
+      v(v_approach) = number(group='operating', name='approach', unit='m', &
+         & meaning='of distant points, instead of the load; not for a line', lower=0.0_dp)
+      call self%set_tables(name='hertz', summary='smooth elastic bodies in contact along a line, on a circle or an ellipse', &
+         & variables=v, results=get_results(), profiles=contact_profiles(), axes='y x', is_depth=.false.)
       self%solids = [v_contact_modulus, v_second_poisson_ratio]
    end subroutine new_hertz_model
 
@@ -76,17 +79,20 @@ contains
          force = trim(merge('N/m', 'N  ', is_line))
          area = trim(merge('m  ', 'm^2', is_line))
       end if
-      r(r_load) = result_t('load', force, 'load', '', .true.)
-      r(r_approach) = result_t('approach', 'm', 'approach of distant points; a line contact has none', '', .true.)
-      r(r_half_width) = result_t('contact_half_width', 'm', 'half-width a of contact, along the major axis x', '', .true.)
-      r(r_minor) = result_t('minor_half_width', 'm', 'half-width b along the minor axis y', '')
-      r(r_peak_pressure) = result_t('peak_pressure', 'Pa', 'largest pressure', '', .true.)
-      r(r_mean_pressure) = result_t('mean_pressure', 'Pa', 'load over area of contact', '')
-      r(r_contact_area) = result_t('contact_area', area, 'area of contact', '')
-      r(r_direction) = result_t('major_axis_angle', 'rad', 'from the first principal direction of body 1 to the major axis', '')
-      r(r_shear) = result_t('largest_shear_stress', 'Pa', 'largest shear stress in the solid', '')
-      r(r_shear_depth) = result_t('largest_shear_depth', 'm', 'its depth', '')
-      r(r_violation) = result_t('contact_violation', '-', 'largest violation of g >= 0, p >= 0, g p = 0', '')
+      r(r_load) = result_row(name='load', unit=force, long_name='load', is_main=.true.)
+      r(r_approach) = result_row(name='approach', unit='m', long_name='approach of distant points; a line contact has none', &
+         & is_main=.true.)
+      r(r_half_width) = result_row(name='contact_half_width', unit='m', &
+         & long_name='half-width a of contact, along the major axis x', is_main=.true.)
+      r(r_minor) = result_row(name='minor_half_width', unit='m', long_name='half-width b along the minor axis y')
+      r(r_peak_pressure) = result_row(name='peak_pressure', unit='Pa', long_name='largest pressure', is_main=.true.)
+      r(r_mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over area of contact')
+      r(r_contact_area) = result_row(name='contact_area', unit=area, long_name='area of contact')
+      r(r_direction) = result_row(name='major_axis_angle', unit='rad', &
+         & long_name='from the first principal direction of body 1 to the major axis')
+      r(r_shear) = result_row(name='largest_shear_stress', unit='Pa', long_name='largest shear stress in the solid')
+      r(r_shear_depth) = result_row(name='largest_shear_depth', unit='m', long_name='its depth')
+      r(r_violation) = result_row(name='contact_violation', unit='-', long_name='largest violation of g >= 0, p >= 0, g p = 0')
    end function get_results
 
    !> See `model_t`.

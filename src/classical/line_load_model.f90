@@ -12,7 +12,7 @@ module adfric_classical_line_load_model
    use adfric_classical_strip_tractions, only: uniform_strip_stress, hertz_strip_stress, uniform_strip_integral, &
       & hertz_strip_integral
    use adfric_model_requirements, only: need
-   use adfric_model_rows, only: positive, number, choice, dataset, poisson_ratio_row
+   use adfric_model_rows, only: positive, number, choice, dataset, poisson_ratio, result_row
    use adfric_model_status, only: status_solved
    use adfric_model_table, only: result_t, variable_t
    implicit none (type, external)
@@ -61,14 +61,16 @@ contains
       type(result_t) :: r(6)
 
       call set_common(v)
-      v(v_normal) = number('operating', 'normal_load', 'N/m', 'N per length, into the solid', 0.0_dp)
-      v(v_tangential) = number('operating', 'tangential_load', 'N/m', 'T per length, along x', 0.0_dp)
-      v(v_datum) = positive('operating', 'datum', 'm', 'distance that fixes the rigid motion of the displacements')
-      v(v_datum)%default = 1
+      v(v_normal) = number(group='operating', name='normal_load', unit='N/m', meaning='N per length, into the solid', &
+         & default=0.0_dp)
+      v(v_tangential) = number(group='operating', name='tangential_load', unit='N/m', meaning='T per length, along x', &
+         & default=0.0_dp)
+      v(v_datum) = positive(group='operating', name='datum', unit='m', &
+         & meaning='distance that fixes the rigid motion of the displacements', default=1.0_dp)
       call set_plane_stresses(r)
       call set_displacements('x y', r(r_displacement_x:))
-      call self%set_tables('line_load', 'a line load on an elastic half-plane (Flamant): stresses and displacements', v, r, &
-         & maps_of(r), 'y x', .true.)
+      call self%set_tables(name='line_load', summary='a line load on an elastic half-plane (Flamant): stresses and displacements', &
+         & variables=v, results=r, profiles=maps_of(r), axes='y x', is_depth=.true.)
    end subroutine new_line_load_model
 
    !> The model of a strip load with its tables.
@@ -79,21 +81,26 @@ contains
       type(result_t) :: r(6)
 
       call set_common(v)
-      v(v_normal) = number('operating', 'normal_traction', 'Pa', 'p, into the solid; its largest value', 0.0_dp)
-      v(v_tangential) = number('operating', 'tangential_traction', 'Pa', 'q, along x; its largest value', 0.0_dp)
-      v(v_distribution) = choice('operating', 'distribution', &
-         & 'of both tractions: constant, sqrt(1 - x^2/a^2), or as in &samples', &
-         & 'uniform hertz sampled')
-      v(v_half_width) = positive('operating', 'half_width', 'm', 'half-width a of the strip; not of a sampled one')
-      v(v_positions) = dataset('samples', 'positions', 'm', 'where the tractions are given, increasing; linear between', 1, &
-         & fewest_samples)
-      v(v_pressures) = dataset('samples', 'pressures', 'Pa', 'p there, into the solid', 1, fewest_samples)
-      v(v_shear_tractions) = dataset('samples', 'shear_tractions', 'Pa', 'q there, along x; not given: none', 1, fewest_samples)
+      v(v_normal) = number(group='operating', name='normal_traction', unit='Pa', meaning='p, into the solid; its largest value', &
+         & default=0.0_dp)
+      v(v_tangential) = number(group='operating', name='tangential_traction', unit='Pa', meaning='q, along x; its largest value', &
+         & default=0.0_dp)
+      v(v_distribution) = choice(group='operating', name='distribution', &
+         & meaning='of both tractions: constant, sqrt(1 - x^2/a^2), or as in &samples', choices='uniform hertz sampled')
+      v(v_half_width) = positive(group='operating', name='half_width', unit='m', &
+         & meaning='half-width a of the strip; not of a sampled one')
+      v(v_positions) = dataset(group='samples', name='positions', unit='m', &
+         & meaning='where the tractions are given, increasing; linear between', largest_rank=1, least_count=fewest_samples)
+      v(v_pressures) = dataset(group='samples', name='pressures', unit='Pa', meaning='p there, into the solid', largest_rank=1, &
+         & least_count=fewest_samples)
+      v(v_shear_tractions) = dataset(group='samples', name='shear_tractions', unit='Pa', &
+         & meaning='q there, along x; not given: none', largest_rank=1, least_count=fewest_samples)
       call set_plane_stresses(r)
-      r(r_strain) = result_t('surface_strain', '-', 'du_x/dx of the surface at position_x', '')
-      r(r_slope) = result_t('surface_slope', '-', 'du_y/dx of the surface at position_x', '')
-      call self%set_tables('strip_load', 'tractions on a strip of an elastic half-plane: stresses and surface slopes', v, r, &
-         & maps_of(r), 'y x', .true.)
+      r(r_strain) = result_row(name='surface_strain', unit='-', long_name='du_x/dx of the surface at position_x')
+      r(r_slope) = result_row(name='surface_slope', unit='-', long_name='du_y/dx of the surface at position_x')
+      call self%set_tables(name='strip_load', &
+         & summary='tractions on a strip of an elastic half-plane: stresses and surface slopes', variables=v, results=r, &
+         & profiles=maps_of(r), axes='y x', is_depth=.true.)
    end subroutine new_strip_load_model
 
    !> Set the rows that both models have.
@@ -101,11 +108,12 @@ contains
       !> Table of variables; its first four rows are set.
       type(variable_t), intent(inout) :: v(:)
 
-      v(v_young_modulus) = positive('solid', 'young_modulus', 'Pa', 'Young''s modulus')
-      v(v_poisson_ratio) = poisson_ratio_row()
-      v(v_x) = number('position', 'position_x', 'm', 'where the results are, along the surface', 0.0_dp)
-      v(v_y) = number('position', 'position_y', 'm', 'where the results are, depth', 0.0_dp)
-      v(v_y)%lower = 0
+      v(v_young_modulus) = positive(group='solid', name='young_modulus', unit='Pa', meaning='Young''s modulus')
+      v(v_poisson_ratio) = poisson_ratio(group='solid', name='poisson_ratio', meaning='Poisson''s ratio')
+      v(v_x) = number(group='position', name='position_x', unit='m', meaning='where the results are, along the surface', &
+         & default=0.0_dp)
+      v(v_y) = number(group='position', name='position_y', unit='m', meaning='where the results are, depth', default=0.0_dp, &
+         & lower=0.0_dp)
    end subroutine set_common
 
    !> See `halfspace_model_t`.

@@ -10,7 +10,7 @@ module adfric_classical_model
    use adfric_material_contact_modulus, only: derive_contact_modulus
    use adfric_model_model, only: model_t, derived_t
    use adfric_model_requirements, only: need
-   use adfric_model_rows, only: set_output_axis, output_switch
+   use adfric_model_rows, only: set_output_axis, switch
    use adfric_model_status, only: status_solved
    use adfric_model_table, only: variable_t, result_t, profile_t
    implicit none (type, external)
@@ -117,7 +117,7 @@ contains
       self%output = n + 1
       allocate (self%variables(n + 1 + 3*count_words(axes)))
       self%variables(:n) = variables
-      self%variables(n + 1) = output_switch()
+      self%variables(n + 1) = switch(group='output', name='profiles', meaning='write profiles of every point', default=.false.)
       do k = 1, count_words(axes)
          call set_output_axis(get_word(axes, k), merge(1, n_samples, k < count_words(axes)), is_depth .and. k == 1, &
             & self%variables(n + 3*k - 1:n + 3*k + 1))

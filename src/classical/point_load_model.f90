@@ -5,7 +5,7 @@ module adfric_classical_point_load_model
    use adfric_classical_boussinesq_cerruti, only: point_stress, point_displacement
    use adfric_classical_field_model, only: field_model_t, set_stresses, set_displacements, maps_of
    use adfric_model_requirements, only: need
-   use adfric_model_rows, only: positive, number, poisson_ratio_row
+   use adfric_model_rows, only: positive, number, poisson_ratio
    use adfric_model_table, only: result_t, variable_t
    implicit none (type, external)
    private
@@ -31,18 +31,21 @@ contains
       type(variable_t) :: v(7)
       type(result_t) :: r(9)
 
-      v(v_young_modulus) = positive('solid', 'young_modulus', 'Pa', 'Young''s modulus')
-      v(v_poisson_ratio) = poisson_ratio_row()
-      v(v_x) = number('position', 'position_x', 'm', 'where the results are, along the tangential force', 0.0_dp)
-      v(v_y) = number('position', 'position_y', 'm', 'where the results and the plane of the maps are, across it', 0.0_dp)
-      v(v_z) = number('position', 'position_z', 'm', 'where the results are, depth', 0.0_dp)
-      v(v_z)%lower = 0
-      v(v_normal) = number('operating', 'normal_load', 'N', 'N, into the solid', 0.0_dp)
-      v(v_tangential) = number('operating', 'tangential_load', 'N', 'T, along x', 0.0_dp)
+      v(v_young_modulus) = positive(group='solid', name='young_modulus', unit='Pa', meaning='Young''s modulus')
+      v(v_poisson_ratio) = poisson_ratio(group='solid', name='poisson_ratio', meaning='Poisson''s ratio')
+      v(v_x) = number(group='position', name='position_x', unit='m', meaning='where the results are, along the tangential force', &
+         & default=0.0_dp)
+      v(v_y) = number(group='position', name='position_y', unit='m', &
+         & meaning='where the results and the plane of the maps are, across it', default=0.0_dp)
+      v(v_z) = number(group='position', name='position_z', unit='m', meaning='where the results are, depth', default=0.0_dp, &
+         & lower=0.0_dp)
+      v(v_normal) = number(group='operating', name='normal_load', unit='N', meaning='N, into the solid', default=0.0_dp)
+      v(v_tangential) = number(group='operating', name='tangential_load', unit='N', meaning='T, along x', default=0.0_dp)
       call set_stresses('xx yy zz xy yz xz', r)
       call set_displacements('x y z', r(r_displacement_x:))
-      call self%set_tables('point_load', 'a point force on an elastic half-space (Boussinesq, Cerruti): stresses, displacements', &
-         & v, r, maps_of(r), 'z x', .true.)
+      call self%set_tables(name='point_load', &
+         & summary='a point force on an elastic half-space (Boussinesq, Cerruti): stresses, displacements', variables=v, &
+         & results=r, profiles=maps_of(r), axes='z x', is_depth=.true.)
    end subroutine new_point_load_model
 
    !> See `halfspace_model_t`.

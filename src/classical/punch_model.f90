@@ -15,9 +15,9 @@ module adfric_classical_punch_model
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, has_contact_modulus, &
       & check_contact_modulus
    use adfric_model_requirements, only: need, need_one
-   use adfric_model_rows, only: positive, choice, number, contact_profiles
+   use adfric_model_rows, only: positive, choice, number, whole_number, contact_profiles, result_row
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: result_t, profile_t, variable_t, kind_integer
+   use adfric_model_table, only: result_t, profile_t, variable_t
    implicit none (type, external)
    private
    public :: punch_model_t, new_punch_model
@@ -67,31 +67,31 @@ contains
       type(punch_model_t), intent(out) :: self
       type(variable_t) :: v(v_points)
       character(1) :: degree, power
-      character(:), allocatable :: name, unit, meaning
+      character(:), allocatable :: unit
       integer :: i
 
-      v(v_kind) = choice('punch', 'kind', 'profile', 'flat wedge cylinder polynomial')
-      v(v_face) = positive('punch', 'half_width', 'm', 'half-width of the face; without it only flat punches end')
-      v(v_slope) = positive('punch', 'slope', '-', 'of a wedge z = slope |x|')
-      v(v_radius) = positive('punch', 'radius', 'm', 'of a cylinder z = x^2/2R')
+      v(v_kind) = choice(group='punch', name='kind', meaning='profile', choices='flat wedge cylinder polynomial')
+      v(v_face) = positive(group='punch', name='half_width', unit='m', &
+         & meaning='half-width of the face; without it only flat punches end')
+      v(v_slope) = positive(group='punch', name='slope', unit='-', meaning='of a wedge z = slope |x|')
+      v(v_radius) = positive(group='punch', name='radius', unit='m', meaning='of a cylinder z = x^2/2R')
       do i = 1, 4
          write (degree, '(i1)') 2*i
          write (power, '(i1)') 2*i - 1
-         name = 'coefficient_'//degree
          unit = '1/m^'//power
-         meaning = 'c of c x^'//degree//' in a polynomial profile'
-         v(v_coefficient_2 + i - 1) = number('punch', name, unit, meaning, 0.0_dp)
-         v(v_coefficient_2 + i - 1)%lower = 0
-         v(v_coefficient_2 + i - 1)%upper = largest_coefficient
+         if (i == 1) unit = '1/m'
+         v(v_coefficient_2 + i - 1) = number(group='punch', name='coefficient_'//degree, unit=unit, &
+            & meaning='c of c x^'//degree//' in a polynomial profile', default=0.0_dp, lower=0.0_dp, upper=largest_coefficient)
       end do
-      v(v_coefficient_2)%unit = '1/m'
-      call set_modulus_rows(positive('solid', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_poisson_ratio))
-      v(v_load) = positive('operating', 'load', 'N/m', 'load per length')
-      v(v_contact_half_width) = positive('operating', 'contact_half_width', 'm', 'instead of the load; not for a flat punch')
-      v(v_points) = variable_t('numerics', 'points', kind_integer, '-', 'points of collocation, even', '', 32.0_dp, &
-         & 8.0_dp, 1000.0_dp)
-      call self%set_tables('rigid_punch', 'a rigid punch on an elastic half-plane, plane strain', v, get_results(), &
-         & get_profile_table(), 'y x', .true.)
+      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
+         & v(v_contact_modulus:v_poisson_ratio))
+      v(v_load) = positive(group='operating', name='load', unit='N/m', meaning='load per length')
+      v(v_contact_half_width) = positive(group='operating', name='contact_half_width', unit='m', &
+         & meaning='instead of the load; not for a flat punch')
+      v(v_points) = whole_number(group='numerics', name='points', meaning='points of collocation, even', default=32, lower=8, &
+         & upper=1000)
+      call self%set_tables(name='rigid_punch', summary='a rigid punch on an elastic half-plane, plane strain', variables=v, &
+         & results=get_results(), profiles=get_profile_table(), axes='y x', is_depth=.true.)
       self%solids = [v_contact_modulus, v_poisson_ratio]
    end subroutine new_punch_model
 
@@ -101,8 +101,8 @@ contains
       type(result_t) :: r(p_shear - p_stress + 1)
 
       p(:p_gap) = contact_profiles()
-      p(p_displacement) = profile_t('displacement', 'm', &
-         & 'displacement of the surface into the solid, against the middle of the punch')
+      p(p_displacement) = profile_t(name='displacement', unit='m', &
+         & long_name='displacement of the surface into the solid, against the middle of the punch')
       call set_plane_stresses(r)
       p(p_stress:) = maps_of(r)
    end function get_profile_table
@@ -111,12 +111,13 @@ contains
    function get_results() result(r)
       type(result_t) :: r(6)
 
-      r(r_load) = result_t('load', 'N/m', 'load per length', '', .true.)
-      r(r_contact_half_width) = result_t('contact_half_width', 'm', 'half-width a of contact', '', .true.)
-      r(r_mean_pressure) = result_t('mean_pressure', 'Pa', 'load over contact', '', .true.)
-      r(r_centre_pressure) = result_t('centre_pressure', 'Pa', 'pressure in the middle; a wedge has none', '')
-      r(r_edge_intensity) = result_t('edge_intensity', 'Pa m^1/2', 'p sqrt(2 pi (a - x)) at the edge of a whole face', '')
-      r(r_violation) = result_t('contact_violation', '-', 'largest violation of g >= 0, p >= 0, g p = 0', '')
+      r(r_load) = result_row(name='load', unit='N/m', long_name='load per length', is_main=.true.)
+      r(r_contact_half_width) = result_row(name='contact_half_width', unit='m', long_name='half-width a of contact', is_main=.true.)
+      r(r_mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over contact', is_main=.true.)
+      r(r_centre_pressure) = result_row(name='centre_pressure', unit='Pa', long_name='pressure in the middle; a wedge has none')
+      r(r_edge_intensity) = result_row(name='edge_intensity', unit='Pa m^1/2', &
+         & long_name='p sqrt(2 pi (a - x)) at the edge of a whole face')
+      r(r_violation) = result_row(name='contact_violation', unit='-', long_name='largest violation of g >= 0, p >= 0, g p = 0')
    end function get_results
 
    !> See `halfspace_model_t`.

@@ -11,7 +11,7 @@ module adfric_classical_wave_model
       & find_wave_pressure
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
    use adfric_model_requirements, only: need, need_one
-   use adfric_model_rows, only: positive, number, contact_profiles
+   use adfric_model_rows, only: positive, number, contact_profiles, result_row
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_model_table, only: result_t, variable_t
    implicit none (type, external)
@@ -43,24 +43,29 @@ contains
       type(variable_t) :: v(v_penetration)
       type(result_t) :: r(10)
 
-      v(v_period) = positive('surface', 'period', 'm', 'wavelength l')
-      v(v_amplitude) = positive('surface', 'amplitude', 'm', 'D of the wave z = D (1 - cos 2 pi x/l)')
-      call set_modulus_rows(positive('solid', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_second_poisson_ratio))
-      v(v_mean_pressure) = number('operating', 'mean_pressure', 'Pa', 'load over nominal area')
-      v(v_mean_pressure)%lower = 0
-      v(v_penetration) = number('operating', 'penetration', 'm', 'approach of the mean planes since first touch, instead')
-      r(r_mean_pressure) = result_t('mean_pressure', 'Pa', 'load over nominal area', '', .true.)
-      r(r_penetration) = result_t('penetration', 'm', 'approach of the mean planes since first touch', '', .true.)
-      r(r_contact_width) = result_t('contact_width', 'm', 'width 2a of contact on one wave', '', .true.)
-      r(r_contact_fraction) = result_t('contact_fraction', '-', 'share of the wave in contact', '')
-      r(r_peak_pressure) = result_t('peak_pressure', 'Pa', 'pressure on the crests', '', .true.)
-      r(r_mean_gap) = result_t('mean_gap', 'm', 'mean gap', '')
-      r(r_largest_gap) = result_t('largest_gap', 'm', 'gap in the troughs', '')
-      r(r_full_contact_pressure) = result_t('full_contact_pressure', 'Pa', 'p* = pi E* D/l, where full contact begins', '')
-      r(r_regime) = result_t('regime', '-', 'regime', 'no_contact partial full')
-      r(r_violation) = result_t('contact_violation', '-', 'largest violation of g >= 0, p >= 0, g p = 0', '')
-      call self%set_tables('wave_1d', 'a sinusoidal wave on an elastic half-plane: pressure and gap up to full contact', v, r, &
-         & contact_profiles(), 'x', .false.)
+      v(v_period) = positive(group='surface', name='period', unit='m', meaning='wavelength l')
+      v(v_amplitude) = positive(group='surface', name='amplitude', unit='m', meaning='D of the wave z = D (1 - cos 2 pi x/l)')
+      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
+         & v(v_contact_modulus:v_second_poisson_ratio))
+      v(v_mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', meaning='load over nominal area', &
+         & lower=0.0_dp)
+      v(v_penetration) = number(group='operating', name='penetration', unit='m', &
+         & meaning='approach of the mean planes since first touch, instead')
+      r(r_mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over nominal area', is_main=.true.)
+      r(r_penetration) = result_row(name='penetration', unit='m', long_name='approach of the mean planes since first touch', &
+         & is_main=.true.)
+      r(r_contact_width) = result_row(name='contact_width', unit='m', long_name='width 2a of contact on one wave', is_main=.true.)
+      r(r_contact_fraction) = result_row(name='contact_fraction', unit='-', long_name='share of the wave in contact')
+      r(r_peak_pressure) = result_row(name='peak_pressure', unit='Pa', long_name='pressure on the crests', is_main=.true.)
+      r(r_mean_gap) = result_row(name='mean_gap', unit='m', long_name='mean gap')
+      r(r_largest_gap) = result_row(name='largest_gap', unit='m', long_name='gap in the troughs')
+      r(r_full_contact_pressure) = result_row(name='full_contact_pressure', unit='Pa', &
+         & long_name='p* = pi E* D/l, where full contact begins')
+      r(r_regime) = result_row(name='regime', unit='-', long_name='regime', flag_meanings='no_contact partial full')
+      r(r_violation) = result_row(name='contact_violation', unit='-', long_name='largest violation of g >= 0, p >= 0, g p = 0')
+      call self%set_tables(name='wave_1d', &
+         & summary='a sinusoidal wave on an elastic half-plane: pressure and gap up to full contact', variables=v, results=r, &
+         & profiles=contact_profiles(), axes='x', is_depth=.false.)
       self%solids = [v_contact_modulus, v_second_poisson_ratio]
    end subroutine new_wave_model
 

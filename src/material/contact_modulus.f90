@@ -7,9 +7,10 @@
 module adfric_material_contact_modulus
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: unset, is_set
+   use adfric_base_unset, only: is_set
    use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_table, only: variable_t, kind_real
+   use adfric_model_rows, only: poisson_ratio
+   use adfric_model_table, only: variable_t
    implicit none (type, external)
    private
    public :: set_modulus_rows, contact_modulus_of, has_contact_modulus, check_contact_modulus, derive_contact_modulus
@@ -43,25 +44,13 @@ contains
       if (size(rows) == n_one_body) rows(contact)%meaning = 'E* = E/(1 - nu^2)'
       rows(young)%name = 'young_modulus'
       rows(young)%meaning = 'E of an elastic body, instead of contact_modulus'
-      rows(poisson) = poisson_row(first%group, 'poisson_ratio', 'Poisson''s ratio nu of this body')
+      rows(poisson) = poisson_ratio(group=first%group, name='poisson_ratio', meaning='Poisson''s ratio nu of this body')
       if (size(rows) == n_one_body) return
       rows(second_young)%name = 'second_young_modulus'
       rows(second_young)%meaning = 'E of the other body; rigid if not given'
-      rows(second_poisson) = poisson_row(first%group, 'second_poisson_ratio', 'Poisson''s ratio nu of the other body')
+      rows(second_poisson) = poisson_ratio(group=first%group, name='second_poisson_ratio', &
+         & meaning='Poisson''s ratio nu of the other body')
    end subroutine set_modulus_rows
-
-   !> A row of Poisson's ratio.
-   function poisson_row(group, name, meaning) result(row)
-      !> Group of the variable, without `&`.
-      character(*), intent(in) :: group
-      !> Name of the variable.
-      character(*), intent(in) :: name
-      !> What the variable is, for `adfric help`.
-      character(*), intent(in) :: meaning
-      type(variable_t) :: row
-
-      row = variable_t(group, name, kind_real, '-', meaning, '', unset, -1.0_dp, 0.5_dp, .true.)
-   end function poisson_row
 
    !> E* [Pa] of values that have been checked.
    pure real(dp) function contact_modulus_of(values) result(modulus)

@@ -1,34 +1,20 @@
-!> Rows of the tables of models.
+!> Rows of the tables of models. They are written by keyword, so that a table says what each of its numbers is.
 module adfric_model_rows
    use adfric_base_kinds, only: dp
-   use adfric_base_unset, only: unset
-   use adfric_model_table, only: variable_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
+   use adfric_base_words, only: count_words, get_word
+   use adfric_model_table, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
    implicit none (type, external)
    private
-   public :: positive, number, choice, dataset, set_output_axis, output_switch, poisson_ratio_row, contact_profiles
+   public :: positive, above_zero, number, any_number, whole_number, poisson_ratio, choice, switch, dataset, set_output_axis
+   public :: result_row, contact_profiles
 
    !> Sizes beyond these are those of a slip in the units.
    real(dp), parameter :: largest_unit = 1.0e30_dp, smallest_unit = 1.0e-30_dp
 
 contains
 
-   !> A real variable > 0 without default.
-   function positive(group, name, unit, meaning) result(variable)
-      !> Namelist group of the variable, without `&`.
-      character(*), intent(in) :: group
-      !> Name of the variable in its group.
-      character(*), intent(in) :: name
-      !> SI unit of the variable, `-` for a pure number.
-      character(*), intent(in) :: unit
-      !> What the variable is, for `adfric help`.
-      character(*), intent(in) :: meaning
-      type(variable_t) :: variable
-
-      variable = variable_t(group, name, kind_real, unit, meaning, '', unset, smallest_unit, largest_unit)
-   end function positive
-
-   !> A real variable of any value.
-   function number(group, name, unit, meaning, default) result(variable)
+   !> A real variable > 0 of a size that there is.
+   function positive(group, name, unit, meaning, default) result(variable)
       !> Namelist group of the variable, without `&`.
       character(*), intent(in) :: group
       !> Name of the variable in its group.
@@ -41,19 +27,108 @@ contains
       real(dp), intent(in), optional :: default
       type(variable_t) :: variable
 
-      variable = variable_t(group, name, kind_real, unit, meaning, '', unset, -largest_unit, largest_unit)
-      if (present(default)) variable%default = default
-   end function number
+      variable = number(group, name, unit, meaning, default, lower=smallest_unit)
+   end function positive
 
-   !> The variable for Poisson's ratio in &solid.
-   function poisson_ratio_row() result(variable)
+   !> A real variable > 0 of any size, without default.
+   function above_zero(group, name, unit, meaning) result(variable)
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> SI unit of the variable, `-` for a pure number.
+      character(*), intent(in) :: unit
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
       type(variable_t) :: variable
 
-      variable = variable_t('solid', 'poisson_ratio', kind_real, '-', 'Poisson''s ratio', '', unset, -1.0_dp, 0.5_dp, .true.)
-   end function poisson_ratio_row
+      variable = any_number(group, name, unit, meaning, lower=0.0_dp)
+      variable%lower_open = .true.
+   end function above_zero
 
-   !> A variable that is a word of a list, without default.
-   function choice(group, name, meaning, choices) result(variable)
+   !> A real variable of either sign, of a size that there is.
+   function number(group, name, unit, meaning, default, lower, upper) result(variable)
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> SI unit of the variable, `-` for a pure number.
+      character(*), intent(in) :: unit
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
+      !> Value where the user gives none; not present: there is no default.
+      real(dp), intent(in), optional :: default
+      !> Least value that is allowed; not present: any negative one of a size that there is.
+      real(dp), intent(in), optional :: lower
+      !> Largest value that is allowed; not present: any of a size that there is.
+      real(dp), intent(in), optional :: upper
+      type(variable_t) :: variable
+
+      variable = any_number(group, name, unit, meaning, default, -largest_unit, largest_unit)
+      if (present(lower)) variable%lower = lower
+      if (present(upper)) variable%upper = upper
+   end function number
+
+   !> A real variable of any size.
+   function any_number(group, name, unit, meaning, default, lower, upper) result(variable)
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> SI unit of the variable, `-` for a pure number.
+      character(*), intent(in) :: unit
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
+      !> Value where the user gives none; not present: there is no default.
+      real(dp), intent(in), optional :: default
+      !> Least value that is allowed; not present: any.
+      real(dp), intent(in), optional :: lower
+      !> Largest value that is allowed; not present: any.
+      real(dp), intent(in), optional :: upper
+      type(variable_t) :: variable
+
+      variable = row_of(kind_real, group, name, unit, meaning)
+      if (present(default)) variable%default = default
+      if (present(lower)) variable%lower = lower
+      if (present(upper)) variable%upper = upper
+   end function any_number
+
+   !> A variable that is a whole number.
+   function whole_number(group, name, meaning, default, lower, upper) result(variable)
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
+      !> Value where the user gives none.
+      integer, intent(in) :: default
+      !> Least and largest value that is allowed.
+      integer, intent(in) :: lower, upper
+      type(variable_t) :: variable
+
+      variable = row_of(kind_integer, group, name, '-', meaning)
+      variable%default = default
+      variable%lower = lower
+      variable%upper = upper
+   end function whole_number
+
+   !> A variable for Poisson's ratio.
+   function poisson_ratio(group, name, meaning) result(variable)
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> Whose ratio it is, for `adfric help`.
+      character(*), intent(in) :: meaning
+      type(variable_t) :: variable
+
+      variable = any_number(group, name, '-', meaning, lower=-1.0_dp, upper=0.5_dp)
+      variable%lower_open = .true.
+   end function poisson_ratio
+
+   !> A variable that is a word of a list.
+   function choice(group, name, meaning, choices, default) result(variable)
       !> Namelist group of the variable, without `&`.
       character(*), intent(in) :: group
       !> Name of the variable in its group.
@@ -62,10 +137,34 @@ contains
       character(*), intent(in) :: meaning
       !> Allowed words, separated by a blank.
       character(*), intent(in) :: choices
+      !> The word that it is where the user gives none; not present: there is no default.
+      character(*), intent(in), optional :: default
+      type(variable_t) :: variable
+      integer :: k
+
+      variable = row_of(kind_choice, group, name, '', meaning)
+      variable%choices = choices
+      if (.not. present(default)) return
+      do k = 1, count_words(choices)
+         if (get_word(choices, k) == default) variable%default = k
+      end do
+   end function choice
+
+   !> A variable that is true or false.
+   function switch(group, name, meaning, default) result(variable)
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> What is so if it is true, for `adfric help`.
+      character(*), intent(in) :: meaning
+      !> Value where the user gives none; not present: there is no default.
+      logical, intent(in), optional :: default
       type(variable_t) :: variable
 
-      variable = variable_t(group, name, kind_choice, '', meaning, choices)
-   end function choice
+      variable = row_of(kind_logical, group, name, '', meaning)
+      if (present(default)) variable%default = merge(1, 0, default)
+   end function switch
 
    !> A variable that is a dataset of a file.
    function dataset(group, name, unit, meaning, largest_rank, least_count) result(variable)
@@ -83,18 +182,11 @@ contains
       integer, intent(in) :: least_count
       type(variable_t) :: variable
 
-      variable = number(group, name, unit, meaning)
+      variable = number(group=group, name=name, unit=unit, meaning=meaning)
       variable%kind = kind_dataset
       variable%largest_rank = largest_rank
       variable%least_count = least_count
    end function dataset
-
-   !> The switch that says whether profiles are wanted.
-   function output_switch() result(variable)
-      type(variable_t) :: variable
-
-      variable = variable_t('output', 'profiles', kind_logical, '', 'write profiles of every point', '', 0.0_dp)
-   end function output_switch
 
    !> Set the rows for beginning, end and number of samples along an axis of the profiles.
    subroutine set_output_axis(name, n_default, is_depth, variables)
@@ -106,17 +198,12 @@ contains
       logical, intent(in) :: is_depth
       !> Receives the rows of beginning, end and number of samples; shape `(3)`.
       type(variable_t), intent(inout) :: variables(:)
-      integer :: k
 
-      variables(1) = number('output', 'min', 'm', 'where profiles begin', 0.0_dp)
-      variables(2) = number('output', 'max', 'm', 'where profiles end')
-      variables(3) = variable_t('output', 'n', kind_integer, '-', 'samples of profiles', '', real(n_default, dp), 1.0_dp, 1.0e7_dp)
-      variables(1)%name = name//'_min'
-      variables(2)%name = name//'_max'
-      variables(3)%name = 'n_'//name
-      do k = 1, 3
-         variables(k)%meaning = variables(k)%meaning//' along '//name
-      end do
+      variables(1) = number(group='output', name=name//'_min', unit='m', meaning='where profiles begin along '//name, &
+         & default=0.0_dp)
+      variables(2) = number(group='output', name=name//'_max', unit='m', meaning='where profiles end along '//name)
+      variables(3) = whole_number(group='output', name='n_'//name, meaning='samples of profiles along '//name, default=n_default, &
+         & lower=1, upper=10000000)
       if (is_depth) variables(:2)%lower = 0
    end subroutine set_output_axis
 
@@ -124,8 +211,52 @@ contains
    function contact_profiles() result(p)
       type(profile_t) :: p(2)
 
-      p(1) = profile_t('pressure', 'Pa', 'pressure, compression positive')
-      p(2) = profile_t('gap', 'm', 'gap')
+      p(1) = profile_t(name='pressure', unit='Pa', long_name='pressure, compression positive')
+      p(2) = profile_t(name='gap', unit='m', long_name='gap')
    end function contact_profiles
+
+   !> A row of the results.
+   function result_row(name, unit, long_name, is_main, flag_meanings) result(row)
+      !> Name of the result.
+      character(*), intent(in) :: name
+      !> SI unit of the result, `-` for a pure number.
+      character(*), intent(in) :: unit
+      !> What the result is, for `adfric help` and the results file.
+      character(*), intent(in) :: long_name
+      !> Does the result stand in the table at the end of a run? Not present: it does not.
+      logical, intent(in), optional :: is_main
+      !> Meanings of 0, 1, 2, ... separated by a blank; not present: the result is a number.
+      character(*), intent(in), optional :: flag_meanings
+      type(result_t) :: row
+
+      row%name = name
+      row%unit = unit
+      row%long_name = long_name
+      row%flag_meanings = ''
+      if (present(is_main)) row%is_main = is_main
+      if (present(flag_meanings)) row%flag_meanings = flag_meanings
+   end function result_row
+
+   !> A row of the variables, without default and bounds.
+   function row_of(kind, group, name, unit, meaning) result(variable)
+      !> One of `kind_...`.
+      integer, intent(in) :: kind
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> SI unit of the variable, `-` for a pure number, empty where it has none.
+      character(*), intent(in) :: unit
+      !> What the variable is, for `adfric help`.
+      character(*), intent(in) :: meaning
+      type(variable_t) :: variable
+
+      variable%kind = kind
+      variable%group = group
+      variable%name = name
+      variable%unit = unit
+      variable%meaning = meaning
+      variable%choices = ''
+   end function row_of
 
 end module adfric_model_rows

@@ -6,7 +6,7 @@ module adfric_model_table
    use adfric_model_status, only: status_meanings
    implicit none (type, external)
    private
-   public :: variable_t, result_t, profile_t, count_t, positive_variable, results_of_every_run
+   public :: variable_t, result_t, profile_t, count_t, results_of_every_run
    public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
 
    !> Kinds of namelist variables.
@@ -17,6 +17,7 @@ module adfric_model_table
    type :: variable_t
       !> Group it stands in, without `&`.
       character(:), allocatable :: group
+      !> Name in its group.
       character(:), allocatable :: name
       !> One of `kind_...`.
       integer :: kind = kind_real
@@ -24,12 +25,13 @@ module adfric_model_table
       character(:), allocatable :: unit
       !> What it is, for `adfric help`.
       character(:), allocatable :: meaning
-      !> Allowed words, separated by a blank (choices only).
+      !> Allowed words, separated by a blank; empty unless it is a choice.
       character(:), allocatable :: choices
       !> Value where the user gives none; `unset` if there is no default.
       real(dp) :: default = unset
-      !> Allowed range, of a dataset that of every value; a bound that is not itself allowed is marked open.
+      !> Least and largest value that is allowed, of a dataset that of each of its values.
       real(dp) :: lower = -unset, upper = unset
+      !> Is the bound itself not allowed?
       logical :: lower_open = .false., upper_open = .false.
       !> Number of dimensions that a dataset may have at most, 1 or 2, and of values that it needs along each.
       integer :: largest_rank = 1, least_count = 1
@@ -41,13 +43,15 @@ module adfric_model_table
 
    !> A result per point.
    type :: result_t
+      !> Name of its dataset in the results file.
       character(:), allocatable :: name
       !> SI unit, `-` for a pure number.
       character(:), allocatable :: unit
+      !> What it is, for `adfric help` and the results file.
       character(:), allocatable :: long_name
       !> Meanings of 0, 1, 2, ... separated by a blank, where the result is an enumerated state; else empty.
       character(:), allocatable :: flag_meanings
-      !> Main results stand in the table at the end of a run.
+      !> Does it stand in the table at the end of a run?
       logical :: is_main = .false.
    contains
       procedure :: n_states
@@ -55,8 +59,11 @@ module adfric_model_table
 
    !> A result along the profile axes, or one of these axes.
    type :: profile_t
+      !> Name of its dataset in the results file.
       character(:), allocatable :: name
+      !> SI unit, `-` for a pure number.
       character(:), allocatable :: unit
+      !> What it is, for `adfric help` and the results file.
       character(:), allocatable :: long_name
    end type profile_t
 
@@ -75,30 +82,10 @@ contains
    pure function results_of_every_run() result(results)
       type(result_t) :: results(2)
 
-      results(1)%name = 'error_estimate'
-      results(1)%unit = '-'
-      results(1)%long_name = 'relative error of the main result, estimated'
-      results(1)%flag_meanings = ''
-      results(2)%name = 'status'
-      results(2)%unit = '-'
-      results(2)%long_name = 'whether the point was solved'
-      results(2)%flag_meanings = status_meanings
+      results(1) = result_t(name='error_estimate', unit='-', long_name='relative error of the main result, estimated', &
+         & flag_meanings='')
+      results(2) = result_t(name='status', unit='-', long_name='whether the point was solved', flag_meanings=status_meanings)
    end function results_of_every_run
-
-   !> A real variable > 0 without default.
-   function positive_variable(group, name, unit, meaning) result(variable)
-      !> Group of the variable, without `&`.
-      character(*), intent(in) :: group
-      !> Name of the variable.
-      character(*), intent(in) :: name
-      !> SI unit, `-` for a pure number.
-      character(*), intent(in) :: unit
-      !> What the variable is, for `adfric help`.
-      character(*), intent(in) :: meaning
-      type(variable_t) :: variable
-
-      variable = variable_t(group, name, kind_real, unit, meaning, '', unset, 0.0_dp, lower_open=.true.)
-   end function positive_variable
 
    !> Number of states of an enumerated result; 0 for a number.
    pure integer function n_states(self)

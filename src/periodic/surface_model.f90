@@ -50,12 +50,14 @@ contains
       type(surface_model_t), intent(out) :: self
       type(variable_t) :: v(n_surface_own)
 
-      v(v_heights) = dataset('surface', 'heights', 'm', &
-         & 'heights of the rough body, (ny, nx), or (nx) if it does not vary along y; the largest touches first', 2, fewest_cells)
-      v(v_length_x) = positive('surface', 'length_x', 'm', 'period in x, along which the heights vary fastest')
-      v(v_length_y) = positive('surface', 'length_y', 'm', 'period in y')
-      call self%set_tables('surface_elastic', &
-         & 'a rigid periodic surface of given heights on an elastic half-space: area, pressure and gap up to full contact', v)
+      v(v_heights) = dataset(group='surface', name='heights', unit='m', &
+         & meaning='heights of the rough body, (ny, nx), or (nx) if it does not vary along y; the largest touches first', &
+         & largest_rank=2, least_count=fewest_cells)
+      v(v_length_x) = positive(group='surface', name='length_x', unit='m', &
+         & meaning='period in x, along which the heights vary fastest')
+      v(v_length_y) = positive(group='surface', name='length_y', unit='m', meaning='period in y')
+      call self%set_tables(name='surface_elastic', variables=v, &
+         & summary='a rigid periodic surface of given heights on an elastic half-space: area, pressure and gap up to full contact')
    end subroutine new_surface_model
 
    !> See `model_t`.

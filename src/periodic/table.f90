@@ -2,8 +2,8 @@
 module adfric_periodic_table
    use adfric_base_kinds, only: dp
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of
-   use adfric_model_rows, only: positive, number
-   use adfric_model_table, only: variable_t, result_t, kind_real, kind_logical
+   use adfric_model_rows, only: positive, number, switch, result_row, any_number
+   use adfric_model_table, only: variable_t, result_t
    implicit none (type, external)
    private
    public :: set_periodic_variables, get_periodic_results, modulus_of
@@ -25,15 +25,16 @@ contains
       !> Receives the rows that all models of a periodic surface share; shape `(n_periodic_variables)`.
       type(variable_t), intent(inout) :: v(:)
 
-      call set_modulus_rows(positive('solid', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_second_poisson_ratio))
-      v(v_mean_pressure) = number('operating', 'mean_pressure', 'Pa', 'load over nominal area')
-      v(v_mean_pressure)%lower = 0
-      v(v_penetration) = number('operating', 'penetration', 'm', &
-         & 'approach from first touch, at the mean of the deformed surface, instead')
-      v(v_relative_tolerance) = variable_t('numerics', 'relative_tolerance', kind_real, '-', &
-         & 'largest violation of the conditions of contact', '', 1.0e-10_dp, 1.0e-13_dp, 1.0e-3_dp)
-      v(v_profiles) = variable_t('output', 'profiles', kind_logical, '', 'write maps of pressure and gap for every point', '', &
-         & 0.0_dp)
+      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
+         & v(v_contact_modulus:v_second_poisson_ratio))
+      v(v_mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', meaning='load over nominal area', &
+         & lower=0.0_dp)
+      v(v_penetration) = number(group='operating', name='penetration', unit='m', &
+         & meaning='approach from first touch, at the mean of the deformed surface, instead')
+      v(v_relative_tolerance) = any_number(group='numerics', name='relative_tolerance', unit='-', &
+         & meaning='largest violation of the conditions of contact', default=1.0e-10_dp, lower=1.0e-13_dp, upper=1.0e-3_dp)
+      v(v_profiles) = switch(group='output', name='profiles', meaning='write maps of pressure and gap for every point', &
+         & default=.false.)
    end subroutine set_periodic_variables
 
    !> E* [Pa].
@@ -49,14 +50,18 @@ contains
       type(result_t), allocatable :: r(:)
 
       allocate (r(n_periodic_results))
-      r(r_mean_pressure) = result_t('mean_pressure', 'Pa', 'load over nominal area', '', .true.)
-      r(r_penetration) = result_t('penetration', 'm', 'approach from first touch, at the mean of the deformed surface', '', .true.)
-      r(r_contact_fraction) = result_t('contact_fraction', '-', 'share of the area in contact', '', .true.)
-      r(r_contact_fraction_error) = result_t('contact_fraction_error', '-', 'bound of its error, from coarser grids', '')
-      r(r_peak_pressure) = result_t('peak_pressure', 'Pa', 'largest pressure', '', .true.)
-      r(r_mean_gap) = result_t('mean_gap', 'm', 'volume between the surfaces over nominal area', '')
-      r(r_full_contact_pressure) = result_t('full_contact_pressure', 'Pa', 'p*, where full contact begins', '')
-      r(r_contact_violation) = result_t('contact_violation', '-', 'largest violation of g >= 0, p >= 0, g p = 0', '')
+      r(r_mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over nominal area', is_main=.true.)
+      r(r_penetration) = result_row(name='penetration', unit='m', &
+         & long_name='approach from first touch, at the mean of the deformed surface', is_main=.true.)
+      r(r_contact_fraction) = result_row(name='contact_fraction', unit='-', long_name='share of the area in contact', &
+         & is_main=.true.)
+      r(r_contact_fraction_error) = result_row(name='contact_fraction_error', unit='-', &
+         & long_name='bound of its error, from coarser grids')
+      r(r_peak_pressure) = result_row(name='peak_pressure', unit='Pa', long_name='largest pressure', is_main=.true.)
+      r(r_mean_gap) = result_row(name='mean_gap', unit='m', long_name='volume between the surfaces over nominal area')
+      r(r_full_contact_pressure) = result_row(name='full_contact_pressure', unit='Pa', long_name='p*, where full contact begins')
+      r(r_contact_violation) = result_row(name='contact_violation', unit='-', &
+         & long_name='largest violation of g >= 0, p >= 0, g p = 0')
    end function get_periodic_results
 
 end module adfric_periodic_table

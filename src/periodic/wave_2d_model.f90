@@ -8,8 +8,8 @@ module adfric_periodic_wave_2d_model
    use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
    use adfric_model_requirements, only: need, refuse_swept_axes
-   use adfric_model_rows, only: positive
-   use adfric_model_table, only: variable_t, kind_integer
+   use adfric_model_rows, only: positive, whole_number
+   use adfric_model_table, only: variable_t
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_table, only: modulus_of
@@ -39,13 +39,15 @@ contains
       type(wave_2d_model_t), intent(out) :: self
       type(variable_t) :: v(n_wave_2d_own)
 
-      v(v_period) = positive('surface', 'period', 'm', 'period l in x and y')
-      v(v_amplitude) = positive('surface', 'amplitude', 'm', 'D of the wave z = D (2 - cos 2 pi x/l - cos 2 pi y/l)')
-      v(v_cells) = variable_t('numerics', 'cells', kind_integer, '-', &
-         & 'cells along a period, a multiple of 64; the error of the area falls with their number', '', &
-         & 512.0_dp, 64.0_dp, 8192.0_dp)
-      call self%set_tables('wave_2d_elastic', &
-         & 'a rigid wave in two directions on an elastic half-space: area, pressure and gap up to full contact', v)
+      v(v_period) = positive(group='surface', name='period', unit='m', meaning='period l in x and y')
+      v(v_amplitude) = positive(group='surface', name='amplitude', unit='m', &
+         & meaning='D of the wave z = D (2 - cos 2 pi x/l - cos 2 pi y/l)')
+      v(v_cells) = whole_number(group='numerics', name='cells', &
+         & meaning='cells along a period, a multiple of 64; the error of the area falls with their number', default=512, lower=64, &
+         & upper=8192)
+      call self%set_tables(name='wave_2d_elastic', &
+         & summary='a rigid wave in two directions on an elastic half-space: area, pressure and gap up to full contact', &
+         & variables=v)
       self%knows_full_pressure = .true.
    end subroutine new_wave_2d_model
 
@@ -74,10 +76,10 @@ contains
       real(dp), intent(in) :: values(:)
       !> Periods and undeformed gap of the point.
       type(periodic_surface_t), intent(out) :: surface
-      real(dp), allocatable :: trough(:)
+      real(dp) :: trough(nint(values(v_cells))/2)
       integer :: i, j, n
 
-      n = nint(values(v_cells))/2
+      n = size(trough)
       trough = [(values(v_amplitude)*(1 - cos(two_pi*(i - 0.5_dp)/(2*n))), i=1, n)]
       surface%period = values(v_period)
       surface%is_quarter = .true.

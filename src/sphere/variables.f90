@@ -1,10 +1,9 @@
 !> The namelist variables and results of the model `sphere`.
 module adfric_sphere_variables
    use adfric_base_kinds, only: dp
-   use adfric_base_unset, only: unset
    use adfric_material_contact_modulus, only: set_modulus_rows
-   use adfric_model_table, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, &
-      & positive => positive_variable
+   use adfric_model_rows, only: above_zero, choice, poisson_ratio, switch, whole_number, result_row, any_number
+   use adfric_model_table, only: variable_t, result_t, profile_t
    implicit none (type, external)
    private
    public :: get_sphere_variables, get_sphere_results, get_sphere_profiles
@@ -38,53 +37,62 @@ contains
       type(variable_t), allocatable :: v(:)
 
       allocate (v(n_sphere_variables))
-      v(v_units) = variable_t('sphere', 'units', kind_choice, '', &
-         & 'SI, or the reduced units of Johnson (2.11) for everything', 'si reduced', 1.0_dp)
-      v(v_radius) = positive('sphere', 'radius', 'm', 'radius R of the sphere')
-      call set_modulus_rows(positive('sphere', 'contact_modulus', 'Pa', ''), v(v_contact_modulus:v_second_poisson_ratio))
+      v(v_units) = choice(group='sphere', name='units', meaning='SI, or the reduced units of Johnson (2.11) for everything', &
+         & choices='si reduced', default='si')
+      v(v_radius) = above_zero(group='sphere', name='radius', unit='m', meaning='radius R of the sphere')
+      call set_modulus_rows(above_zero(group='sphere', name='contact_modulus', unit='Pa', meaning=''), &
+         & v(v_contact_modulus:v_second_poisson_ratio))
       ! without its group a sweep means that of friction, which was there before
       v(v_contact_modulus:v_second_poisson_ratio)%has_bare_name = .false.
-      v(v_work_of_adhesion) = variable_t('sphere', 'work_of_adhesion', kind_real, 'J/m^2', 'w; 0: no adhesion', '', &
-         & unset, 0.0_dp)
-      v(v_adhesion_stress) = positive('sphere', 'adhesion_stress', 'Pa', 'sigma0, the stress of Dugdale''s law')
-      v(v_adhesion_range) = positive('sphere', 'adhesion_range', 'm', 'h0 = w/sigma0, instead of the stress')
-      v(v_lambda) = positive('sphere', 'lambda', '-', 'Maugis''s parameter, instead of stress or range')
+      v(v_work_of_adhesion) = any_number(group='sphere', name='work_of_adhesion', unit='J/m^2', meaning='w; 0: no adhesion', &
+         & lower=0.0_dp)
+      v(v_adhesion_stress) = above_zero(group='sphere', name='adhesion_stress', unit='Pa', &
+         & meaning='sigma0, the stress of Dugdale''s law')
+      v(v_adhesion_range) = above_zero(group='sphere', name='adhesion_range', unit='m', &
+         & meaning='h0 = w/sigma0, instead of the stress')
+      v(v_lambda) = above_zero(group='sphere', name='lambda', unit='-', meaning='Maugis''s parameter, instead of stress or range')
 
-      v(v_shear_strength) = positive('friction', 'shear_strength', 'Pa', &
-         & 'tau0, the shear stress of sliding; reduced: in the scale of lambda')
-      v(v_poisson_ratio) = variable_t('friction', 'poisson_ratio', kind_real, '-', 'Poisson''s ratio', '', &
-         & unset, -1.0_dp, 0.5_dp, .true.)
-      v(v_edge_fraction) = variable_t('friction', 'edge_fraction', kind_real, '-', &
-         & 'x: friction acts up to the radius b = a + x (c - a)', '', 0.4_dp, 0.0_dp, 1.0_dp)
-      v(v_interaction) = variable_t('friction', 'interaction', kind_real, '-', &
-         & 'alpha, the share of the work of slip that adhesion loses; 0: friction leaves adhesion alone', '', 0.0_dp, 0.0_dp)
-      v(v_critical_slip) = positive('friction', 'critical_slip', 'm', 's0, after which slip takes no more from adhesion')
-      v(v_slip_energy_ratio) = positive('friction', 'slip_energy_ratio', '-', 'g0 = tau0 s0/w, instead of the critical slip')
+      v(v_shear_strength) = above_zero(group='friction', name='shear_strength', unit='Pa', &
+         & meaning='tau0, the shear stress of sliding; reduced: in the scale of lambda')
+      v(v_poisson_ratio) = poisson_ratio(group='friction', name='poisson_ratio', meaning='Poisson''s ratio')
+      v(v_edge_fraction) = any_number(group='friction', name='edge_fraction', unit='-', &
+         & meaning='x: friction acts up to the radius b = a + x (c - a)', default=0.4_dp, lower=0.0_dp, upper=1.0_dp)
+      v(v_interaction) = any_number(group='friction', name='interaction', unit='-', &
+         & meaning='alpha, the share of the work of slip that adhesion loses; 0: friction leaves adhesion alone', default=0.0_dp, &
+         & lower=0.0_dp)
+      v(v_critical_slip) = above_zero(group='friction', name='critical_slip', unit='m', &
+         & meaning='s0, after which slip takes no more from adhesion')
+      v(v_slip_energy_ratio) = above_zero(group='friction', name='slip_energy_ratio', unit='-', &
+         & meaning='g0 = tau0 s0/w, instead of the critical slip')
 
-      v(v_load) = variable_t('operating', 'load', kind_real, 'N', 'load, pressing positive', '')
-      v(v_approach) = variable_t('operating', 'approach', kind_real, 'm', 'approach, instead of the load', '')
-      v(v_contact_radius) = positive('operating', 'contact_radius', 'm', 'radius a of contact, instead of the load')
-      v(v_branch) = variable_t('operating', 'branch', kind_choice, '', &
-         & 'where two states carry a load or have an approach: the stable one or the other', 'stable unstable', 1.0_dp)
-      v(v_state) = variable_t('operating', 'state', kind_choice, '', 'before sliding, or during it', 'static sliding', 1.0_dp)
-      v(v_tangential_force) = variable_t('operating', 'tangential_force', kind_real, 'N', 'T of the static state', '', &
-         & unset, 0.0_dp)
-      v(v_tangential_displacement) = variable_t('operating', 'tangential_displacement', kind_real, 'm', &
-         & 'of the static state, instead of the force', '', unset, 0.0_dp)
+      v(v_load) = any_number(group='operating', name='load', unit='N', meaning='load, pressing positive')
+      v(v_approach) = any_number(group='operating', name='approach', unit='m', meaning='approach, instead of the load')
+      v(v_contact_radius) = above_zero(group='operating', name='contact_radius', unit='m', &
+         & meaning='radius a of contact, instead of the load')
+      v(v_branch) = choice(group='operating', name='branch', &
+         & meaning='where two states carry a load or have an approach: the stable one or the other', choices='stable unstable', &
+         & default='stable')
+      v(v_state) = choice(group='operating', name='state', meaning='before sliding, or during it', choices='static sliding', &
+         & default='static')
+      v(v_tangential_force) = any_number(group='operating', name='tangential_force', unit='N', meaning='T of the static state', &
+         & lower=0.0_dp)
+      v(v_tangential_displacement) = any_number(group='operating', name='tangential_displacement', unit='m', &
+         & meaning='of the static state, instead of the force', lower=0.0_dp)
 
-      v(v_theory) = variable_t('model', 'theory', kind_choice, '', &
-         & 'auto: the simplest one that is proved to be within relative_tolerance of maugis_dugdale', &
-         & 'auto hertz jkr dmt maugis_dugdale', 1.0_dp)
+      v(v_theory) = choice(group='model', name='theory', &
+         & meaning='auto: the simplest one that is proved to be within relative_tolerance of maugis_dugdale', &
+         & choices='auto hertz jkr dmt maugis_dugdale', default='auto')
 
-      v(v_relative_tolerance) = variable_t('numerics', 'relative_tolerance', kind_real, '-', &
-         & 'of the theory that auto may choose', '', 1.0e-8_dp, 1.0e-15_dp, 0.5_dp)
+      v(v_relative_tolerance) = any_number(group='numerics', name='relative_tolerance', unit='-', &
+         & meaning='of the theory that auto may choose', default=1.0e-8_dp, lower=1.0e-15_dp, upper=0.5_dp)
 
-      v(v_events) = variable_t('output', 'events', kind_logical, '', &
-         & 'find the largest tangential force, the drop at the onset of sliding, and where the contact snaps off', '', 0.0_dp)
-      v(v_profiles) = variable_t('output', 'profiles', kind_logical, '', 'write pressure, gap and shear stress of every point', &
-         & '', 0.0_dp)
-      v(v_n_r) = variable_t('output', 'n_r', kind_integer, '-', 'samples of a profile', '', 201.0_dp, 2.0_dp, 1.0e7_dp)
-      v(v_r_max) = positive('output', 'r_max', 'm', 'radius up to which profiles are written')
+      v(v_events) = switch(group='output', name='events', &
+         & meaning='find the largest tangential force, the drop at the onset of sliding, and where the contact snaps off', &
+         & default=.false.)
+      v(v_profiles) = switch(group='output', name='profiles', meaning='write pressure, gap and shear stress of every point', &
+         & default=.false.)
+      v(v_n_r) = whole_number(group='output', name='n_r', meaning='samples of a profile', default=201, lower=2, upper=10000000)
+      v(v_r_max) = above_zero(group='output', name='r_max', unit='m', meaning='radius up to which profiles are written')
    end function get_sphere_variables
 
    !> The table of results.
@@ -101,31 +109,40 @@ contains
       if (is_reduced) length = '-'
       if (is_reduced) area = '-'
       allocate (r(n_sphere_results))
-      r(r_load) = result_t('load', force, 'load', '', .true.)
-      r(r_approach) = result_t('approach', length, 'approach of distant points', '', .true.)
-      r(r_contact_radius) = result_t('contact_radius', length, 'radius a of intimate contact', '', .true.)
-      r(r_adhesion_radius) = result_t('adhesion_radius', length, 'radius c up to which adhesion acts; none in DMT', '')
-      r(r_friction_radius) = result_t('friction_radius', length, 'radius b up to which friction acts', '')
-      r(r_contact_area) = result_t('contact_area', area, 'area pi a^2 of intimate contact', '')
-      r(r_friction_area) = result_t('friction_area', area, 'area pi b^2 on which friction acts; none without friction', '')
-      r(r_friction_force) = result_t('friction_force', force, 'tangential force', '', .true.)
-      r(r_adhesion_ratio) = result_t('adhesion_ratio', '-', 'X, what friction leaves of the work of adhesion', '')
-      r(r_stick_radius) = result_t('stick_radius', length, 'radius e of the part that sticks', '')
-      r(r_slip) = result_t('slip', length, 'slip at the edge, mean around it; none once sliding', '')
-      r(r_largest_slip) = result_t('largest_slip', length, 'slip at the edge where it is largest; none once sliding', '')
-      r(r_tangential_displacement) = result_t('tangential_displacement', length, &
-         & 'tangential displacement of distant points; none once sliding', '')
-      r(r_pull_off_load) = result_t('pull_off_load', force, 'load at which the contact separates in this control', '', .true.)
-      r(r_stable) = result_t('stable', '-', 'is the state stable under the control that is given?', 'unstable stable')
-      r(r_theory_used) = result_t('theory_used', '-', 'theory that was used', 'hertz jkr dmt maugis_dugdale')
-      r(r_theory_error) = result_t('theory_error', '-', &
-         & 'proved bound of the relative error of radii, load and approach by that theory', '')
-      r(r_peak_force) = result_t('peak_force', force, 'largest tangential force before sliding', '')
-      r(r_peak_displacement) = result_t('peak_displacement', length, 'tangential displacement at the largest force', '')
-      r(r_sliding_force) = result_t('sliding_force', force, 'tangential force of sliding at this load', '')
-      r(r_force_drop) = result_t('force_drop', force, 'force that is lost at the onset of sliding', '')
-      r(r_snap_off_force) = result_t('snap_off_force', force, 'tangential force at which the contact snaps off', '')
-      r(r_snap_off_displacement) = result_t('snap_off_displacement', length, 'tangential displacement at that place', '')
+      r(r_load) = result_row(name='load', unit=force, long_name='load', is_main=.true.)
+      r(r_approach) = result_row(name='approach', unit=length, long_name='approach of distant points', is_main=.true.)
+      r(r_contact_radius) = result_row(name='contact_radius', unit=length, long_name='radius a of intimate contact', is_main=.true.)
+      r(r_adhesion_radius) = result_row(name='adhesion_radius', unit=length, &
+         & long_name='radius c up to which adhesion acts; none in DMT')
+      r(r_friction_radius) = result_row(name='friction_radius', unit=length, long_name='radius b up to which friction acts')
+      r(r_contact_area) = result_row(name='contact_area', unit=area, long_name='area pi a^2 of intimate contact')
+      r(r_friction_area) = result_row(name='friction_area', unit=area, &
+         & long_name='area pi b^2 on which friction acts; none without friction')
+      r(r_friction_force) = result_row(name='friction_force', unit=force, long_name='tangential force', is_main=.true.)
+      r(r_adhesion_ratio) = result_row(name='adhesion_ratio', unit='-', long_name='X, what friction leaves of the work of adhesion')
+      r(r_stick_radius) = result_row(name='stick_radius', unit=length, long_name='radius e of the part that sticks')
+      r(r_slip) = result_row(name='slip', unit=length, long_name='slip at the edge, mean around it; none once sliding')
+      r(r_largest_slip) = result_row(name='largest_slip', unit=length, &
+         & long_name='slip at the edge where it is largest; none once sliding')
+      r(r_tangential_displacement) = result_row(name='tangential_displacement', unit=length, &
+         & long_name='tangential displacement of distant points; none once sliding')
+      r(r_pull_off_load) = result_row(name='pull_off_load', unit=force, &
+         & long_name='load at which the contact separates in this control', is_main=.true.)
+      r(r_stable) = result_row(name='stable', unit='-', long_name='is the state stable under the control that is given?', &
+         & flag_meanings='unstable stable')
+      r(r_theory_used) = result_row(name='theory_used', unit='-', long_name='theory that was used', &
+         & flag_meanings='hertz jkr dmt maugis_dugdale')
+      r(r_theory_error) = result_row(name='theory_error', unit='-', &
+         & long_name='proved bound of the relative error of radii, load and approach by that theory')
+      r(r_peak_force) = result_row(name='peak_force', unit=force, long_name='largest tangential force before sliding')
+      r(r_peak_displacement) = result_row(name='peak_displacement', unit=length, &
+         & long_name='tangential displacement at the largest force')
+      r(r_sliding_force) = result_row(name='sliding_force', unit=force, long_name='tangential force of sliding at this load')
+      r(r_force_drop) = result_row(name='force_drop', unit=force, long_name='force that is lost at the onset of sliding')
+      r(r_snap_off_force) = result_row(name='snap_off_force', unit=force, &
+         & long_name='tangential force at which the contact snaps off')
+      r(r_snap_off_displacement) = result_row(name='snap_off_displacement', unit=length, &
+         & long_name='tangential displacement at that place')
    end function get_sphere_results
 
    !> The table of profiles.
@@ -140,9 +157,9 @@ contains
       if (is_reduced) stress = '-'
       if (is_reduced) length = '-'
       allocate (p(3))
-      p(1) = profile_t('pressure', stress, 'pressure, compression positive')
-      p(2) = profile_t('shear_stress', stress, 'shear stress')
-      p(3) = profile_t('gap', length, 'gap')
+      p(1) = profile_t(name='pressure', unit=stress, long_name='pressure, compression positive')
+      p(2) = profile_t(name='shear_stress', unit=stress, long_name='shear stress')
+      p(3) = profile_t(name='gap', unit=length, long_name='gap')
    end function get_sphere_profiles
 
 end module adfric_sphere_variables

@@ -1,9 +1,8 @@
 !> The namelist variables and results of the model `wavy_sliding`.
 module adfric_wavy_variables
    use adfric_base_kinds, only: dp
-   use adfric_base_unset, only: unset
-   use adfric_model_table, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, &
-      & positive => positive_variable
+   use adfric_model_rows, only: above_zero, choice, poisson_ratio, switch, whole_number, result_row, any_number
+   use adfric_model_table, only: variable_t, result_t, profile_t
    use adfric_wavy_strip, only: regime_meanings
    implicit none (type, external)
    private
@@ -31,52 +30,53 @@ contains
       type(variable_t), allocatable :: v(:)
 
       allocate (v(n_variables))
-      v(v_kind) = variable_t('surface', 'kind', kind_choice, '', &
-         & 'one strip, forces per width (wave_2d), or waves in both directions (wave_3d)', 'wave_2d wave_3d')
-      v(v_period) = positive('surface', 'period', 'm', 'period along and across the sliding direction')
-      v(v_height) = positive('surface', 'height', 'm', 'peak-to-valley height')
-      v(v_slope) = variable_t('surface', 'slope', kind_choice, '', &
-         & 'shear stress p f'' (small) or p sin(arctan f'') (finite)', 'small finite', 1.0_dp)
+      v(v_kind) = choice(group='surface', name='kind', &
+         & meaning='one strip, forces per width (wave_2d), or waves in both directions (wave_3d)', choices='wave_2d wave_3d')
+      v(v_period) = above_zero(group='surface', name='period', unit='m', meaning='period along and across the sliding direction')
+      v(v_height) = above_zero(group='surface', name='height', unit='m', meaning='peak-to-valley height')
+      v(v_slope) = choice(group='surface', name='slope', meaning='shear stress p f'' (small) or p sin(arctan f'') (finite)', &
+         & choices='small finite', default='small')
 
-      v(v_stiffness) = positive('foundation', 'stiffness', 'Pa/m', 'long-time stiffness E/((1 - nu^2) H)')
-      v(v_young_modulus) = positive('foundation', 'young_modulus', 'Pa', 'long-time modulus, instead of the stiffness')
-      v(v_poisson_ratio) = variable_t('foundation', 'poisson_ratio', kind_real, '-', 'Poisson''s ratio', '', &
-         & unset, -1.0_dp, 0.5_dp, .true.)
-      v(v_thickness) = positive('foundation', 'thickness', 'm', 'thickness of the layer')
-      v(v_relaxation_time) = positive('foundation', 'relaxation_time', 's', 'relaxation time Ts')
-      v(v_retardation_ratio) = variable_t('foundation', 'retardation_ratio', kind_real, '-', &
-         & 'Te/Ts, the instantaneous over the long-time stiffness', '', unset, 1.0_dp)
+      v(v_stiffness) = above_zero(group='foundation', name='stiffness', unit='Pa/m', meaning='long-time stiffness E/((1 - nu^2) H)')
+      v(v_young_modulus) = above_zero(group='foundation', name='young_modulus', unit='Pa', &
+         & meaning='long-time modulus, instead of the stiffness')
+      v(v_poisson_ratio) = poisson_ratio(group='foundation', name='poisson_ratio', meaning='Poisson''s ratio')
+      v(v_thickness) = above_zero(group='foundation', name='thickness', unit='m', meaning='thickness of the layer')
+      v(v_relaxation_time) = above_zero(group='foundation', name='relaxation_time', unit='s', meaning='relaxation time Ts')
+      v(v_retardation_ratio) = any_number(group='foundation', name='retardation_ratio', unit='-', &
+         & meaning='Te/Ts, the instantaneous over the long-time stiffness', lower=1.0_dp)
 
-      v(v_stress) = variable_t('adhesion', 'stress', kind_real, 'Pa', 'adhesion stress p0; 0: no adhesion', '', &
-         & unset, 0.0_dp)
-      v(v_surface_energy) = positive('adhesion', 'surface_energy', 'J/m^2', 'stress times range')
-      v(v_range) = positive('adhesion', 'range', 'm', 'largest gap with adhesion, instead of the surface energy')
-      v(v_edge) = variable_t('adhesion', 'edge', kind_choice, '', &
-         & 'the displacement where the stress starts or ends: as published (continuous) or as the foundation asks', &
-         & 'continuous instantaneous', 1.0_dp)
-      v(v_branch) = variable_t('adhesion', 'branch', kind_choice, '', &
-         & 'where states coexist: the one that unloading keeps (adhered) or that loading meets (approach)', &
-         & 'adhered approach', 1.0_dp)
+      v(v_stress) = any_number(group='adhesion', name='stress', unit='Pa', meaning='adhesion stress p0; 0: no adhesion', &
+         & lower=0.0_dp)
+      v(v_surface_energy) = above_zero(group='adhesion', name='surface_energy', unit='J/m^2', meaning='stress times range')
+      v(v_range) = above_zero(group='adhesion', name='range', unit='m', &
+         & meaning='largest gap with adhesion, instead of the surface energy')
+      v(v_edge) = choice(group='adhesion', name='edge', &
+         & meaning='the displacement where the stress starts or ends: as published (continuous) or as the foundation asks', &
+         & choices='continuous instantaneous', default='continuous')
+      v(v_branch) = choice(group='adhesion', name='branch', &
+         & meaning='where states coexist: the one that unloading keeps (adhered) or that loading meets (approach)', &
+         & choices='adhered approach', default='adhered')
 
-      v(v_velocity) = variable_t('operating', 'velocity', kind_real, 'm/s', 'sliding velocity', '', unset, 0.0_dp)
-      v(v_load) = variable_t('operating', 'load', kind_real, 'N; N/m for wave_2d', 'load on one period', '')
-      v(v_penetration) = variable_t('operating', 'penetration', kind_real, 'm', &
-         & 'of the crests into the undisturbed surface, instead of the load', '')
+      v(v_velocity) = any_number(group='operating', name='velocity', unit='m/s', meaning='sliding velocity', lower=0.0_dp)
+      v(v_load) = any_number(group='operating', name='load', unit='N; N/m for wave_2d', meaning='load on one period')
+      v(v_penetration) = any_number(group='operating', name='penetration', unit='m', &
+         & meaning='of the crests into the undisturbed surface, instead of the load')
 
-      v(v_relative_tolerance) = variable_t('numerics', 'relative_tolerance', kind_real, '-', &
-         & 'of load and friction of wave_3d', '', 1.0e-8_dp, 1.0e-13_dp, 1.0e-2_dp)
-      v(v_strips) = variable_t('numerics', 'strips', kind_integer, '-', &
-         & 'equal strips on half a period of wave_3d, as published; 0: as many as the tolerance needs', '', &
-         & 0.0_dp, 0.0_dp, 1.0e8_dp)
+      v(v_relative_tolerance) = any_number(group='numerics', name='relative_tolerance', unit='-', &
+         & meaning='of load and friction of wave_3d', default=1.0e-8_dp, lower=1.0e-13_dp, upper=1.0e-2_dp)
+      v(v_strips) = whole_number(group='numerics', name='strips', &
+         & meaning='equal strips on half a period of wave_3d, as published; 0: as many as the tolerance needs', default=0, &
+         & lower=0, upper=100000000)
 
-      v(v_pull_off) = variable_t('output', 'pull_off', kind_logical, '', &
-         & 'find the pull-off load, too; by default under a given load alone', '')
-      v(v_profiles) = variable_t('output', 'profiles', kind_logical, '', &
-         & 'write pressure, shear stress, displacement and gap of every point', '', 0.0_dp)
-      v(v_n_x) = variable_t('output', 'n_x', kind_integer, '-', 'samples of a profile along the sliding direction', '', &
-         & 401.0_dp, 2.0_dp, 1.0e7_dp)
-      v(v_n_y) = variable_t('output', 'n_y', kind_integer, '-', 'samples of a profile across it (wave_3d)', '', &
-         & 101.0_dp, 2.0_dp, 1.0e7_dp)
+      v(v_pull_off) = switch(group='output', name='pull_off', &
+         & meaning='find the pull-off load, too; by default under a given load alone')
+      v(v_profiles) = switch(group='output', name='profiles', &
+         & meaning='write pressure, shear stress, displacement and gap of every point', default=.false.)
+      v(v_n_x) = whole_number(group='output', name='n_x', meaning='samples of a profile along the sliding direction', default=401, &
+         & lower=2, upper=10000000)
+      v(v_n_y) = whole_number(group='output', name='n_y', meaning='samples of a profile across it (wave_3d)', default=101, &
+         & lower=2, upper=10000000)
    end function get_wavy_variables
 
    !> The table of results.
@@ -93,23 +93,25 @@ contains
          area = trim(merge('m^2', 'm  ', is_3d))
       end if
       allocate (r(n_wavy_results))
-      r(r_load) = result_t('load', force, 'load on one period', '', .true.)
-      r(r_penetration) = result_t('penetration', 'm', 'penetration of the crests', '', .true.)
-      r(r_friction_force) = result_t('friction_force', force, 'friction force on one period', '', .true.)
-      r(r_friction_coefficient) = result_t('friction_coefficient', '-', 'friction force over load', '', .true.)
-      r(r_contact_area) = result_t('contact_area', area, 'area in contact on one period', '', .true.)
-      r(r_adhesion_area) = result_t('adhesion_area', area, 'area in adhesion without contact on one period', '')
-      r(r_contact_width) = result_t('contact_width', 'm', 'width of contact of the central strip', '')
-      r(r_contact_shift) = result_t('contact_shift', 'm', &
-         & 'shift of the contact of the central strip towards the leading side', '')
-      r(r_regime) = result_t('regime', '-', 'regime of the central strip', regime_meanings)
-      r(r_dissipation) = result_t('dissipation', force, 'energy lost in the foundation per distance slid', '')
-      r(r_edge_loss) = result_t('edge_loss', force, &
-         & 'energy lost where adhesion starts and ends per distance slid', '')
-      r(r_energy_imbalance) = result_t('energy_imbalance', '-', &
-         & 'friction less all losses, over the sum of their sizes', '')
-      r(r_pull_off_load) = result_t('pull_off_load', force, 'least load of the adhered branch', '')
-      r(r_pull_off_penetration) = result_t('pull_off_penetration', 'm', 'penetration of the least load of the adhered branch', '')
+      r(r_load) = result_row(name='load', unit=force, long_name='load on one period', is_main=.true.)
+      r(r_penetration) = result_row(name='penetration', unit='m', long_name='penetration of the crests', is_main=.true.)
+      r(r_friction_force) = result_row(name='friction_force', unit=force, long_name='friction force on one period', is_main=.true.)
+      r(r_friction_coefficient) = result_row(name='friction_coefficient', unit='-', long_name='friction force over load', &
+         & is_main=.true.)
+      r(r_contact_area) = result_row(name='contact_area', unit=area, long_name='area in contact on one period', is_main=.true.)
+      r(r_adhesion_area) = result_row(name='adhesion_area', unit=area, long_name='area in adhesion without contact on one period')
+      r(r_contact_width) = result_row(name='contact_width', unit='m', long_name='width of contact of the central strip')
+      r(r_contact_shift) = result_row(name='contact_shift', unit='m', &
+         & long_name='shift of the contact of the central strip towards the leading side')
+      r(r_regime) = result_row(name='regime', unit='-', long_name='regime of the central strip', flag_meanings=regime_meanings)
+      r(r_dissipation) = result_row(name='dissipation', unit=force, long_name='energy lost in the foundation per distance slid')
+      r(r_edge_loss) = result_row(name='edge_loss', unit=force, &
+         & long_name='energy lost where adhesion starts and ends per distance slid')
+      r(r_energy_imbalance) = result_row(name='energy_imbalance', unit='-', &
+         & long_name='friction less all losses, over the sum of their sizes')
+      r(r_pull_off_load) = result_row(name='pull_off_load', unit=force, long_name='least load of the adhered branch')
+      r(r_pull_off_penetration) = result_row(name='pull_off_penetration', unit='m', &
+         & long_name='penetration of the least load of the adhered branch')
    end function get_wavy_results
 
    !> The table of profiles.
@@ -117,10 +119,10 @@ contains
       type(profile_t), allocatable :: p(:)
 
       allocate (p(4))
-      p(1) = profile_t('pressure', 'Pa', 'pressure, compression positive')
-      p(2) = profile_t('shear_stress', 'Pa', 'shear stress against the motion')
-      p(3) = profile_t('displacement', 'm', 'displacement of the boundary, positive into the foundation')
-      p(4) = profile_t('gap', 'm', 'gap')
+      p(1) = profile_t(name='pressure', unit='Pa', long_name='pressure, compression positive')
+      p(2) = profile_t(name='shear_stress', unit='Pa', long_name='shear stress against the motion')
+      p(3) = profile_t(name='displacement', unit='m', long_name='displacement of the boundary, positive into the foundation')
+      p(4) = profile_t(name='gap', unit='m', long_name='gap')
    end function get_wavy_profiles
 
 end module adfric_wavy_variables
