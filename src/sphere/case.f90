@@ -1,11 +1,10 @@
 !> One point of the model `sphere`: from the values of a namelist to reduced variables.
 module adfric_sphere_case
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
    use adfric_material_contact_modulus, only: contact_modulus_of
-   use adfric_numerics_powers, only: cube_root
    use adfric_sphere_contact, only: theory_hertz, control_load, control_approach, control_radius
+   use adfric_sphere_units, only: get_sphere_units
    use adfric_sphere_variables
    implicit none (type, external)
    private
@@ -67,13 +66,7 @@ contains
       if (.not. work > 0) self%theory = theory_hertz
       e = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
       if (self%theory == theory_hertz) work = e*values(v_radius)
-      associate (r => values(v_radius))
-         self%force_unit = pi*work*r
-         self%length_unit = cube_root(0.75_dp*self%force_unit*r/e)
-         self%approach_unit = self%length_unit**2/r
-         ! half of (16 pi w E*^2/9R)^(1/3)
-         self%stress_unit = self%force_unit/(2*self%length_unit**2)
-      end associate
+      call get_sphere_units(values(v_radius), e, work, self%length_unit, self%approach_unit, self%force_unit, self%stress_unit)
       if (is_set(values(v_adhesion_stress))) self%lambda = values(v_adhesion_stress)/self%stress_unit
       if (is_set(values(v_adhesion_range))) self%lambda = work/values(v_adhesion_range)/self%stress_unit
    end subroutine resolve_units
