@@ -78,19 +78,20 @@ contains
       if (allocated(self%items)) count_problems = size(self%items)
    end function count_problems
 
-   !> The line that is printed for a problem: `FILE.nml: &group[index] variable: text (line 7)`.
+   !> The line that is printed for a problem: `FILE.nml: &group[index] variable: text (line 7)`, or `&group variable: text`.
    pure function line_of(self, i, file) result(line)
       !> The problems found so far.
       class(problems_t), intent(in) :: self
       !> Place of the problem in the list, from 1.
       integer, intent(in) :: i
-      !> Name of the input file.
+      !> Name of the input file; empty if there is none.
       character(*), intent(in) :: file
       character(:), allocatable :: line
       character(12) :: number
 
       associate (item => self%items(i))
-         line = file//':'
+         line = ''
+         if (len(file) > 0) line = file//':'
          if (len(item%group) > 0) line = line//' &'//item%group
          if (item%index > 0) then
             write (number, '(i0)') item%index
@@ -104,6 +105,7 @@ contains
             line = line//' (line '//trim(number)//')'
          end if
       end associate
+      if (len(file) == 0) line = line(2:)
    end function line_of
 
 end module adfric_base_problems

@@ -14,7 +14,7 @@ module adfric_input_case
    use adfric_run_dataset, only: dataset_t
    implicit none (type, external)
    private
-   public :: case_t, read_groups, mark_meant
+   public :: case_t, new_case, read_groups, mark_meant
 
    !> A value for every variable, each component of shape `(n_variables)`.
    type :: case_t
@@ -34,6 +34,21 @@ module adfric_input_case
 
 contains
 
+   !> A case in which nothing is given, so that every variable has its default value.
+   subroutine new_case(self, model)
+      !> Receives room for every variable of the model.
+      type(case_t), intent(out) :: self
+      !> The model, whose table has the default values.
+      class(model_t), intent(in) :: model
+      integer :: i, n
+
+      n = size(model%variables)
+      allocate (self%is_given(n), self%is_swept(n), self%is_broken(n), source=.false.)
+      allocate (self%line(n), source=0)
+      allocate (self%datasets(n))
+      self%values = [(model%variables(i)%default, i=1, n)]
+   end subroutine new_case
+
    !> Read the groups of a model.
    subroutine read_groups(file, model, input, problems)
       !> The input, cut into groups and assignments.
@@ -45,13 +60,9 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: groups
-      integer :: i, n
+      integer :: i
 
-      n = size(model%variables)
-      allocate (input%is_given(n), input%is_swept(n), input%is_broken(n), source=.false.)
-      allocate (input%line(n), source=0)
-      allocate (input%datasets(n))
-      input%values = [(model%variables(i)%default, i=1, n)]
+      call new_case(input, model)
       call check_group_names(file, model, input, problems)
       groups = list_groups(model)
       do i = 1, size(file%assignments)

@@ -12,7 +12,7 @@ module adfric_input_dataset
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)
    private
-   public :: read_dataset_name, load_dataset
+   public :: read_dataset_name, load_dataset, examine_values
 
    !> What stands between the name of the file and that of the dataset, with which the latter begins.
    character(*), parameter :: divider = ':/'
@@ -60,11 +60,25 @@ contains
       real(dp), allocatable, intent(out) :: values(:, :)
       !> What is wrong with the file, the dataset or its values; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
+
+      call read_numbers(dataset%file, dataset%path, variable%largest_rank, values, dataset%counts, dataset%units, flaw)
+      if (len(flaw) == 0) call examine_values(dataset, variable, values, flaw)
+   end subroutine load_dataset
+
+   !> Hold the values of a dataset against what its variable allows.
+   subroutine examine_values(dataset, variable, values, flaw)
+      !> In: shape and units. Out: also range and checksum.
+      type(dataset_t), intent(inout) :: dataset
+      !> Row of the model's table: unit, bounds, number of dimensions and of values.
+      type(variable_t), intent(in) :: variable
+      !> In: the values in their units, the last dimension of the dataset first. Out: the values in SI units.
+      real(dp), intent(inout) :: values(:, :)
+      !> What is wrong with the dataset or its values; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
       type(checksum_t) :: checksum
       integer :: j
 
-      call read_numbers(dataset%file, dataset%path, variable%largest_rank, values, dataset%counts, dataset%units, flaw)
-      if (len(flaw) > 0) return
+      flaw = ''
       if (any(dataset%counts < variable%least_count)) then
          flaw = 'too few values in the dataset'
          return
@@ -90,7 +104,7 @@ contains
          if (size_of_all > 0 .and. size_of_all < smallest) flaw = 'the values of the dataset are too small, the largest is '// &
             show_number(size_of_all)//', not 0 or >= '//show_number(smallest)
       end associate
-   end subroutine load_dataset
+   end subroutine examine_values
 
    !> Convert values to SI units.
    pure subroutine convert_units(units, wanted, values, flaw)

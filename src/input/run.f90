@@ -18,7 +18,7 @@ module adfric_input_run
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
-   public :: run_input_t, read_job, read_case
+   public :: run_input_t, read_job, read_case, say_unknown_model
 
    !> A run, and what its input says of it beside.
    type, extends(run_t) :: run_input_t
@@ -199,9 +199,20 @@ contains
       call read_word(file, group, 'model', model, problems)
       if (problems%count() > n_before) return
       if (has_word(known_models, model)) return
-      call file%report_variable(problems, group, 'model', 'unknown model, given '''//show_text(model)//''', allowed: '// &
-         choices//did_you_mean(model, known_models))
+      call file%report_variable(problems, group, 'model', say_unknown_model(model, known_models))
       model = ''
    end subroutine read_model
+
+   !> What to say of a model that is not known.
+   pure function say_unknown_model(name, known_models) result(text)
+      !> The name that is not known.
+      character(*), intent(in) :: name
+      !> Names of the models, separated by a blank.
+      character(*), intent(in) :: known_models
+      character(:), allocatable :: text
+
+      text = 'unknown model, given '''//show_text(name)//''', allowed: '''//join_words(known_models, ''', ''')//''''// &
+         did_you_mean(name, known_models)
+   end function say_unknown_model
 
 end module adfric_input_run

@@ -2,19 +2,15 @@
 module adfric_input_sweep
    use adfric_base_kinds, only: dp, i8
    use adfric_base_problems, only: problems_t
-   use adfric_base_words, only: count_words
    use adfric_base_text, only: join_words, to_lower, show_count, show_text
    use adfric_input_case, only: case_t, mark_meant
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t
-   use adfric_input_suggestion, only: did_you_mean
    use adfric_input_sweep_range, only: read_sweep_values
-   use adfric_input_variable, only: is_in_range, describe_allowed, show_value
-   use adfric_input_vocabulary, only: sweep_names, report_unknown_names
+   use adfric_input_variable, only: find_outlier
+   use adfric_input_vocabulary, only: sweep_names, report_unknown_names, find_variable, list_numbers, is_number
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_real, kind_integer
-   use adfric_model_vocabulary, only: list_groups_of, list_variables
    use adfric_run_plan, only: axis_t, new_axis, plan_t
    implicit none (type, external)
    private
@@ -126,7 +122,7 @@ contains
       if (len(flaw) > 0) call file%report_variable(problems, group, 'variable', flaw, place)
    end subroutine find_swept_variable
 
-   !> Look up `name` or `group%name`.
+   !> Look up the variable of a sweep, `name` or `group%name`.
    subroutine look_up(model, name, variable, flaw)
       !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
@@ -136,78 +132,13 @@ contains
       integer, intent(out) :: variable
       !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
-      character(:), allocatable :: groups, bare_name
-      integer :: percent
 
-      flaw = ''
-      variable = 0
-      percent = index(name, '%')
-      bare_name = name(percent + 1:)
-      groups = list_groups_of(model, bare_name)
-      if (len(groups) == 0) then
-         flaw = 'unknown variable, given '''//show_text(name)//''', allowed: '//join_words(list_swept(model), ', ')// &
-            did_you_mean(bare_name, list_variables(model, ''))
-      else if (percent > 0) then
-         variable = model%index_of(name(:percent - 1), bare_name)
-         if (variable == 0) flaw = 'unknown variable, given '''//show_text(name)//''', it belongs to &'//join_words(groups, ' or &')
-      else if (count_words(groups) > 1) then
-         variable = find_bare_name(model, name)
-         if (variable == 0) flaw = 'stands in several groups, given '''//name//''', allowed: '''// &
-            join_words(groups, '%'//name//''' or ''')//'%'//name//''''
-      else
-         variable = model%index_of(groups, name)
-      end if
+      call find_variable(model, name, list_numbers(model), variable, flaw)
       if (variable == 0) return
-      if (is_numeric(model, variable)) return
-      flaw = 'not a number, it cannot be swept, given '''//show_text(name)//''', allowed: '//join_words(list_swept(model), ', ')
+      if (is_number(model%variables(variable))) return
+      flaw = 'not a number, it cannot be swept, given '''//show_text(name)//''', allowed: '//join_words(list_numbers(model), ', ')
       variable = 0
    end subroutine look_up
-
-   !> The only variable of this name that may be meant without its group; 0 if none is, or several are.
-   pure integer function find_bare_name(model, name)
-      !> The model, whose table says which variables it has and what they may be.
-      class(model_t), intent(in) :: model
-      !> Name of the variable, in small letters and without its group.
-      character(*), intent(in) :: name
-      integer :: i
-
-      find_bare_name = 0
-      do i = 1, size(model%variables)
-         if (model%variables(i)%name /= name .or. .not. model%variables(i)%has_bare_name) cycle
-         if (find_bare_name > 0) then
-            find_bare_name = 0
-            return
-         end if
-         find_bare_name = i
-      end do
-   end function find_bare_name
-
-   !> Is a variable of the model a number?
-   pure logical function is_numeric(model, variable)
-      !> The model, whose table says which variables it has and what they may be.
-      class(model_t), intent(in) :: model
-      !> Place of the variable in the model's table, from 1.
-      integer, intent(in) :: variable
-
-      is_numeric = any(model%variables(variable)%kind == [kind_real, kind_integer])
-   end function is_numeric
-
-   !> Variables that can be swept, separated by a blank.
-   pure function list_swept(model) result(list)
-      !> The model, whose table says which variables it has and what they may be.
-      class(model_t), intent(in) :: model
-      character(:), allocatable :: list
-      character(:), allocatable :: name
-      integer :: i
-
-      list = ''
-      do i = 1, size(model%variables)
-         if (.not. is_numeric(model, i)) cycle
-         name = model%variables(i)%name
-         if (count_words(list_groups_of(model, name)) > 1) name = model%variables(i)%group//'%'//name
-         list = list//' '//name
-      end do
-   end function list_swept
 
    !> A variable is given in one place.
    subroutine check_not_twice(file, group, model, variable, input, problems)
@@ -251,24 +182,14 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: name, text
-      integer :: i, first, n
+      character(:), allocatable :: name, flaw
+      integer :: first
 
-      n = 0
-      do i = size(values), 1, -1
-         if (is_in_range(values(i), model%variables(variable))) cycle
-         n = n + 1
-         first = i
-      end do
-      if (n == 0) return
+      call find_outlier(values, model%variables(variable), first, flaw)
+      if (first == 0) return
       name = 'values'
       if (file%find_assignment(group, name) == 0) name = merge('to  ', 'from', first == size(values))
-      text = model%variables(variable)%name//' out of range at value '//show_count(first)//' of '// &
-         show_count(size(values))
-      if (n > 1) text = text//' and at '//show_count(n - 1)//' more'
-      text = text//', given '//show_value(values(first), model%variables(variable))//', allowed: '// &
-         describe_allowed(model%variables(variable), values(first))
-      call file%report_variable(problems, group, trim(name), text)
+      call file%report_variable(problems, group, trim(name), model%variables(variable)%name//' '//flaw)
    end subroutine check_swept_range
 
    !> Is the number of points beyond all counting? Empty if it is not.

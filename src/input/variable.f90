@@ -1,5 +1,6 @@
 !> The values of a model's variables: read from their groups, and held against what the model's table allows.
 module adfric_input_variable
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
    use adfric_base_kinds, only: dp, i8
    use adfric_base_unset, only: unset
    use adfric_base_words, only: count_words, get_word
@@ -10,7 +11,7 @@ module adfric_input_variable
    use adfric_model_table, only: variable_t, kind_real, kind_integer, kind_logical, kind_dataset
    implicit none (type, external)
    private
-   public :: read_variable, is_in_range, describe_allowed, show_value
+   public :: read_variable, check_value, find_outlier, is_in_range, describe_allowed, show_value
 
    !> No number of physics is larger, or smaller without being 0.
    real(dp), parameter :: largest = 1.0e60_dp, smallest = 1.0e-60_dp
@@ -50,9 +51,12 @@ contains
             call convert_choice(word, variable%choices, value, flaw, question)
          end select
       end if
-      if (len(flaw) == 0 .and. .not. is_in_range(value, variable)) flaw = 'out of range, given '//show_value(value, variable)
+      if (len(flaw) > 0) then
+         flaw = flaw//', allowed: '//describe_allowed(variable, value)//question
+      else
+         call check_value(value, variable, flaw)
+      end if
       if (len(flaw) == 0) return
-      flaw = flaw//', allowed: '//describe_allowed(variable, value)//question
       value = variable%default
    end subroutine read_variable
 
@@ -84,6 +88,46 @@ contains
       question = did_you_mean(choice, choices)
    end subroutine convert_choice
 
+   !> Hold a number against what its variable allows.
+   pure subroutine check_value(value, variable, flaw)
+      !> The value as it is held, a number in SI units.
+      real(dp), intent(in) :: value
+      !> Row of the model's table: kind, unit and what is allowed.
+      type(variable_t), intent(in) :: variable
+      !> What is wrong, what was given, what is allowed; empty if the value is good.
+      character(:), allocatable, intent(out) :: flaw
+
+      flaw = ''
+      if (is_in_range(value, variable)) return
+      flaw = 'out of range, given '//show_value(value, variable)//', allowed: '//describe_allowed(variable, value)
+   end subroutine check_value
+
+   !> Hold the values of a sweep against what its variable allows.
+   pure subroutine find_outlier(values, variable, first, flaw)
+      !> The values in the SI unit of the variable.
+      real(dp), intent(in) :: values(:)
+      !> Row of the model's table: kind, unit and what is allowed.
+      type(variable_t), intent(in) :: variable
+      !> Place of the first value that is not allowed; 0 if all are.
+      integer, intent(out) :: first
+      !> What is wrong, what was given, what is allowed; empty if all values are good.
+      character(:), allocatable, intent(out) :: flaw
+      integer :: i, n
+
+      n = 0
+      first = 0
+      flaw = ''
+      do i = size(values), 1, -1
+         if (is_in_range(values(i), variable)) cycle
+         n = n + 1
+         first = i
+      end do
+      if (n == 0) return
+      flaw = 'out of range at value '//show_count(first)//' of '//show_count(size(values))
+      if (n > 1) flaw = flaw//' and at '//show_count(n - 1)//' more'
+      flaw = flaw//', given '//show_value(values(first), variable)//', allowed: '//describe_allowed(variable, values(first))
+   end subroutine find_outlier
+
    !> Is a value within the range of its variable?
    elemental logical function is_in_range(value, variable)
       !> The value as it is held, a number in SI units.
@@ -91,7 +135,9 @@ contains
       !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
 
-      is_in_range = is_usable(value) .and. value >= variable%lower .and. value <= variable%upper
+      is_in_range = is_usable(value)
+      if (.not. is_in_range) return
+      is_in_range = value >= variable%lower .and. value <= variable%upper
       if (variable%lower_open) is_in_range = is_in_range .and. value > variable%lower
       if (variable%upper_open) is_in_range = is_in_range .and. value < variable%upper
       if (variable%kind == kind_integer) is_in_range = is_in_range .and. is_integer(value)
@@ -102,7 +148,8 @@ contains
       !> Any number in SI units; NaN is not usable.
       real(dp), intent(in) :: value
 
-      is_usable = abs(value) <= largest .and. .not. (abs(value) > 0 .and. abs(value) < smallest)
+      is_usable = ieee_is_finite(value)
+      if (is_usable) is_usable = abs(value) <= largest .and. .not. (abs(value) > 0 .and. abs(value) < smallest)
    end function is_usable
 
    !> Can a value be held as an integer of default kind?
@@ -175,13 +222,18 @@ contains
 
    !> A value with its unit.
    pure function show_value(value, variable) result(text)
-      !> The value as it is held, a number in SI units.
+      !> The value as it is held, a number in SI units, or NaN.
       real(dp), intent(in) :: value
       !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text
 
-      text = show_number(value)
+      if (ieee_is_nan(value)) then
+         text = 'NaN'
+         return
+      end if
+      text = trim(merge('Infinity ', '-Infinity', value > 0))
+      if (ieee_is_finite(value)) text = show_number(value)
       if (has_unit(variable)) text = text//' '//variable%unit
    end function show_value
 

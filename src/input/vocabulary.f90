@@ -1,16 +1,18 @@
 !> The names that an input may use, and what to say of a name that is not among them.
 module adfric_input_vocabulary
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: join_words
-   use adfric_base_words, only: has_word
+   use adfric_base_text, only: join_words, show_text
+   use adfric_base_words, only: count_words, has_word
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_model_model, only: model_t
+   use adfric_model_table, only: variable_t, kind_real, kind_integer
    use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of
    implicit none (type, external)
    private
    public :: job_names, sweep_names
    public :: say_unknown_group, say_unknown_variable, report_unknown_names
+   public :: find_variable, list_numbers, is_number, full_name
 
    !> Variables of `&job`.
    character(*), parameter :: job_names = 'model title output'
@@ -91,5 +93,92 @@ contains
          end associate
       end do
    end subroutine report_unknown_names
+
+   !> Find a variable by `name` or `group%name`.
+   pure subroutine find_variable(model, name, allowed, variable, flaw)
+      !> The model, whose table says which variables it has and what they may be.
+      class(model_t), intent(in) :: model
+      !> `name` or `group%name`, in small letters.
+      character(*), intent(in) :: name
+      !> Names that are allowed here, separated by a blank.
+      character(*), intent(in) :: allowed
+      !> Place of the variable in the model's table, from 1; 0 if none is meant.
+      integer, intent(out) :: variable
+      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+      character(:), allocatable :: groups, bare_name
+      integer :: percent
+
+      flaw = ''
+      variable = 0
+      percent = index(name, '%')
+      bare_name = name(percent + 1:)
+      groups = list_groups_of(model, bare_name)
+      if (len(groups) == 0) then
+         flaw = 'unknown variable, given '''//show_text(name)//''', allowed: '//join_words(allowed, ', ')// &
+            did_you_mean(bare_name, list_variables(model, ''))
+      else if (percent > 0) then
+         variable = model%index_of(name(:percent - 1), bare_name)
+         if (variable == 0) flaw = 'unknown variable, given '''//show_text(name)//''', it belongs to &'//join_words(groups, ' or &')
+      else if (count_words(groups) > 1) then
+         variable = find_bare_name(model, name)
+         if (variable == 0) flaw = 'stands in several groups, given '''//name//''', allowed: '''// &
+            join_words(groups, '%'//name//''' or ''')//'%'//name//''''
+      else
+         variable = model%index_of(groups, name)
+      end if
+   end subroutine find_variable
+
+   !> The only variable of this name that may be meant without its group; 0 if none is, or several are.
+   pure integer function find_bare_name(model, name)
+      !> The model, whose table says which variables it has and what they may be.
+      class(model_t), intent(in) :: model
+      !> Name of the variable, in small letters and without its group.
+      character(*), intent(in) :: name
+      integer :: i
+
+      find_bare_name = 0
+      do i = 1, size(model%variables)
+         if (model%variables(i)%name /= name .or. .not. model%variables(i)%has_bare_name) cycle
+         if (find_bare_name > 0) then
+            find_bare_name = 0
+            return
+         end if
+         find_bare_name = i
+      end do
+   end function find_bare_name
+
+   !> Is a variable a number, which can be swept?
+   elemental logical function is_number(variable)
+      !> Row of the model's table, of which the kind is read.
+      type(variable_t), intent(in) :: variable
+
+      is_number = any(variable%kind == [kind_real, kind_integer])
+   end function is_number
+
+   !> Variables that are numbers, separated by a blank, with their groups where several groups have the name.
+   pure function list_numbers(model) result(list)
+      !> The model, whose table says which variables it has and what they may be.
+      class(model_t), intent(in) :: model
+      character(:), allocatable :: list
+      integer :: i
+
+      list = ''
+      do i = 1, size(model%variables)
+         if (is_number(model%variables(i))) list = list//' '//full_name(model, i)
+      end do
+   end function list_numbers
+
+   !> Name of a variable by which nothing else can be meant: with its group where several groups have the name.
+   pure function full_name(model, variable) result(name)
+      !> The model, whose table says which variables it has and what they may be.
+      class(model_t), intent(in) :: model
+      !> Place of the variable in the table, from 1.
+      integer, intent(in) :: variable
+      character(:), allocatable :: name
+
+      name = model%variables(variable)%name
+      if (count_words(list_groups_of(model, name)) > 1) name = model%variables(variable)%group//'%'//name
+   end function full_name
 
 end module adfric_input_vocabulary
