@@ -8,17 +8,17 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 # What stands in a line uses what stands in the lines above it, and itself. "" is src/ itself: which models there are.
 LEVELS = (("base",), ("numerics", "system"), ("model", "hdf5"), ("material", "shape"), ("wavy", "sphere", "classical", "periodic"),
-          ("",), ("run",), ("input", "output"), ("command",), ("drivers",))
+          ("contact",), ("",), ("run",), ("input", "output"), ("api", "command"), ("drivers",))
 LEVEL_OF = {room: level for level, rooms in enumerate(LEVELS) for room in rooms}
 # The library adfric::physics, as CMakeLists.txt names its folders: it knows neither files nor processes.
-PHYSICS = ("base", "numerics", "model", "material", "shape", "wavy", "sphere", "classical", "periodic", "")
+PHYSICS = ("base", "numerics", "model", "material", "shape", "wavy", "sphere", "classical", "periodic", "contact", "")
 NOT_FOR_PHYSICS = ("system", "hdf5")
 # Modules from outside that a room may use; bindings of libraries for numbers stand in numerics alone.
 FOREIGN = {"physics": {"iso_fortran_env", "ieee_arithmetic"},
            "numerics": {"iso_fortran_env", "ieee_arithmetic", "iso_c_binding"},
            "rest": {"iso_fortran_env", "ieee_arithmetic", "iso_c_binding", "omp_lib", "hdf5", "h5ds", "h5lt", "mpi_f08"}}
-# Two files of one module, of which CMake takes one (cmake/AdfricMpi.cmake).
-ALTERNATIVES = {"run/world_mpi": "run/world", "run/world_serial": "run/world"}
+# Two files of one module, of which CMake takes one (cmake/AdfricMpi.cmake); and the library's interface, which has a short name.
+ALTERNATIVES = {"run/world_mpi": "run/world", "run/world_serial": "run/world", "api/api": "api"}
 # Folders of tests that are no room of src/.
 OTHER_TESTS = {"hard", "program", "reference", "runner", "search", "selftest", "support"}
 # The first module of a file, and what it uses.
@@ -35,8 +35,8 @@ def files_of(root):
 
 def room_of(module):
     """The room of a module of the project, by its name; None for a module from outside."""
-    if module == "adfric":
-        return ""
+    if module in ("adfric", "adfric_api"):
+        return module[len("adfric_"):]
     room = re.match(r"adfric_([a-z0-9]+)_", module)
     return room and room[1].replace("driver", "drivers")
 

@@ -1,0 +1,243 @@
+!> What a simulation is made of, and what its parts have to do with each other.
+module adfric_api_state
+   use adfric_api_axes, only: leave_out, put_axis
+   use adfric_api_values, only: check_swept, error_of, find_place, give_number, give_samples, give_switch, give_word
+   use adfric_base_error, only: error_t, input_failure, set_error
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_count
+   use adfric_input_case, only: case_t, new_case
+   use adfric_input_consistency, only: check_consistency
+   use adfric_input_namelist_file, only: namelist_file_t, new_namelist_file
+   use adfric_input_sweep, only: find_size_problem
+   use adfric_model_model, only: model_t
+   use adfric_run_memory_sink, only: memory_sink_t
+   use adfric_run_run, only: new_run, run_t
+   implicit none (type, external)
+   private
+   public :: state_t, open_state
+
+   !> The parts of a simulation.
+   type :: state_t
+      !> The model with its points; the model is not allocated where the simulation is closed.
+      type(run_t) :: run
+      !> Value of every variable, and which of them are given or swept.
+      type(case_t) :: input
+      !> What was found.
+      type(memory_sink_t), allocatable :: found
+   contains
+      procedure :: close => close_state
+      procedure :: give
+      procedure :: give_dataset
+      procedure :: take_back
+      procedure :: sweep
+      procedure :: check_case
+      procedure :: check_open
+      procedure :: check_solved
+   end type state_t
+
+contains
+
+   !> Open a model.
+   subroutine open_state(self, model)
+      !> Receives the model, with no value but the defaults.
+      type(state_t), intent(out) :: self
+      !> The model, which is taken over.
+      class(model_t), allocatable, intent(inout) :: model
+
+      call new_run(self%run, model)
+      call new_case(self%input, self%run%model)
+   end subroutine open_state
+
+   !> Give everything back.
+   subroutine close_state(self)
+      !> The simulation, open or closed.
+      class(state_t), intent(inout) :: self
+
+      if (allocated(self%found)) deallocate (self%found)
+      if (allocated(self%run%model)) deallocate (self%run%model)
+   end subroutine close_state
+
+   !> Give a variable one value: it is not swept any more.
+   subroutine give(self, name, value, error)
+      !> The simulation; unchanged if there is an error.
+      class(state_t), intent(inout) :: self
+      !> Name of the variable, or `group%name`.
+      character(*), intent(in) :: name
+      !> The value: a real number of kind `dp`, an integer, a logical or a word.
+      class(*), intent(in) :: value
+      !> Not allocated if the value is given.
+      type(error_t), allocatable, intent(out) :: error
+      type(problems_t) :: problems
+      integer :: place
+
+      call find_variable(self, name, place, error)
+      if (allocated(error)) return
+      associate (variable => self%run%model%variables(place))
+         select type (value)
+         type is (real(dp))
+            call give_number(variable, value, self%input%values(place), problems)
+         type is (integer)
+            call give_number(variable, real(value, dp), self%input%values(place), problems)
+         type is (logical)
+            call give_switch(variable, value, self%input%values(place), problems)
+         type is (character(*))
+            call give_word(variable, value, self%input%values(place), problems)
+         end select
+      end associate
+      call error_of(problems, error)
+      if (.not. allocated(error)) call mark(self, place, is_given=.true.)
+   end subroutine give
+
+   !> Give a variable a dataset.
+   subroutine give_dataset(self, name, values, rank, error)
+      !> The simulation; after an error the dataset is not given.
+      class(state_t), intent(inout) :: self
+      !> Name of the variable, or `group%name`.
+      character(*), intent(in) :: name
+      !> Values of the dataset in the SI unit of the variable; shape `(nx, ny)`, ny = 1 for one dimension.
+      real(dp), intent(in) :: values(:, :)
+      !> Number of dimensions, 1 or 2.
+      integer, intent(in) :: rank
+      !> Not allocated if the dataset is given.
+      type(error_t), allocatable, intent(out) :: error
+      type(problems_t) :: problems
+      integer :: place
+
+      call find_variable(self, name, place, error)
+      if (allocated(error)) return
+      call give_samples(self%run%model, place, values, rank, self%input, problems)
+      call error_of(problems, error)
+      if (allocated(self%found)) deallocate (self%found)
+   end subroutine give_dataset
+
+   !> Give a variable its default value again, or none.
+   subroutine take_back(self, name, error)
+      !> The simulation; unchanged if there is an error.
+      class(state_t), intent(inout) :: self
+      !> Name of the variable, or `group%name`.
+      character(*), intent(in) :: name
+      !> Allocated if there is no such variable.
+      type(error_t), allocatable, intent(out) :: error
+      integer :: place
+
+      call find_variable(self, name, place, error)
+      if (allocated(error)) return
+      self%input%values(place) = self%run%model%variables(place)%default
+      call mark(self, place, is_given=.false.)
+   end subroutine take_back
+
+   !> Sweep variables together.
+   subroutine sweep(self, names, values, error)
+      !> The simulation; unchanged if there is an error.
+      class(state_t), intent(inout) :: self
+      !> Names of the variables, or `group%name`.
+      character(*), intent(in) :: names(:)
+      !> Values of the variables in their SI units; shape `(n_values, n_names)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Not allocated if the variables are swept.
+      type(error_t), allocatable, intent(out) :: error
+      type(problems_t) :: problems
+      integer :: places(size(names)), k
+
+      call self%check_open(error)
+      if (allocated(error)) return
+      if (size(values, 2) /= size(names) .or. size(names) == 0) then
+         call set_error(error, input_failure, 'a sweep of '//show_count(size(names))//' variables with values of '// &
+            & show_count(size(values, 2))//', allowed: values of shape (n_values, n_variables)')
+         return
+      end if
+      do k = 1, size(names)
+         call find_variable(self, names(k), places(k), error)
+         if (allocated(error)) return
+         call check_swept(self%run%model%variables(places(k)), values(:, k), problems)
+         if (any(places(:k - 1) == places(k))) call problems%add('', '', trim(names(k))//' is given twice, allowed: once')
+      end do
+      call error_of(problems, error)
+      if (allocated(error)) return
+      call put_axis(self%run%plan%axes, places, transpose(values))
+      do k = 1, size(places)
+         self%input%values(places(k)) = values(1, k)
+         self%input%is_given(places(k)) = .false.
+         self%input%is_swept(places(k)) = .true.
+      end do
+      if (allocated(self%found)) deallocate (self%found)
+   end subroutine sweep
+
+   !> Let the model check all values together, as those of a namelist.
+   subroutine check_case(self, error)
+      !> The simulation, which is open; the points receive the values.
+      class(state_t), intent(inout) :: self
+      !> Says what is missing, contradictory or impossible, a line each.
+      type(error_t), allocatable, intent(out) :: error
+      type(namelist_file_t) :: nothing
+      type(problems_t) :: problems, unused
+      character(:), allocatable :: text
+
+      self%run%plan%base = self%input%values
+      call new_namelist_file(nothing, '', '', unused)
+      call check_consistency(nothing, self%run%model, self%input, self%run%plan%axes, problems)
+      text = find_size_problem(self%run%plan)
+      if (len(text) > 0) call problems%add('', '', text)
+      call error_of(problems, error)
+   end subroutine check_case
+
+   !> Is the simulation open?
+   subroutine check_open(self, error)
+      !> The simulation.
+      class(state_t), intent(in) :: self
+      !> Allocated if the simulation is closed.
+      type(error_t), allocatable, intent(out) :: error
+
+      if (.not. allocated(self%run%model)) call set_error(error, input_failure, &
+         & 'the simulation is closed, open_simulation opens it')
+   end subroutine check_open
+
+   !> Is the simulation solved?
+   subroutine check_solved(self, error)
+      !> The simulation.
+      class(state_t), intent(in) :: self
+      !> Allocated if the simulation is closed, or not solved since a variable was set last.
+      type(error_t), allocatable, intent(out) :: error
+
+      call self%check_open(error)
+      if (allocated(error)) return
+      if (.not. allocated(self%found)) call set_error(error, input_failure, &
+         & 'there are no results for the values as they are, solve finds them')
+   end subroutine check_solved
+
+   !> Find a variable.
+   subroutine find_variable(self, name, place, error)
+      !> The simulation.
+      class(state_t), intent(in) :: self
+      !> Name of the variable, or `group%name`.
+      character(*), intent(in) :: name
+      !> Place of the variable in the model's table; 0 if there is an error.
+      integer, intent(out) :: place
+      !> Allocated if the simulation is closed, or there is no such variable.
+      type(error_t), allocatable, intent(out) :: error
+      type(problems_t) :: problems
+
+      place = 0
+      call self%check_open(error)
+      if (allocated(error)) return
+      call find_place(self%run%model, name, place, problems)
+      call error_of(problems, error)
+   end subroutine find_variable
+
+   !> Take note of a variable that has one value now: what was found does not belong to it.
+   subroutine mark(self, place, is_given)
+      !> The simulation.
+      class(state_t), intent(inout) :: self
+      !> Place of the variable in the model's table.
+      integer, intent(in) :: place
+      !> Is the value given by the caller, and not the default?
+      logical, intent(in) :: is_given
+
+      self%input%is_given(place) = is_given
+      if (self%input%is_swept(place)) call leave_out(self%run%plan%axes, place)
+      self%input%is_swept(place) = .false.
+      if (allocated(self%found)) deallocate (self%found)
+   end subroutine mark
+
+end module adfric_api_state

@@ -1,0 +1,238 @@
+!> The values that a caller gives to the variables of a model, held against the tables as those of a namelist are, by the same
+!> procedures and with the same words.
+module adfric_api_values
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
+   use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: newline, show_count, show_number, to_lower
+   use adfric_input_case, only: case_t
+   use adfric_input_dataset, only: examine_values
+   use adfric_input_variable, only: check_value, describe_allowed, find_outlier, read_variable
+   use adfric_input_vocabulary, only: find_variable, full_name, is_number
+   use adfric_model_model, only: model_t
+   use adfric_model_table, only: kind_dataset, variable_t
+   implicit none (type, external)
+   private
+   public :: find_place, give_number, give_switch, give_word, give_samples, check_swept, error_of
+
+contains
+
+   !> Find the variable of a name.
+   subroutine find_place(model, name, place, problems)
+      !> The model, whose table is searched.
+      class(model_t), intent(in) :: model
+      !> Name of the variable, or its group and name as in `operating%load`; capitals do not count.
+      character(*), intent(in) :: name
+      !> Place of the variable in the table, from 1; 0 if there is none.
+      integer, intent(out) :: place
+      !> Receives why there is none.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: allowed, flaw
+      integer :: i
+
+      allowed = ''
+      do i = 1, size(model%variables)
+         allowed = allowed//' '//full_name(model, i)
+      end do
+      call find_variable(model, to_lower(trim(adjustl(name))), allowed, place, flaw)
+      if (place == 0) call problems%add('', '', flaw)
+   end subroutine find_place
+
+   !> Give a number.
+   subroutine give_number(variable, value, held, problems)
+      !> Row of the model's table.
+      type(variable_t), intent(in) :: variable
+      !> The value in the SI unit of the variable.
+      real(dp), intent(in) :: value
+      !> Receives the value; left as it is if something is wrong.
+      real(dp), intent(inout) :: held
+      !> Receives what is wrong, if anything is.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: flaw, text
+
+      if (ieee_is_nan(value)) then
+         text = 'NaN'
+      else if (.not. ieee_is_finite(value)) then
+         text = trim(merge('Infinity ', '-Infinity', value > 0))
+      else if (is_number(variable)) then
+         call check_value(value, variable, flaw)
+         call take(variable, value, flaw, held, problems)
+         return
+      else
+         text = show_number(value)
+      end if
+      ! no value of this kind: the reader of namelists says why
+      call give_literal(variable, text, held, problems)
+   end subroutine give_number
+
+   !> Give a logical value.
+   subroutine give_switch(variable, is_on, held, problems)
+      !> Row of the model's table.
+      type(variable_t), intent(in) :: variable
+      !> The value.
+      logical, intent(in) :: is_on
+      !> Receives the value as a number; left as it is if something is wrong.
+      real(dp), intent(inout) :: held
+      !> Receives what is wrong, if anything is.
+      type(problems_t), intent(inout) :: problems
+
+      call give_literal(variable, trim(merge('.true. ', '.false.', is_on)), held, problems)
+   end subroutine give_switch
+
+   !> Give a word.
+   subroutine give_word(variable, word, held, problems)
+      !> Row of the model's table.
+      type(variable_t), intent(in) :: variable
+      !> The word, without quotes; blanks at its end do not count.
+      character(*), intent(in) :: word
+      !> Receives the place of the word among those that are allowed; left as it is if something is wrong.
+      real(dp), intent(inout) :: held
+      !> Receives what is wrong, if anything is.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: quoted
+      integer :: i
+
+      quoted = ''''
+      do i = 1, len_trim(word)
+         quoted = quoted//word(i:i)
+         if (word(i:i) == '''') quoted = quoted//''''
+      end do
+      call give_literal(variable, quoted//'''', held, problems)
+   end subroutine give_word
+
+   !> Give a value as it would stand in a namelist.
+   subroutine give_literal(variable, text, held, problems)
+      !> Row of the model's table.
+      type(variable_t), intent(in) :: variable
+      !> Text of the value.
+      character(*), intent(in) :: text
+      !> Receives the value; left as it is if something is wrong.
+      real(dp), intent(inout) :: held
+      !> Receives what is wrong, if anything is.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: flaw
+      real(dp) :: value
+      integer :: position
+
+      if (variable%kind == kind_dataset) then
+         value = held
+         flaw = 'is a dataset, given '//text//', allowed: an array of its values'
+      else
+         call read_variable(text, variable, value, flaw, position)
+      end if
+      call take(variable, value, flaw, held, problems)
+   end subroutine give_literal
+
+   !> Take over a value, or report what is wrong with it.
+   subroutine take(variable, value, flaw, held, problems)
+      !> Row of the model's table.
+      type(variable_t), intent(in) :: variable
+      !> The value, which has a meaning if nothing is wrong.
+      real(dp), intent(in) :: value
+      !> What is wrong; empty if nothing is.
+      character(*), intent(in) :: flaw
+      !> Receives the value; left as it is if something is wrong.
+      real(dp), intent(inout) :: held
+      !> Receives what is wrong, if anything is.
+      type(problems_t), intent(inout) :: problems
+
+      if (len(flaw) > 0) then
+         call problems%add(variable%group, variable%name, flaw)
+      else
+         held = value
+      end if
+   end subroutine take
+
+   !> Give the values of a dataset, and hand them to the model.
+   subroutine give_samples(model, place, samples, rank, input, problems)
+      !> The model, which takes over the values.
+      class(model_t), intent(inout) :: model
+      !> Place of the variable in the model's table, from 1.
+      integer, intent(in) :: place
+      !> The values in SI units, those that vary fastest along x first; shape `(nx, ny)`, ny = 1 for one dimension.
+      real(dp), intent(in) :: samples(:, :)
+      !> Number of dimensions, 1 or 2.
+      integer, intent(in) :: rank
+      !> Receives what is known of the dataset.
+      type(case_t), intent(inout) :: input
+      !> Receives what is wrong, if anything is.
+      type(problems_t), intent(inout) :: problems
+      type(problems_t) :: found
+      character(:), allocatable :: flaw
+      real(dp), allocatable :: copy(:, :)
+
+      associate (variable => model%variables(place), dataset => input%datasets(place))
+         if (variable%kind /= kind_dataset) then
+            flaw = 'has one value, given an array of '//show_count(size(samples))//', allowed: '//describe_allowed(variable)
+         else if (rank > variable%largest_rank) then
+            flaw = 'has one dimension, given an array of '//show_count(rank)
+         else
+            dataset%text = 'an array of '//show_count(size(samples))//' values'
+            dataset%counts = int(shape(samples), i8)
+            dataset%counts = dataset%counts(rank:1:-1)
+            dataset%units = ''
+            allocate (copy, source=samples)
+            call examine_values(dataset, variable, copy, flaw)
+            if (len(flaw) > 0) flaw = flaw//', given '//dataset%text//', allowed: '//describe_allowed(variable)
+         end if
+         if (len(flaw) > 0) call found%add(variable%group, variable%name, flaw)
+      end associate
+      if (found%count() == 0) call model%take_dataset(place, copy, found)
+      call append(found, problems)
+      input%is_given(place) = found%count() == 0
+      if (input%is_given(place)) input%values(place) = 1
+   end subroutine give_samples
+
+   !> Hold the values of a sweep against what its variable allows.
+   subroutine check_swept(variable, values, problems)
+      !> Row of the model's table.
+      type(variable_t), intent(in) :: variable
+      !> Values of the variable in its SI unit.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong, if anything is.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: flaw
+      integer :: first
+
+      if (.not. is_number(variable)) then
+         flaw = 'is not a number, it cannot be swept'
+      else if (size(values) == 0) then
+         flaw = 'has no value given'
+      else
+         call find_outlier(values, variable, first, flaw)
+      end if
+      if (len(flaw) > 0) call problems%add(variable%group, variable%name, flaw)
+   end subroutine check_swept
+
+   !> Add all problems of a list to another one.
+   subroutine append(found, problems)
+      !> The problems to add.
+      type(problems_t), intent(in) :: found
+      !> Receives them.
+      type(problems_t), intent(inout) :: problems
+      integer :: i
+
+      do i = 1, found%count()
+         call problems%add(found%items(i)%group, found%items(i)%variable, found%items(i)%text)
+      end do
+   end subroutine append
+
+   !> Problems as an error, a line each.
+   subroutine error_of(problems, error)
+      !> The problems; there may be none.
+      type(problems_t), intent(in) :: problems
+      !> Not allocated if there are none.
+      type(error_t), allocatable, intent(out) :: error
+      character(:), allocatable :: text
+      integer :: i
+
+      if (problems%count() == 0) return
+      text = problems%line_of(1, '')
+      do i = 2, problems%count()
+         text = text//newline//problems%line_of(i, '')
+      end do
+      call set_error(error, input_failure, text)
+   end subroutine error_of
+
+end module adfric_api_values
