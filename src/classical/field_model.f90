@@ -11,6 +11,7 @@ module adfric_classical_field_model
    private
    public :: field_model_t, set_stresses, set_plane_stresses, set_displacements, maps_of
 
+   !> A model of given loads: its results are the field at one place, its profiles maps of the field.
    type, abstract, extends(halfspace_model_t) :: field_model_t
    contains
       procedure(get_field_i), deferred :: get_field

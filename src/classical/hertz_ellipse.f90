@@ -33,6 +33,7 @@ module adfric_classical_hertz_ellipse
       real(dp) :: axis_ratio = 1
       !> R_D(0, k^2, 1), R_D(0, 1, k^2) and R_F(0, 1, k^2).
       real(dp) :: d_along = 0, d_across = 0, f = 0
+      !> Has the axis ratio been found to round-off?
       logical :: is_converged = .false.
    end type ellipse_shape_t
 
@@ -42,11 +43,13 @@ module adfric_classical_hertz_ellipse
       real(dp) :: major = 0, minor = 0
       !> Load P [N], approach delta [m], largest pressure p0 [Pa].
       real(dp) :: load = 0, approach = 0, peak_pressure = 0
+      !> Shape of the ellipse, which does not depend on the load.
       type(ellipse_shape_t) :: shape
    end type ellipse_t
 
    !> ln[R_D(0, k^2, 1)/R_D(0, 1, k^2)] - ln(A/B) for x = ln k, k = b/a.
    type, extends(equation_t) :: axis_ratio_equation_t
+      !> ln(A/B), A and B being the smaller and the larger curvature of the gap.
       real(dp) :: logarithm = 0
    contains
       procedure :: evaluate

@@ -27,6 +27,7 @@ module adfric_classical_hertz_model
       & r_mean_pressure = 6, r_contact_area = 7, r_direction = 8, r_shear = 9, r_shear_depth = 10, r_violation = 11
    integer, parameter :: n_variables = 14, n_results = 11
 
+   !> The model `hertz`.
    type, extends(halfspace_model_t) :: hertz_model_t
    contains
       procedure :: check_case

@@ -34,7 +34,9 @@ module adfric_classical_hertz_unit
 
    !> Stress on the axis of an ellipse.
    type, extends(axial_stress_t) :: ellipse_stress_t
+      !> The contact under whose centre the stress is.
       type(ellipse_t) :: contact
+      !> Poisson's ratio of the solid [-].
       real(dp) :: poisson_ratio = 0
    contains
       procedure :: stress_at => ellipse_stress_at

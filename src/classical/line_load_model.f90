@@ -29,17 +29,20 @@ module adfric_classical_line_load_model
    !> Fewest samples, so that every second of them makes a coarser set to compare with.
    integer, parameter :: fewest_samples = 3
 
+   !> A model of given loads in the plane.
    type, abstract, extends(field_model_t) :: plane_model_t
    contains
       procedure :: get_place => get_plane_place
    end type plane_model_t
 
+   !> The model `line_load`.
    type, extends(plane_model_t) :: line_load_model_t
    contains
       procedure :: check_case => check_line
       procedure :: get_field => get_line_field
    end type line_load_model_t
 
+   !> The model `strip_load`.
    type, extends(plane_model_t) :: strip_load_model_t
       private
       !> Tractions of &samples.
@@ -156,6 +159,7 @@ contains
 
    contains
 
+      !> Add a problem to the list: a variable is given that the distribution does not take.
       subroutine refuse(k)
          !> Place in `variables` of a variable that is given but not taken.
          integer, intent(in) :: k

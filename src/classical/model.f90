@@ -20,6 +20,7 @@ module adfric_classical_model
    !> Samples along the last axis of the profiles; along the first of two there is one.
    integer, parameter :: n_samples = 201
 
+   !> What the classical models share: profiles on axes whose ends and samples the input gives.
    type, abstract, extends(model_t) :: halfspace_model_t
       !> Place of the switch of the profiles; begin, end and number of each axis follow.
       integer :: output = 0

@@ -15,6 +15,7 @@ module adfric_classical_point_load_model
    integer, parameter, public :: v_young_modulus = 1, v_poisson_ratio = 2, v_x = 3, v_y = 4, v_z = 5, v_normal = 6, v_tangential = 7
    integer, parameter, public :: r_stress_xx = 1, r_stress_xz = 6, r_displacement_x = 7, r_displacement_z = 9
 
+   !> The model `point_load`.
    type, extends(field_model_t) :: point_load_model_t
    contains
       procedure :: check_case

@@ -11,6 +11,7 @@ module adfric_classical_point_memory
    !> Numbers, and what they were computed from.
    type :: point_memory_t
       private
+      !> The numbers that were computed from, and those that were found.
       real(dp), allocatable :: key(:), found(:)
    contains
       procedure :: recall

@@ -38,6 +38,7 @@ module adfric_classical_punch_model
    !> Decimal logarithm of a load beyond all numbers.
    real(dp), parameter :: largest_load = 200.0_dp
 
+   !> The model `rigid_punch`.
    type, extends(halfspace_model_t) :: punch_model_t
    contains
       procedure :: check_case
@@ -47,7 +48,9 @@ module adfric_classical_punch_model
 
    !> A punch on its contact: for the wedge `contact` holds the flat part only.
    type :: state_t
+      !> Shape of the punch.
       type(polynomial_t) :: profile
+      !> Its contact.
       type(punch_contact_t) :: contact
       !> Slope of a wedge; 0 for other kinds.
       real(dp) :: slope = 0

@@ -47,6 +47,7 @@ module adfric_classical_rigid_punch
       real(dp), allocatable :: b(:)
       !> Relative difference of the load from its closed form.
       real(dp) :: load_error = 0
+      !> Has the half-width been found to round-off?
       logical :: is_converged = .false.
    contains
       procedure :: pressure
@@ -55,7 +56,9 @@ module adfric_classical_rigid_punch
 
    !> P(a) = load for x = a.
    type, extends(equation_t) :: load_equation_t
+      !> Shape of the punch.
       class(punch_profile_t), allocatable :: profile
+      !> E* [Pa], and the load that is given [N/m].
       real(dp) :: modulus = 1, load = 0
       !> See `load_nodes`.
       real(dp), allocatable :: nodes(:)

@@ -27,6 +27,7 @@ module adfric_classical_wave_model
    !> Places where the conditions of contact are checked, in the contact and beside it.
    integer, parameter :: n_places = 16
 
+   !> The model `wave_1d`.
    type, extends(halfspace_model_t) :: wave_model_t
    contains
       procedure :: check_case

@@ -22,6 +22,7 @@ module adfric_classical_westergaard
 
    !> ln(1 - x) + x - ln(penetration) for x = ln q.
    type, extends(equation_t) :: penetration_equation_t
+      !> ln of the penetration over D.
       real(dp) :: logarithm = 0
    contains
       procedure :: evaluate

@@ -14,6 +14,7 @@ module adfric_model_derived
       character(:), allocatable :: unit
       !> What it is, for `adfric check` and the results file.
       character(:), allocatable :: long_name
+      !> Its value in the case.
       real(dp) :: value = 0
       !> Names of the namelist variables from which it follows, separated by a blank. Where one of them is swept it has no one
       !> value. If this is not allocated it is taken to follow from all of them.

@@ -10,7 +10,9 @@ module adfric_model_plausible_range
 
    !> Range of the sizes in a unit.
    type :: row_t
+      !> SI unit of the variables that the range is for.
       character(8) :: unit
+      !> Smallest and largest size that is not doubted.
       real(dp) :: lower, upper
    end type row_t
 

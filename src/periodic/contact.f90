@@ -31,9 +31,11 @@ module adfric_periodic_contact
    type :: contact_state_t
       !> Gap of the undeformed surfaces g0, from any level.
       real(dp), allocatable :: shape(:, :)
+      !> Gap g of the deformed surfaces, in the unit of `shape`.
       real(dp), allocatable :: gap(:, :)
       !> Pressure of the gap [E*].
       real(dp), allocatable :: pressure(:, :)
+      !> Is the cell open? Its pressure is 0 then, else its gap is.
       logical, allocatable :: is_open(:, :)
       !> Given mean of the gap, or the present one.
       real(dp) :: mean_gap = 0
@@ -49,6 +51,7 @@ module adfric_periodic_contact
       integer :: patience = 5
       !> Rounds of the active set, and conjugate gradients in all of them.
       integer :: n_rounds = 0, n_iterations = 0
+      !> Has the residual come below the tolerance?
       logical :: is_converged = .false.
    end type contact_state_t
 

@@ -21,6 +21,7 @@ module adfric_periodic_model
    private
    public :: periodic_model_t
 
+   !> What the models of periodic surfaces share: how a point is solved, its results and its maps.
    type, abstract, extends(model_t) :: periodic_model_t
       !> Rows of the variables before those that all these models share.
       integer :: n_own = 0

@@ -25,6 +25,7 @@ module adfric_periodic_operator
       logical :: is_quarter = .false.
       !> How often stiffness or compliance were applied.
       integer :: n_applied = 0
+      !> Transforms of the grid.
       type(spectral_filter_t), private :: filter
       !> Symbols, shape of the modes.
       real(dp), allocatable, private :: stiffness(:, :), compliance(:, :)

@@ -23,6 +23,7 @@ module adfric_periodic_point
    type :: periodic_goal_t
       !> Is it the mean pressure [E*], or else the penetration [m]?
       logical :: is_pressure = .true.
+      !> The given value of that.
       real(dp) :: value = 0
       !> Largest residual.
       real(dp) :: tolerance = 1.0e-10_dp
@@ -31,9 +32,13 @@ module adfric_periodic_point
    !> Solver of the last point, for the next one.
    type :: periodic_memory_t
       private
+      !> Number of cells of the solver in each direction; 0 before there is one.
       integer :: n_cells(2) = 0
+      !> Period of its surface in each direction [m].
       real(dp) :: period(2) = 0
+      !> Does it solve a quarter of the period?
       logical :: is_quarter = .false.
+      !> The solver, with its transforms and buffers.
       type(periodic_solver_t), allocatable :: solver
    end type periodic_memory_t
 

@@ -29,11 +29,13 @@ module adfric_periodic_solver
    type :: periodic_solution_t
       !> Pressure in the cells [E*].
       real(dp), allocatable :: pressure(:, :)
+      !> Gap in the cells.
       real(dp), allocatable :: gap(:, :)
       !> Mean pressure [E*].
       real(dp) :: mean_pressure = 0
       !> How far the surfaces approached from first touch, at the mean of the deformed surface.
       real(dp) :: penetration = 0
+      !> Area of contact, and the bound of its error.
       type(area_t) :: area
       !> Mean pressure at which contact becomes full on these cells, the largest of A g0 [E*].
       real(dp) :: full_pressure = 0
@@ -47,7 +49,9 @@ module adfric_periodic_solver
 
    !> One grid.
    type :: grid_t
+      !> Stiffness and compliance of the half-space on the cells.
       type(periodic_operator_t) :: operator
+      !> Workspace of the iterations over the open cells.
       type(face_t) :: face
    end type grid_t
 

@@ -27,6 +27,7 @@ module adfric_periodic_surface_model
    !> Fewest cells in each direction, so that they can hold a wave.
    integer, parameter :: fewest_cells = 4
 
+   !> The model `surface_elastic`.
    type, extends(periodic_model_t) :: surface_model_t
       private
       !> Heights less the largest of them, shape `(nx, ny)` [m]; ny = 1 for a surface that does not vary along y.

@@ -23,6 +23,7 @@ module adfric_periodic_wave_2d_model
    !> Cells come in multiples of this, so that grids of half and a quarter of them tell the error of the area.
    integer, parameter :: multiple_of_cells = 64
 
+   !> The model `wave_2d_elastic`.
    type, extends(periodic_model_t) :: wave_2d_model_t
    contains
       procedure :: check_surface

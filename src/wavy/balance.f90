@@ -39,6 +39,7 @@ module adfric_wavy_balance
 
    !> Integrals of powers of the Maxwell stress and of the displacement, gathered zone by zone.
    type :: sums_t
+      !> Integrals over the phase of the displacement, and of the square of the Maxwell stress.
       real(dp) :: displacement = 0, square = 0
    end type sums_t
 

@@ -26,6 +26,7 @@ module adfric_wavy_branch_ends
 
    !> What a strip depends on, and its change with 1/Y.
    type :: family_t
+      !> A strip of the surface, and one nearby by which its change is known.
       type(strip_t) :: strip, other
       !> 1/Y of the other strip less that of the first.
       real(dp) :: step = 1

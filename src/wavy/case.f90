@@ -19,7 +19,9 @@ module adfric_wavy_case
 
    !> A point in reduced units, and the units.
    type :: wavy_case_t
+      !> The surface on its foundation, in reduced units.
       type(surface_t) :: surface
+      !> Is the load given? Else the penetration is.
       logical :: is_load_given = .false.
       !> Is the pull-off load asked for? There is none without adhesion.
       logical :: wants_pull_off = .false.

@@ -48,6 +48,7 @@ contains
 
    contains
 
+      !> Add a problem of one variable to the list.
       subroutine add(v, text)
          !> Place of the variable in the table, one of `v_...`.
          integer, intent(in) :: v
@@ -57,6 +58,7 @@ contains
          call problems%add(variables(v)%group, variables(v)%name, text)
       end subroutine add
 
+      !> Foundation: a stiffness or a layer, and both times of the solid.
       subroutine check_foundation()
          logical :: has_layer(3)
          integer, parameter :: layer(3) = [v_young_modulus, v_poisson_ratio, v_thickness]
@@ -73,6 +75,7 @@ contains
          call need(variables, values, [v_relaxation_time, v_retardation_ratio], problems)
       end subroutine check_foundation
 
+      !> Adhesion: a stress with an energy or a range, and nothing of it without a stress.
       subroutine check_adhesion()
          if (.not. is_set(values(v_stress))) then
             if (is_set(values(v_surface_energy))) call add(v_stress, 'is missing [Pa]; surface_energy needs it')

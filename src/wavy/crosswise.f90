@@ -30,8 +30,9 @@ module adfric_wavy_crosswise
    type :: memory_t
       !> The crest strips of the last surface and of the one before.
       type(steady_state_t) :: crest, before
-      !> The last surface, and its penetration [h].
+      !> The last surface.
       type(surface_t) :: surface
+      !> Penetration of that surface [h]; -huge before there is one.
       real(dp) :: penetration = -huge(1.0_dp)
       !> Do the surfaces change in equal steps, so that two of them foretell the next?
       logical :: is_even = .false.
@@ -39,6 +40,7 @@ module adfric_wavy_crosswise
       logical :: needs_slope = .true.
       !> Strips at the nodes of the intervals, shape `(-n_half:n_half, n_places)`.
       type(steady_state_t), allocatable :: states(:, :)
+      !> Panels of that surface.
       type(division_t) :: division
    end type memory_t
 

@@ -20,7 +20,9 @@ module adfric_wavy_edge_equations
    !> The four edge equations, their derivatives by the contact edges a and b and by the lengths m of the
    !> adhesion zones, and by the depth of the strip.
    type :: edge_equations_t
+      !> Values of the equations, 0 where they are fulfilled, and their derivatives by the depth.
       real(dp) :: value(4) = 0, by_depth(4) = 0
+      !> Derivatives that are not 0 everywhere: of the equation of this number by a, b or m.
       real(dp) :: e1_a = 0, e1_b = 0, e2_a = 0, e2_m = 0, e3_a = 0, e3_b = 0, e4_b = 0, e4_m = 0
    end type edge_equations_t
 

@@ -28,6 +28,7 @@ module adfric_wavy_equilibrium
       integer :: status = status_solved
       !> Penetration of the crests into the undisturbed surface [h].
       real(dp) :: penetration = 0
+      !> Forces and areas at this penetration.
       type(totals_t) :: totals
       !> The strip of the crest line.
       type(steady_state_t) :: crest
@@ -49,8 +50,9 @@ contains
 
    !> Solve a point of given penetration.
    pure subroutine solve_penetration(surface, penetration, memory, equilibrium)
-      !> The surface in reduced units, and the penetration of its crests [h].
+      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Penetration of its crests [h].
       real(dp), intent(in) :: penetration
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
       type(memory_t), intent(inout) :: memory
@@ -64,8 +66,9 @@ contains
 
    !> Solve a point of given load.
    pure subroutine solve_load(surface, load, neighbour, memory, equilibrium)
-      !> The surface in reduced units, and the load per period in x (and y) [h/K].
+      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
+      !> Load per period in x (and y) [h/K].
       real(dp), intent(in) :: load
       !> In: points that lead to this one, or none; they save time and change nothing. Out: this one is the last.
       type(neighbour_t), intent(inout) :: neighbour
@@ -103,8 +106,9 @@ contains
    !> carries more, so what carries less lies below it; on the approach branch it is the other way round, for loads that press:
    !> a surface that is drawn in passes tensions twice, and one tension may be met before another, smaller or larger, is reached.
    pure logical function leads_to(from, from_load, to, to_load)
-      !> The surface of the load that is known, that of the other load, and both loads [h/K].
+      !> The surface of the load that is known, and that of the other load.
       type(surface_t), intent(in) :: from, to
+      !> The load that is known, and the other load [h/K].
       real(dp), intent(in) :: from_load, to_load
 
       leads_to = is_same_surface(from, to)
@@ -122,11 +126,13 @@ contains
       type(surface_t), intent(in) :: surface
       !> Load that is sought [h/K].
       real(dp), intent(in) :: load
-      !> Points that lead to this one, and strips found before, as first guesses.
+      !> Points that lead to this one.
       type(neighbour_t), intent(in) :: neighbour
+      !> Strips found before, as first guesses. Out: those found here.
       type(memory_t), intent(inout) :: memory
-      !> The state of the load, and whether it was found.
+      !> The state of the load.
       type(trial_t), intent(out) :: state
+      !> Was the state found?
       logical, intent(out) :: is_found
       type(trial_t) :: last
       real(dp) :: penetration, step, slope
@@ -160,8 +166,9 @@ contains
 
    !> Is a state that carries the load the first one on the way from a neighbour?
    pure logical function is_next(surface, last, state)
-      !> The surface in reduced units, the state of the neighbour, and the one that was found.
+      !> The surface in reduced units.
       type(surface_t), intent(in) :: surface
+      !> The state of the neighbour, and the one that was found.
       type(trial_t), intent(in) :: last, state
 
       if (surface%stress <= 0) then
@@ -271,9 +278,11 @@ contains
 
    !> What is known of the point, and how well.
    pure subroutine finish(trial, excess, equilibrium)
-      !> The trial of a point, by how much its load may differ from one that is given [h/K], and what follows for the point.
+      !> The trial of the point.
       type(trial_t), intent(in) :: trial
+      !> By how much the load of the trial may differ from one that is given [h/K].
       real(dp), intent(in) :: excess
+      !> Receives what follows for the point.
       type(equilibrium_t), intent(out) :: equilibrium
 
       equilibrium%penetration = trial%penetration

@@ -26,7 +26,9 @@ module adfric_wavy_load_search
 
    !> Trials put aside: the last one is the next on the way.
    type :: aside_t
+      !> Number of trials put aside.
       integer :: n = 0
+      !> The trials; those behind `n` have no meaning.
       type(trial_t) :: trials(max_aside)
    end type aside_t
 

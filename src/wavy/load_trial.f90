@@ -30,6 +30,7 @@ module adfric_wavy_load_trial
       real(dp) :: penetration = 0
       !> The load less the one that is sought [h/K].
       real(dp) :: excess = 0
+      !> Forces and areas at this penetration.
       type(totals_t) :: totals
       !> Errors of load and friction by the quadrature.
       real(dp) :: error(2) = 0

@@ -44,6 +44,7 @@ module adfric_wavy_march
       !> Lengths of the zones: leading adhesion, contact, trailing adhesion, free. Without contact all adhesion
       !> is `leading`.
       real(dp) :: leading = 0, contact = 0, trailing = 0, free = 0
+      !> Was there contact in the period?
       logical :: has_contact = .false.
       !> Was adhesion lost?
       logical :: is_released = .false.
@@ -58,6 +59,7 @@ module adfric_wavy_march
    !> What ends a zone, as a function of the phase d passed since it began:
    !> start + amplitude decay(d/length) + x (1 - cos d) + y sin d.
    type, extends(equation_t) :: zone_curve_t
+      !> Numbers of this formula; the length is a phase.
       real(dp) :: start = 0, amplitude = 0, length = 1, x = 0, y = 0
    contains
       procedure :: evaluate

@@ -35,6 +35,7 @@ module adfric_wavy_panel_edges
 
    !> An edge between two regimes across the surface.
    type :: edge_t
+      !> Crosswise phase k y of the edge, 0 at the crest line, pi at the valley line.
       real(dp) :: theta = 0
       !> How the regime ends, one of `ends_...`.
       integer :: ending = ends_in_closed_form
@@ -48,7 +49,9 @@ module adfric_wavy_panel_edges
 
    !> A strip that was looked at.
    type :: probe_t
+      !> Crosswise phase k y of the strip.
       real(dp) :: theta = 0
+      !> Its steady state.
       type(steady_state_t) :: state
    end type probe_t
 

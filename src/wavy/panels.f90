@@ -40,10 +40,13 @@ module adfric_wavy_panels
 
    !> All panels of half a period, from the crest line to the valley line.
    type :: division_t
+      !> The panels, from the crest line on; those behind `n_panels` have no meaning.
       type(panel_t) :: panels(max_panels)
+      !> Number of panels; 0 before there are any.
       integer :: n_panels = 0
-      !> Surface and penetration [h] they belong to.
+      !> Surface that the panels belong to.
       type(surface_t) :: surface
+      !> Penetration of the panels [h].
       real(dp) :: penetration = 0
       !> Penetration at which these regimes were found from nothing [h].
       real(dp) :: since = 0

@@ -34,6 +34,7 @@ module adfric_wavy_pull_off
    type :: pull_off_t
       !> The surface it belongs to, once it has been looked for.
       type(surface_t) :: surface
+      !> Has the load been looked for?
       logical :: is_known = .false.
       !> False if it was not found.
       logical :: is_converged = .false.

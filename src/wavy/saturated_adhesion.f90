@@ -19,6 +19,7 @@ module adfric_wavy_saturated_adhesion
 
    !> Half width at a given depth.
    type, extends(equation_t) :: depth_equation_t
+      !> Foundation under the strip.
       type(foundation_t) :: foundation
       !> Square root of the depth that is sought.
       real(dp) :: root_depth = 0

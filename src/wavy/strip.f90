@@ -26,6 +26,7 @@ module adfric_wavy_strip
 
    !> A strip in reduced form.
    type :: strip_t
+      !> Foundation under the strip, at its velocity.
       type(foundation_t) :: foundation
       !> Penetration of the crest, and mean level of the profile (1 less), positive into the foundation [c].
       real(dp) :: crest = -1, mean = -2

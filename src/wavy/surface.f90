@@ -31,7 +31,9 @@ module adfric_wavy_surface
 
    !> A wavy surface on its foundation.
    type :: surface_t
+      !> Does the surface vary in both directions?
       logical :: is_3d = .false.
+      !> Foundation under the surface, at its velocity.
       type(foundation_t) :: foundation
       !> Adhesion stress [h/K]; 0 without adhesion.
       real(dp) :: stress = 0
@@ -68,6 +70,7 @@ module adfric_wavy_surface
       real(dp) :: slope_error = 0
       !> Strips solved, and those of them in closed form.
       integer :: n_strips = 0, n_closed_form = 0
+      !> Have all strips, and the rule across them, converged?
       logical :: is_converged = .true.
    end type totals_t
 
