@@ -31,6 +31,7 @@ class Installed(unittest.TestCase):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.temporary.cleanup)
         cls.room = Path(cls.temporary.name)
+        cls.keep_manifest()
         first, cls.prefix = cls.room / "first", cls.room / "a prefix"
         cls.install(first)
         # a second time is as good as the first
@@ -38,6 +39,15 @@ class Installed(unittest.TestCase):
         cls.install(first)
         assert contents(first) == before
         first.rename(cls.prefix)
+
+    @classmethod
+    def keep_manifest(cls):
+        """What was installed before this test can be taken away after it."""
+        manifest = TREE / "install_manifest.txt"
+        if manifest.exists():
+            cls.addClassCleanup(manifest.write_bytes, manifest.read_bytes())
+        else:
+            cls.addClassCleanup(manifest.unlink)
 
     @classmethod
     def install(cls, prefix, **variables):
@@ -60,10 +70,17 @@ class Installed(unittest.TestCase):
         part = path.name.removeprefix("use_")
         self.assertRegex(self.succeed(path, folder=folder), rf"^{part} [0-9.]+\n$")
 
-    def configure(self, prefix, parts, kind, source=OUTSIDE, **variables):
+    def configure(self, prefix, *options, source=OUTSIDE):
         """Configure the programs outside the tree."""
-        return run("cmake", "-G", "Ninja", "-S", source, "-B", self.folder / "build", f"-DPARTS={parts}", f"-DKIND={kind}",
-                   f"-DCMAKE_Fortran_COMPILER={COMPILER}", f"-DCMAKE_PREFIX_PATH={prefix}", **variables)
+        return run("cmake", "-G", "Ninja", "-S", source, "-B", self.folder / "build", f"-DCMAKE_Fortran_COMPILER={COMPILER}",
+                   f"-DCMAKE_PREFIX_PATH={prefix}", *options)
+
+    def build(self, prefix, *options, source=OUTSIDE):
+        """Configure and build the programs outside the tree."""
+        self.folder = Path(tempfile.mkdtemp(dir=self.room))
+        done = self.configure(prefix, *options, source=source)
+        self.assertEqual(0, done.returncode, done.stderr)
+        self.succeed("cmake", "--build", self.folder / "build")
 
 
 class PrefixTest(Installed):
@@ -103,23 +120,18 @@ class CMakeTest(Installed):
 
     def test_kinds(self):
         """Programs are built with either kind, and run; of physics alone without HDF5."""
-        for kind, is_shared in (("shared", True), ("static", False), ("", True)):
-            self.folder = Path(tempfile.mkdtemp(dir=self.room))
-            done = self.configure(self.prefix, "physics;run", kind)
-            self.assertEqual(0, done.returncode, done.stderr)
-            self.succeed("cmake", "--build", self.folder / "build")
+        for options, is_shared in (([], True), (["-DKIND=shared", "-Dadfric_USE_STATIC_LIBS=ON"], True), (["-DKIND=static"], False),
+                                   (["-Dadfric_USE_STATIC_LIBS=ON"], False)):
+            self.build(self.prefix, *options)
             for name in PROGRAMS:
                 self.check_program(self.folder / "build" / name)
                 needs = self.succeed("readelf", "--dynamic", self.folder / "build" / name)
-                self.assertEqual(is_shared, "libadfric" in needs, kind)
-        done = self.configure(self.prefix, "physics", "static", CMAKE_DISABLE_FIND_PACKAGE_HDF5="TRUE")
-        self.assertEqual(0, done.returncode, done.stderr)
+                self.assertEqual(is_shared, "libadfric" in needs, options)
+        self.build(self.prefix, "-DPARTS=physics", "-DKIND=static", "-DCMAKE_DISABLE_FIND_PACKAGE_HDF5=TRUE")
 
     def test_build_tree(self):
         """The build tree is found as a prefix is."""
-        done = self.configure(TREE, "physics", "static")
-        self.assertEqual(0, done.returncode, done.stderr)
-        self.succeed("cmake", "--build", self.folder / "build")
+        self.build(TREE, "-DPARTS=physics", "-DKIND=static")
         self.check_program(self.folder / "build/use_physics")
 
     def check_refused(self, done, reason):
@@ -136,25 +148,25 @@ class CMakeTest(Installed):
         other = re.sub(r"GNU( Fortran)? [0-9]+", r"GNU\1 5", text)
         self.assertNotEqual(text, other)
         config.write_text(other)
-        self.check_refused(self.configure(copy, "physics", "shared"), "adfric was built with GNU Fortran 5, and this project has GNU")
+        self.check_refused(self.configure(copy), "adfric was built with GNU Fortran 5, and this project has GNU")
 
     def test_unknown_component(self):
         """What is not there is named, with what is."""
-        self.check_refused(self.configure(self.prefix, "friction", ""),
+        self.check_refused(self.configure(self.prefix, "-DPARTS=friction"),
                            "adfric has no component friction here, known are physics run static shared")
 
     def test_no_fortran(self):
         """A project without Fortran is told so."""
         (self.folder / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.22)\nproject(c LANGUAGES C)\n"
                                                     "find_package(adfric REQUIRED)\n")
-        self.check_refused(self.configure(self.prefix, "", "", source=self.folder), "has not enabled the language Fortran")
+        self.check_refused(self.configure(self.prefix, source=self.folder), "has not enabled the language Fortran")
 
 
 @unittest.skipUnless(shutil.which("pkg-config"), "there is no pkg-config")
 class PkgConfigTest(Installed):
     """adfric.pc and adfric_physics.pc."""
 
-    def build(self, prefix, name, *options):
+    def compile(self, prefix, name, *options):
         """Build a program as one does with a makefile."""
         package, = prefix.glob("lib*/**/pkgconfig")
         flags = self.succeed("pkg-config", "--cflags", "--libs", *options, PROGRAMS[name], PKG_CONFIG_PATH=str(package))
@@ -168,8 +180,8 @@ class PkgConfigTest(Installed):
         for path in alone.rglob("libadfric*.so*"):
             path.unlink()
         for name in PROGRAMS:
-            self.check_program(self.build(self.prefix, name))
-            self.check_program(self.build(alone, name, "--static"))
+            self.check_program(self.compile(self.prefix, name))
+            self.check_program(self.compile(alone, name, "--static"))
 
 
 @unittest.skipUnless((SOURCE / "examples/CMakeLists.txt").exists(), "there are no examples")
@@ -178,13 +190,9 @@ class ExamplesTest(Installed):
 
     def test_by_cmake(self):
         """They are built outside the tree with either kind, and run."""
-        for kind in ("shared", "static"):
-            self.folder = Path(tempfile.mkdtemp(dir=self.room))
-            shutil.copytree(SOURCE / "examples", self.folder / "examples")
-            done = self.configure(self.prefix, "", kind, source=self.folder / "examples")
-            self.assertEqual(0, done.returncode, done.stderr)
-            self.succeed("cmake", "--build", self.folder / "build")
-            for path in sorted((self.folder / "examples").glob("*.f90")):
+        for is_static in ("OFF", "ON"):
+            self.build(self.prefix, f"-Dadfric_USE_STATIC_LIBS={is_static}", source=SOURCE / "examples")
+            for path in sorted((SOURCE / "examples").glob("*.f90")):
                 self.succeed(self.folder / "build" / path.stem, folder=self.folder)
 
     @unittest.skipUnless(shutil.which("pkg-config"), "there is no pkg-config")
