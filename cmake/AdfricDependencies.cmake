@@ -21,7 +21,7 @@ find_package(FFTW3 QUIET)
 adfric_need(FFTW3_FOUND "FFTW 3" "Debian: libfftw3-dev, Fedora: fftw-devel, module: fftw")
 # adfric_find_hdf5(): is there HDF5 with all of its libraries? CMake's own answer does not hold where no h5fc says what they are.
 macro(adfric_find_hdf5)
-  find_package(HDF5 QUIET COMPONENTS C Fortran HL)
+  find_package(HDF5 COMPONENTS C Fortran HL)
   set(ADFRIC_HDF5_FOUND FALSE)
   if(HDF5_FOUND AND NOT "${HDF5_LIBRARIES};${HDF5_HL_LIBRARIES};${HDF5_Fortran_HL_LIBRARIES}" MATCHES "NOTFOUND")
     set(ADFRIC_HDF5_FOUND TRUE)
