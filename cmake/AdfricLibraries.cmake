@@ -7,6 +7,8 @@
 include(GNUInstallDirs)
 
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+# The places of libraries hold for what these libraries need, too: those of a prefix of one's own may not say it themselves.
+add_link_options(-Wl,--disable-new-dtags)
 # Where the modules of Fortran go: only the compiler that has written them reads them.
 string(REGEX MATCH "^[0-9]+" ADFRIC_COMPILER_MAJOR "${CMAKE_Fortran_COMPILER_VERSION}")
 set(CMAKE_INSTALL_MODULEDIR "${CMAKE_INSTALL_INCLUDEDIR}/adfric/${CMAKE_Fortran_COMPILER_ID}-${ADFRIC_COMPILER_MAJOR}"
