@@ -258,12 +258,12 @@ contains
       real(dp) :: counts(size(model%counts))
       real(dp), allocatable :: results(:, :), others(:, :), profiles(:, :, :)
       real(dp) :: times(2, n_repeats), error_estimate(size(values, 2))
-      integer :: r, n, status(size(values, 2))
+      integer :: r, n, shape(3), status(size(values, 2))
 
       n = min(size(values, 2), 20)
       allocate (others(size(model%results), n))
-      allocate (profiles(size(model%get_profile_axis(values(:, 1), 2)), size(model%get_profile_axis(values(:, 1), 1)), &
-         size(model%profiles)))
+      shape = model%profile_shape(values(:, 1))
+      allocate (profiles(shape(1), shape(2), shape(3)))
       do r = 1, n_repeats
          call solve(model, values(:, :n), n, results, times(1, r))
          times(2, r) = wall_clock()

@@ -10,9 +10,9 @@ module adfric_classical_model
    use adfric_material_contact_modulus, only: derive_contact_modulus
    use adfric_model_model, only: model_t, derived_t
    use adfric_model_requirements, only: need
-   use adfric_model_rows, only: set_output_axis, switch
+   use adfric_model_rows, only: set_output_axis, set_coordinate, switch
    use adfric_model_status, only: status_solved
-   use adfric_model_table, only: variable_t, result_t, profile_t
+   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t
    implicit none (type, external)
    private
    public :: halfspace_model_t
@@ -24,6 +24,8 @@ module adfric_classical_model
    type, abstract, extends(model_t) :: halfspace_model_t
       !> Place of the switch of the profiles; begin, end and number of each axis follow.
       integer :: output = 0
+      !> Names of the profile axes, the slowest first, separated by a blank.
+      character(:), allocatable :: axis_names
       !> First and last place of the rows of the contact modulus; (0, -1) if there are none.
       integer :: solids(2) = [0, -1]
    contains
@@ -31,7 +33,7 @@ module adfric_classical_model
       procedure :: check_values
       procedure :: derive_quantities
       procedure :: wants_profiles
-      procedure :: get_profile_axis
+      procedure :: get_profile_axes
       procedure :: solve_block
       procedure :: solve_profiles
       procedure(check_case_i), deferred :: check_case
@@ -126,7 +128,7 @@ contains
       self%results = results
       self%profiles = profiles
       allocate (self%counts(0))
-      self%profile_axes = axes
+      self%axis_names = axes
    end subroutine set_tables
 
    !> See `model_t`.
@@ -147,7 +149,7 @@ contains
          if (is_swept(at)) call problems%add('output', self%variables(at)%name, &
             & 'is swept, but all profiles share their axes; sweep another variable')
       end do
-      do k = 1, count_words(self%profile_axes)
+      do k = 1, count_words(self%axis_names)
          at = self%output + 3*k - 2
          if (nint(values(at + 2)) == 1) cycle
          call need(self%variables, values, [at + 1], problems)
@@ -184,26 +186,34 @@ contains
    end function wants_profiles
 
    !> See `model_t`.
-   function get_profile_axis(self, values, axis) result(coordinate)
-      !> The model, for the places of its axes among the variables.
+   subroutine get_profile_axes(self, values, axes)
+      !> The model, for the names and places of its axes.
       class(halfspace_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the axis in `profile_axes`, from 1.
-      integer, intent(in) :: axis
-      real(dp), allocatable :: coordinate(:)
-      integer :: n, k, at
+      !> Receives the axes, the slowest first.
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
+      integer :: k, at
 
-      if (axis > count_words(self%profile_axes)) then
-         coordinate = [0.0_dp]
-         return
-      end if
-      at = self%output + 3*axis - 2
-      n = nint(values(at + 2))
-      allocate (coordinate(n), source=values(at))
-      if (n == 1 .or. .not. is_set(values(at + 1))) return
-      coordinate = [((values(at)*(n - 1 - k) + values(at + 1)*k)/(n - 1), k=0, n - 1)]
-   end function get_profile_axis
+      allocate (axes(count_words(self%axis_names)))
+      do k = 1, size(axes)
+         at = self%output + 3*k - 2
+         call set_coordinate(axes(k), get_word(self%axis_names, k), even_steps(values(at:at + 2)))
+      end do
+   end subroutine get_profile_axes
+
+   !> Coordinates in even steps; all the same where the end is not given.
+   pure function even_steps(values) result(coordinates)
+      !> Beginning [m], end [m] and number of the coordinates.
+      real(dp), intent(in) :: values(3)
+      real(dp), allocatable :: coordinates(:)
+      integer :: n, k
+
+      n = nint(values(3))
+      allocate (coordinates(n), source=values(1))
+      if (n == 1 .or. .not. is_set(values(2))) return
+      coordinates = [((values(1)*(n - 1 - k) + values(2)*k)/(n - 1), k=0, n - 1)]
+   end function even_steps
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
@@ -240,14 +250,14 @@ contains
       real(dp), intent(in) :: results(:)
       !> Profiles of the point, NaN where there is no value; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(out) :: profiles(:, :, :)
-      integer :: last
+      type(profile_axis_t), allocatable :: axes(:)
 
-      last = count_words(self%profile_axes)
+      call self%get_profile_axes(values, axes)
       profiles = not_a_number()
-      if (last == 1) then
-         call self%get_profiles(values, results, [0.0_dp], self%get_profile_axis(values, 1), profiles)
+      if (size(axes) == 1) then
+         call self%get_profiles(values, results, [0.0_dp], axes(1)%coordinates, profiles)
       else
-         call self%get_profiles(values, results, self%get_profile_axis(values, 1), self%get_profile_axis(values, 2), profiles)
+         call self%get_profiles(values, results, axes(1)%coordinates, axes(2)%coordinates, profiles)
       end if
    end subroutine solve_profiles
 

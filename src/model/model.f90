@@ -6,11 +6,10 @@ module adfric_model_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: get_word
    use adfric_model_derived, only: derived_t
    use adfric_model_profile_receiver, only: profile_receiver_t
    use adfric_model_status, only: status_solved
-   use adfric_model_table, only: variable_t, result_t, profile_t, count_t
+   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, count_t
    implicit none (type, external)
    private
    public :: model_t, derived_t
@@ -31,14 +30,12 @@ module adfric_model_model
       type(profile_t), allocatable :: profiles(:)
       !> What the model counts while it solves, shape `(n_counts)`; size 0 if it counts nothing.
       type(count_t), allocatable :: counts(:)
-      !> Names of the profile axes, at most two, the slowest first, separated by a blank: 'x' or 'y x'.
-      character(:), allocatable :: profile_axes
       !> Most points of a block, for points that take long and have little of their neighbours: other threads take the rest.
       integer :: largest_block = huge(1)
    contains
       procedure(check_values_i), deferred :: check_values
       procedure(wants_profiles_i), deferred :: wants_profiles
-      procedure(get_profile_axis_i), deferred :: get_profile_axis
+      procedure(get_profile_axes_i), deferred :: get_profile_axes
       procedure(solve_block_i), deferred :: solve_block
       procedure(solve_profiles_i), deferred :: solve_profiles
       procedure :: prepare
@@ -50,7 +47,7 @@ module adfric_model_model
       procedure :: describe_case
       procedure :: describe_doubts
       procedure :: describe_profiles
-      procedure :: describe_profile_axis
+      procedure :: profile_shape
       procedure :: unit_of
       procedure :: index_of
    end type model_t
@@ -81,18 +78,17 @@ module adfric_model_model
          real(dp), intent(in) :: values(:)
       end function wants_profiles_i
 
-      !> Coordinates along a profile axis, in the unit of `describe_profile_axis`; size 1 for an axis that the case does not have.
-      function get_profile_axis_i(self, values, axis) result(coordinate)
-         import :: model_t, dp
+      !> The axes of the profiles, which all points of a run share.
+      subroutine get_profile_axes_i(self, values, axes)
+         import :: model_t, dp, profile_axis_t
          implicit none (type, external)
-         !> The model, whose `profile_axes` are read.
+         !> The model, whose profiles have the axes.
          class(model_t), intent(in) :: self
          !> Values of the variables; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> Place of the axis in `profile_axes`, from 1.
-         integer, intent(in) :: axis
-         real(dp), allocatable :: coordinate(:)
-      end function get_profile_axis_i
+         !> Receives the axes, one or two, the slowest first; their number is that of the model, whatever the values are.
+         type(profile_axis_t), allocatable, intent(out) :: axes(:)
+      end subroutine get_profile_axes_i
 
       !> Solve neighbouring points. What one point finds may start the next one within this block only.
       subroutine solve_block_i(self, values, results, error_estimate, status, counts)
@@ -277,22 +273,22 @@ contains
       end associate
    end function describe_profiles
 
-   !> A profile axis with its unit for this case: a coordinate [m]. A model may override it.
-   function describe_profile_axis(self, values, axis) result(profile)
-      !> The model, whose `profile_axes` are read.
+   !> Shape of the profiles of a point: the axis that runs fastest, the other one, and the profiles.
+   function profile_shape(self, values) result(shape)
+      !> The model, with its table of profiles and their axes.
       class(model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the axis in `profile_axes`, from 1.
-      integer, intent(in) :: axis
-      type(profile_t) :: profile
+      integer :: shape(3)
+      type(profile_axis_t), allocatable :: axes(:)
+      integer :: k
 
-      profile%name = get_word(self%profile_axes, axis)
-      profile%unit = 'm'
-      profile%long_name = 'coordinate '//profile%name//' of the profiles'
-      associate (unused => values)
-      end associate
-   end function describe_profile_axis
+      call self%get_profile_axes(values, axes)
+      shape = [1, 1, size(self%profiles)]
+      do k = 1, size(axes)
+         shape(size(axes) + 1 - k) = size(axes(k)%coordinates)
+      end do
+   end function profile_shape
 
    !> Unit of a variable for this case: that of the table. A model whose units depend on the case overrides it.
    function unit_of(self, values, place) result(unit)

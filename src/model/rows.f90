@@ -2,11 +2,12 @@
 module adfric_model_rows
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: count_words, get_word
-   use adfric_model_table, only: variable_t, result_t, profile_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
+   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, kind_real, kind_integer, &
+      & kind_logical, kind_choice, kind_dataset
    implicit none (type, external)
    private
    public :: positive, above_zero, number, any_number, whole_number, poisson_ratio, choice, switch, dataset, set_output_axis
-   public :: result_row, contact_profiles
+   public :: set_coordinate, result_row, contact_profiles
 
    !> Sizes beyond these are those of a slip in the units.
    real(dp), parameter :: largest_unit = 1.0e30_dp, smallest_unit = 1.0e-30_dp
@@ -206,6 +207,21 @@ contains
          & lower=1, upper=10000000)
       if (is_depth) variables(:2)%lower = 0
    end subroutine set_output_axis
+
+   !> Set a profile axis that is a coordinate.
+   subroutine set_coordinate(axis, name, coordinates)
+      !> Receives name, unit and coordinates.
+      type(profile_axis_t), intent(inout) :: axis
+      !> Name of the coordinate, such as 'x'.
+      character(*), intent(in) :: name
+      !> Coordinates along the axis [m].
+      real(dp), intent(in) :: coordinates(:)
+
+      axis%name = name
+      axis%unit = 'm'
+      axis%long_name = 'coordinate '//name//' of the profiles'
+      axis%coordinates = coordinates
+   end subroutine set_coordinate
 
    !> Rows of the profiles of pressure and gap.
    function contact_profiles() result(p)

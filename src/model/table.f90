@@ -6,7 +6,7 @@ module adfric_model_table
    use adfric_model_status, only: status_meanings
    implicit none (type, external)
    private
-   public :: variable_t, result_t, profile_t, count_t, results_of_every_run
+   public :: variable_t, result_t, profile_t, profile_axis_t, count_t, results_of_every_run
    public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
 
    !> Kinds of namelist variables.
@@ -57,7 +57,7 @@ module adfric_model_table
       procedure :: n_states
    end type result_t
 
-   !> A result along the profile axes, or one of these axes.
+   !> A result along the profile axes.
    type :: profile_t
       !> Name of its dataset in the results file.
       character(:), allocatable :: name
@@ -66,6 +66,18 @@ module adfric_model_table
       !> What it is, for `adfric help` and the results file.
       character(:), allocatable :: long_name
    end type profile_t
+
+   !> An axis of the profiles of a case.
+   type :: profile_axis_t
+      !> Name of its dataset in the results file.
+      character(:), allocatable :: name
+      !> SI unit, `-` for a pure number.
+      character(:), allocatable :: unit
+      !> What it is, for the results file.
+      character(:), allocatable :: long_name
+      !> Coordinates along the axis, in this unit; a single one if the profiles of the case do not vary along it.
+      real(dp), allocatable :: coordinates(:)
+   end type profile_axis_t
 
    !> Something that a model counts while it solves, such as the strips that it took. The results file has the mean over all
    !> points of a run.

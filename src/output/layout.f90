@@ -1,8 +1,7 @@
 !> Which datasets a results file has, of what shape and size.
 module adfric_output_layout
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_words, only: count_words
-   use adfric_model_table, only: result_t, profile_t, results_of_every_run
+   use adfric_model_table, only: result_t, profile_t, profile_axis_t, results_of_every_run
    use adfric_output_constants, only: constant_t, find_constants, file_unit
    use adfric_run_blocks, only: blocks_t
    use adfric_run_run, only: run_t
@@ -180,18 +179,19 @@ contains
       class(run_t), intent(in) :: run
       !> Receives the axes, the slowest first.
       type(scale_t), allocatable, intent(out) :: axes(:)
-      type(profile_t) :: coordinate
+      type(profile_axis_t), allocatable :: of_model(:)
       type(scale_t) :: axis
       integer :: k
 
+      call run%model%get_profile_axes(run%plan%base, of_model)
       allocate (axes(0))
-      do k = 1, count_words(run%model%profile_axes)
-         coordinate = run%model%describe_profile_axis(run%plan%base, k)
-         axis%name = coordinate%name
-         axis%unit = file_unit(coordinate%unit)
-         axis%long_name = coordinate%long_name
-         axis%values = run%model%get_profile_axis(run%plan%base, k)
-         if (size(axis%values) > 1) axes = [axes, axis]
+      do k = 1, size(of_model)
+         if (size(of_model(k)%coordinates) == 1) cycle
+         axis%name = of_model(k)%name
+         axis%unit = file_unit(of_model(k)%unit)
+         axis%long_name = of_model(k)%long_name
+         axis%values = of_model(k)%coordinates
+         axes = [axes, axis]
       end do
    end subroutine find_profile_axes
 

@@ -10,9 +10,9 @@ module adfric_periodic_model
    use adfric_model_model, only: model_t
    use adfric_model_profile_receiver, only: profile_receiver_t
    use adfric_model_requirements, only: need, need_one
-   use adfric_model_rows, only: contact_profiles
+   use adfric_model_rows, only: contact_profiles, set_coordinate
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
-   use adfric_model_table, only: variable_t, count_t
+   use adfric_model_table, only: variable_t, count_t, profile_axis_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, &
       & find_full_pressure
    use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
@@ -31,7 +31,7 @@ module adfric_periodic_model
       procedure :: set_tables
       procedure :: check_values
       procedure :: wants_profiles
-      procedure :: get_profile_axis
+      procedure :: get_profile_axes
       procedure :: solve_block
       procedure :: solve_profiles
       procedure :: solve_block_and_profiles
@@ -124,7 +124,6 @@ contains
       self%results = get_periodic_results()
       self%profiles = contact_profiles()
       self%counts = [count_t(name='iterations_per_point', long_name='iterations on the finest grid')]
-      self%profile_axes = 'y x'
       self%largest_block = most_neighbours
    end subroutine set_tables
 
@@ -157,23 +156,24 @@ contains
    end function wants_profiles
 
    !> See `model_t`: the middles of the cells.
-   function get_profile_axis(self, values, axis) result(coordinate)
+   subroutine get_profile_axes(self, values, axes)
       !> The model, for its surface.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the axis in `profile_axes`, from 1.
-      integer, intent(in) :: axis
-      real(dp), allocatable :: coordinate(:)
+      !> Receives y and x.
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
       type(periodic_surface_t) :: surface
       integer :: i, n, along
 
+      allocate (axes(2))
       call self%get_surface(values, surface)
-      ! the slowest axis of the file is y
-      along = 3 - axis
-      n = size(surface%shape, along)
-      coordinate = [(surface%period(along)*(i - 0.5_dp)/(n*merge(2, 1, surface%is_quarter)), i=1, n)]
-   end function get_profile_axis
+      do along = 1, 2
+         n = size(surface%shape, along)
+         call set_coordinate(axes(3 - along), 'xy'(along:along), &
+            & [(surface%period(along)*(i - 0.5_dp)/(n*merge(2, 1, surface%is_quarter)), i=1, n)])
+      end do
+   end subroutine get_profile_axes
 
    !> What is held at a point.
    type(periodic_goal_t) function get_goal(self, values) result(goal)

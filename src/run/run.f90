@@ -3,7 +3,6 @@
 !> Whoever has a run and a sink solves it by two calls: `prepare` of its model, and `run_sweep` of the runner. What a run is does not
 !> depend on where its description comes from (a namelist file, a caller of the library) or where its results go.
 module adfric_run_run
-   use adfric_base_words, only: count_words
    use adfric_model_model, only: model_t
    use adfric_run_blocks, only: blocks_t, part_t, new_blocks
    use adfric_run_dataset, only: dataset_t
@@ -68,15 +67,9 @@ contains
       !> The run, whose base values say whether profiles are wanted, and how long they are.
       class(run_t), intent(in) :: self
       integer :: counts(3)
-      integer :: k, n_axes
 
       counts = 0
-      if (.not. self%model%wants_profiles(self%plan%base)) return
-      n_axes = count_words(self%model%profile_axes)
-      counts = [1, 1, size(self%model%profiles)]
-      do k = 1, n_axes
-         counts(n_axes + 1 - k) = size(self%model%get_profile_axis(self%plan%base, k))
-      end do
+      if (self%model%wants_profiles(self%plan%base)) counts = self%model%profile_shape(self%plan%base)
    end function profile_shape
 
 end module adfric_run_run

@@ -10,7 +10,7 @@ module adfric_sphere_model
    use adfric_model_model, only: model_t
    use adfric_model_requirements, only: refuse_swept_axes
    use adfric_model_status, only: status_solved
-   use adfric_model_table, only: result_t, profile_t, count_t
+   use adfric_model_table, only: result_t, profile_t, profile_axis_t, count_t
    use adfric_sphere_case, only: sphere_case_t, resolve_case
    use adfric_sphere_check, only: check_sphere_values
    use adfric_sphere_contact, only: theory_maugis_dugdale, theory_dmt
@@ -28,9 +28,8 @@ module adfric_sphere_model
       procedure :: check_values
       procedure :: describe_results
       procedure :: describe_profiles
-      procedure :: describe_profile_axis
       procedure :: wants_profiles
-      procedure :: get_profile_axis
+      procedure :: get_profile_axes
       procedure :: solve_block
       procedure :: solve_profiles
       procedure :: derive_quantities
@@ -51,7 +50,6 @@ contains
       self%results = get_sphere_results(.false.)
       self%profiles = get_sphere_profiles(.false.)
       self%counts = [count_t(name='share_of_limit_theories', long_name='points that a limit theory solves')]
-      self%profile_axes = 'r'
    end subroutine new_sphere_model
 
    !> See `model_t`.
@@ -94,23 +92,6 @@ contains
    end function describe_profiles
 
    !> See `model_t`.
-   function describe_profile_axis(self, values, axis) result(profile)
-      !> The model, whose `profile_axes` are read.
-      class(sphere_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Place of the axis in `profile_axes`, from 1.
-      integer, intent(in) :: axis
-      type(profile_t) :: profile
-
-      profile%name = 'r'
-      if (axis /= 1) profile%name = self%profile_axes
-      profile%long_name = 'distance from the axis'
-      profile%unit = 'm'
-      if (is_reduced(values)) profile%unit = '-'
-   end function describe_profile_axis
-
-   !> See `model_t`.
    function unit_of(self, values, place) result(unit)
       !> The model, whose table of variables is read.
       class(sphere_model_t), intent(in) :: self
@@ -134,30 +115,37 @@ contains
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
-      !> The model, whose `profiles` may be empty.
+      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = size(self%profiles) > 0 .and. values(v_profiles) > 0
+      wants_profiles = values(v_profiles) > 0
+      associate (unused => self)
+      end associate
    end function wants_profiles
 
    !> See `model_t`.
-   function get_profile_axis(self, values, axis) result(coordinate)
-      !> The model, whose `profiles` may be empty.
+   subroutine get_profile_axes(self, values, axes)
+      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the axis in `profile_axes`, from 1.
-      integer, intent(in) :: axis
-      real(dp), allocatable :: coordinate(:)
+      !> Receives the axis r.
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
       integer :: n, k
 
+      allocate (axes(1))
+      axes(1)%name = 'r'
+      axes(1)%unit = 'm'
+      if (is_reduced(values)) axes(1)%unit = '-'
+      axes(1)%long_name = 'distance from the axis'
       n = nint(values(v_n_r))
-      allocate (coordinate(n), source=0.0_dp)
-      if (axis /= 1 .or. size(self%profiles) == 0 .or. .not. is_set(values(v_r_max))) return
-      coordinate = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
-   end function get_profile_axis
+      allocate (axes(1)%coordinates(n), source=0.0_dp)
+      if (is_set(values(v_r_max))) axes(1)%coordinates = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
+      associate (unused => self)
+      end associate
+   end subroutine get_profile_axes
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
@@ -256,6 +244,7 @@ contains
       type(sphere_point_t) :: point
       type(sphere_memory_t) :: memory
       type(contact_profile_t) :: profile
+      type(profile_axis_t), allocatable :: axes(:)
       real(dp), allocatable :: r(:)
 
       profiles = not_a_number()
@@ -264,7 +253,8 @@ contains
       case%theory = nint(results(r_theory_used))
       call solve_point(case, .false., memory, point)
       call new_profile(profile, memory%theory, point%contact)
-      r = self%get_profile_axis(values, 1)/case%length_unit
+      call self%get_profile_axes(values, axes)
+      r = axes(1)%coordinates/case%length_unit
       profiles(:, 1, 1) = profile%pressure(r)*case%stress_unit
       if (case%has_friction) then
          profiles(:, 1, 2) = case%strength*case%stress_unit*shear_traction(r, point%friction_radius, point%gamma)

@@ -7,8 +7,9 @@ module adfric_wavy_model
    use adfric_base_unset, only: is_set
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_model, only: model_t
+   use adfric_model_rows, only: set_coordinate
    use adfric_model_status, only: status_solved, status_no_equilibrium
-   use adfric_model_table, only: result_t, count_t
+   use adfric_model_table, only: result_t, profile_axis_t, count_t
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
@@ -40,7 +41,7 @@ module adfric_wavy_model
       procedure :: check_values
       procedure :: describe_results
       procedure :: wants_profiles
-      procedure :: get_profile_axis
+      procedure :: get_profile_axes
       procedure :: solve_block
       procedure :: solve_profiles
       procedure :: derive_quantities
@@ -63,7 +64,6 @@ contains
       self%profiles = get_wavy_profiles()
       self%counts = [count_t(name='strips_per_point', long_name='strips that were solved'), &
          & count_t(name='closed_form_strips_per_point', long_name='strips that were solved in closed form')]
-      self%profile_axes = 'y x'
    end subroutine new_wavy_model
 
    !> Add to `problems` what is contradictory or impossible in the values together.
@@ -109,32 +109,45 @@ contains
 
    !> Does the user ask for profiles?
    pure logical function wants_profiles(self, values)
-      !> The model; one without tables has no profiles.
+      !> The model; nothing of it is read here.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = size(self%profiles) > 0 .and. values(v_profiles) > 0
+      wants_profiles = values(v_profiles) > 0
+      associate (unused => self)
+      end associate
    end function wants_profiles
 
-   !> Coordinates along a profile axis [m]: one period about the crest.
-   function get_profile_axis(self, values, axis) result(coordinate)
-      !> The model; one without tables has no profiles.
+   !> The profile axes y and x: one period about the crest.
+   subroutine get_profile_axes(self, values, axes)
+      !> The model; nothing of it is read here.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place in `profile_axes`: 1 is y, 2 is x.
-      integer, intent(in) :: axis
-      real(dp), allocatable :: coordinate(:)
-      integer :: n, k
+      !> Receives y and x.
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
 
-      n = nint(values(v_n_x))
-      if (axis == 1) n = merge(nint(values(v_n_y)), 1, nint(values(v_kind)) == kind_3d)
-      allocate (coordinate(n), source=0.0_dp)
-      if (n == 1 .or. size(self%profiles) == 0) return
-      ! as far on one side of the crest as on the other, to the last digit
-      coordinate = [(values(v_period)*(real(2*k - (n - 1), dp)/(2*(n - 1))), k=0, n - 1)]
-   end function get_profile_axis
+      allocate (axes(2))
+      call set_coordinate(axes(1), 'y', &
+         & about_crest(values(v_period), merge(nint(values(v_n_y)), 1, nint(values(v_kind)) == kind_3d)))
+      call set_coordinate(axes(2), 'x', about_crest(values(v_period), nint(values(v_n_x))))
+      associate (unused => self)
+      end associate
+   end subroutine get_profile_axes
+
+   !> Coordinates over one period, as far on one side of the crest as on the other, to the last digit.
+   pure function about_crest(period, n) result(coordinates)
+      !> Period of the wave [m].
+      real(dp), intent(in) :: period
+      !> Number of coordinates; a single one is that of the crest.
+      integer, intent(in) :: n
+      real(dp) :: coordinates(n)
+      integer :: k
+
+      coordinates = 0
+      if (n > 1) coordinates = [(period*(real(2*k - (n - 1), dp)/(2*(n - 1))), k=0, n - 1)]
+   end function about_crest
 
    !> Make room for the pull-off loads that points share, each of which is found once.
    subroutine prepare(self)
@@ -299,16 +312,17 @@ contains
       real(dp), intent(in) :: results(:)
       !> Pressure and shear stress [Pa], displacement and gap [m]; shape `(n_x, n_y, 4)`.
       real(dp), intent(out) :: profiles(:, :, :)
+      type(profile_axis_t), allocatable :: axes(:)
       type(wavy_case_t) :: point
 
       call resolve_case(values, point)
-      call get_profiles(point, results(r_penetration), self%get_profile_axis(values, 2), &
-         & self%get_profile_axis(values, 1), profiles)
+      call self%get_profile_axes(values, axes)
+      call get_profiles(point, results(r_penetration), axes(2)%coordinates, axes(1)%coordinates, profiles)
    end subroutine solve_profiles
 
    !> Quantities that follow from the values of a point, for `adfric check` and the results file.
    function derive_quantities(self, values) result(derived)
-      !> The model; one without tables derives nothing.
+      !> The model; nothing of it is read here.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -319,7 +333,8 @@ contains
       type(wavy_case_t) :: point
 
       allocate (derived(0))
-      if (size(self%variables) == 0) return
+      associate (unused => self)
+      end associate
       call resolve_case(values, point)
       associate (s => point%surface, f => point%surface%foundation)
          call add_derived(derived, 'relaxation_phase', '-', 'relaxation phase k V Ts', f%u, of_phase)

@@ -4,7 +4,6 @@ module search_rules
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: count_words
    use adfric_input_variable, only: is_in_range
    use adfric_model_model, only: model_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
@@ -356,16 +355,13 @@ contains
       type(answer_t), intent(in) :: answer
       character(:), allocatable, intent(inout) :: fault
       real(dp), allocatable :: profiles(:, :, :)
-      integer :: i, axis, n(2)
+      integer :: i, n(3)
 
       if (.not. model%wants_profiles(drawn%values(:, 1))) return
       do i = 1, size(answer%status)
          if (answer%status(i) /= status_solved) cycle
-         n = 1
-         do axis = 1, count_words(model%profile_axes)
-            n = [size(model%get_profile_axis(drawn%values(:, i), axis)), n(1)]
-         end do
-         allocate (profiles(n(1), n(2), size(model%profiles)))
+         n = model%profile_shape(drawn%values(:, i))
+         allocate (profiles(n(1), n(2), n(3)))
          call model%solve_profiles(drawn%values(:, i), answer%results(:, i), profiles)
          if (any(.not. (ieee_is_finite(profiles) .or. ieee_is_nan(profiles)))) fault = at_point(i, 'a profile is infinite')
          deallocate (profiles)

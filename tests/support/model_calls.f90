@@ -3,9 +3,10 @@ module model_calls
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_model_model, only: model_t
+   use adfric_model_table, only: profile_axis_t
    implicit none (type, external)
    private
-   public :: set_value, find_problems, solve_values, solve_point
+   public :: set_value, find_problems, solve_values, solve_point, axis_of
 
 contains
 
@@ -41,6 +42,19 @@ contains
          text = text//problems%line_of(k, 'case')//new_line('a')
       end do
    end function find_problems
+
+   !> Coordinates along a profile axis.
+   function axis_of(model, values, place) result(coordinates)
+      class(model_t), intent(in) :: model
+      real(dp), intent(in) :: values(:)
+      !> Place of the axis, from 1; the slowest is the first.
+      integer, intent(in) :: place
+      real(dp), allocatable :: coordinates(:)
+      type(profile_axis_t), allocatable :: axes(:)
+
+      call model%get_profile_axes(values, axes)
+      coordinates = axes(place)%coordinates
+   end function axis_of
 
    !> Solve points as one block.
    subroutine solve_values(model, values, results, error_estimate, status)

@@ -104,13 +104,10 @@ contains
    subroutine get_profiles(self, profiles)
       class(trial_case_t), intent(in) :: self
       real(dp), allocatable, intent(out) :: profiles(:, :, :)
-      integer :: n(2), last
+      integer :: n(3)
 
-      last = merge(2, 1, index(self%model%profile_axes, ' ') > 0)
-      n = 1
-      n(1) = size(self%model%get_profile_axis(self%values, last))
-      if (last == 2) n(2) = size(self%model%get_profile_axis(self%values, 1))
-      allocate (profiles(n(1), n(2), size(self%model%profiles)))
+      n = self%model%profile_shape(self%values)
+      allocate (profiles(n(1), n(2), n(3)))
       call self%model%solve_profiles(self%values, self%results(:, 1), profiles)
    end subroutine get_profiles
 

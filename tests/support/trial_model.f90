@@ -9,11 +9,10 @@ module trial_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
-   use adfric_base_words, only: get_word
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_model, only: model_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
-   use adfric_model_table, only: variable_t, result_t, profile_t, count_t, kind_real, kind_integer, kind_logical, kind_choice
+   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, count_t, kind_real, kind_integer, kind_logical, kind_choice
    implicit none (type, external)
    private
    public :: trial_model_t, new_trial_model, trial_values, trial_force, trial_profile, largest_load, endless_load
@@ -38,9 +37,8 @@ module trial_model
       procedure :: check_values
       procedure :: describe_results
       procedure :: describe_profiles
-      procedure :: describe_profile_axis
       procedure :: wants_profiles
-      procedure :: get_profile_axis
+      procedure :: get_profile_axes
       procedure :: solve_block
       procedure :: solve_profiles
       procedure :: derive_quantities
@@ -57,7 +55,6 @@ contains
       self%summary = 'a block that slides on a table'
       self%references = 'Nobody, Nowhere 1 (2001) 1'
       self%counts = [count_t(name='steps_per_point', long_name='steps of the block')]
-      self%profile_axes = 'y x'
       allocate (self%variables(n_variables))
       associate (variables => self%variables)
          call set(variables(kind_place), 'surface', 'kind', kind_choice, '', 1.0_dp)
@@ -173,17 +170,6 @@ contains
       if (values(kind_place) > 1.5_dp) profiles(1)%unit = '-'
    end function describe_profiles
 
-   function describe_profile_axis(self, values, axis) result(profile)
-      class(trial_model_t), intent(in) :: self
-      real(dp), intent(in) :: values(:)
-      integer, intent(in) :: axis
-      type(profile_t) :: profile
-
-      profile%name = get_word(self%profile_axes, axis)
-      profile%unit = trim(merge('- ', 'm ', values(kind_place) > 1.5_dp))
-      profile%long_name = 'place along '//profile%name
-   end function describe_profile_axis
-
    pure logical function wants_profiles(self, values)
       class(trial_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
@@ -191,17 +177,24 @@ contains
       wants_profiles = size(self%profiles) > 0 .and. values(profiles_place) > 0.5_dp
    end function wants_profiles
 
-   function get_profile_axis(self, values, axis) result(coordinate)
+   subroutine get_profile_axes(self, values, axes)
       class(trial_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
-      integer, intent(in) :: axis
-      real(dp), allocatable :: coordinate(:)
-      integer :: i, n
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
+      integer, parameter :: n_places(2) = [n_y_place, n_x_place]
+      character(*), parameter :: names = 'yx'
+      integer :: i, k, n
 
-      n = nint(values(merge(n_x_place, n_y_place, axis == 2)))
-      if (size(self%profiles) == 0) n = 1
-      coordinate = [(spacing*i, i=0, n - 1)]
-   end function get_profile_axis
+      allocate (axes(2))
+      do k = 1, 2
+         n = nint(values(n_places(k)))
+         if (size(self%profiles) == 0) n = 1
+         axes(k)%name = names(k:k)
+         axes(k)%unit = trim(merge('- ', 'm ', values(kind_place) > 1.5_dp))
+         axes(k)%long_name = 'place along '//names(k:k)
+         axes(k)%coordinates = [(spacing*i, i=0, n - 1)]
+      end do
+   end subroutine get_profile_axes
 
    subroutine solve_block(self, values, results, error_estimate, status, counts)
       class(trial_model_t), intent(in) :: self
