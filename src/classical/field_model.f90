@@ -3,10 +3,10 @@ module adfric_classical_field_model
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: get_word, count_words
    use adfric_classical_model, only: halfspace_model_t
-   use adfric_classical_point_memory, only: point_memory_t
+   use adfric_model_pointwise, only: point_state_t
    use adfric_model_status, only: status_solved
    use adfric_model_rows, only: result_row
-   use adfric_model_table, only: result_t, profile_t
+   use adfric_model_table, only: result_t, profile_t, profile_axis_t
    implicit none (type, external)
    private
    public :: field_model_t, set_stresses, set_plane_stresses, set_displacements, maps_of
@@ -17,7 +17,7 @@ module adfric_classical_field_model
       procedure(get_field_i), deferred :: get_field
       procedure(get_place_i), deferred :: get_place
       procedure :: solve_point
-      procedure :: get_profiles
+      procedure :: fill_profiles
    end type field_model_t
 
    abstract interface
@@ -108,49 +108,55 @@ contains
       end do
    end function maps_of
 
-   !> See `halfspace_model_t`. Where the field has no value, under a concentrated load, the results are NaN.
-   subroutine solve_point(self, values, memory, results, error_estimate, status)
+   !> See `pointwise_model_t`. Where the field has no value, under a concentrated load, the results are NaN.
+   subroutine solve_point(self, values, state, results, error_estimate, status, counts)
       !> The model whose field is evaluated at the place of the results.
       class(field_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Memory of the block, not used here.
-      type(point_memory_t), intent(inout) :: memory
+      !> Nothing is left for the next point.
+      class(point_state_t), allocatable, intent(inout) :: state
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
+      !> These models count nothing; size 0.
+      real(dp), intent(inout) :: counts(:)
 
       call self%get_field(values, self%get_place(values), results)
       error_estimate = epsilon(error_estimate)
       status = status_solved
-      associate (unused => memory)
+      associate (unused => state, unused_counts => counts)
       end associate
    end subroutine solve_point
 
-   !> See `halfspace_model_t`.
-   subroutine get_profiles(self, values, results, slow, fast, profiles)
+   !> See `pointwise_model_t`.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
       !> The model whose field is evaluated along both axes.
       class(field_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> What `solve_block` found for this point, not used here.
       real(dp), intent(in) :: results(:)
-      !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
-      real(dp), intent(in) :: slow(:), fast(:)
+      !> What `solve_point` has left, not used here.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Axes of the profiles, the slowest first.
+      type(profile_axis_t), intent(in) :: axes(:)
       !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
       integer :: i, j
 
-      do j = 1, size(slow)
-         do i = 1, size(fast)
-            call self%get_field(values, self%get_place(values, slow(j), fast(i)), profiles(i, j, :))
+      associate (slow => axes(1)%coordinates, fast => axes(2)%coordinates)
+         do j = 1, size(slow)
+            do i = 1, size(fast)
+               call self%get_field(values, self%get_place(values, slow(j), fast(i)), profiles(i, j, :))
+            end do
          end do
-      end do
-      associate (unused => results)
       end associate
-   end subroutine get_profiles
+      associate (unused => results, unused_state => state)
+      end associate
+   end subroutine fill_profiles
 
 end module adfric_classical_field_model

@@ -5,16 +5,16 @@ module adfric_classical_hertz_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_classical_model, only: halfspace_model_t
-   use adfric_classical_hertz_ellipse, only: ellipse_t, ellipse_shape_t, find_curvatures, find_shape, ellipse_of_load, &
+   use adfric_classical_hertz_ellipse, only: ellipse_t, ellipse_shape_t, find_curvatures, ellipse_of_load, &
       & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
    use adfric_classical_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap, line_misfit
    use adfric_classical_hertz_unit, only: unit_contact_t, find_unit_line, find_unit_ellipse
-   use adfric_classical_point_memory, only: point_memory_t
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
+   use adfric_model_pointwise, only: point_state_t
    use adfric_model_requirements, only: need, need_one
    use adfric_model_rows, only: positive, choice, number, contact_profiles, result_row
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: result_t, variable_t
+   use adfric_model_table, only: result_t, variable_t, profile_axis_t
    implicit none (type, external)
    private
    public :: hertz_model_t, new_hertz_model
@@ -34,8 +34,20 @@ module adfric_classical_hertz_model
       procedure :: describe_results
       procedure :: unit_of
       procedure :: solve_point
-      procedure :: get_profiles
+      procedure :: fill_profiles
    end type hertz_model_t
+
+   !> Hertz's contact at a point.
+   type, extends(point_state_t) :: hertz_state_t
+      !> The contact in units of its own; the next point takes it over where it has the same.
+      type(unit_contact_t) :: unit_contact
+      !> The contact along a line, where it is one.
+      type(line_contact_t) :: line
+      !> The contact on an ellipse or a circle, where it is one.
+      type(ellipse_t) :: ellipse
+      !> Curvatures A <= B of the gap of an ellipse [1/m].
+      real(dp) :: a = 0, b = 0
+   end type hertz_state_t
 
 contains
 
@@ -200,88 +212,94 @@ contains
       call find_curvatures(curvatures(:2), curvatures(3:), values(v_angle), a, b, direction)
    end subroutine get_curvatures
 
-   !> See `halfspace_model_t`.
-   subroutine solve_point(self, values, memory, results, error_estimate, status)
+   !> See `pointwise_model_t`.
+   subroutine solve_point(self, values, state, results, error_estimate, status, counts)
       !> The model; nothing is read from it here.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> What earlier points of the block have found; this point keeps there what it finds.
-      type(point_memory_t), intent(inout) :: memory
+      !> What the point before has left; receives what this point leaves.
+      class(point_state_t), allocatable, intent(inout) :: state
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
+      !> These models count nothing; size 0.
+      real(dp), intent(inout) :: counts(:)
 
-      if (nint(values(v_kind)) == kind_line) then
-         call solve_line(values, memory, results, error_estimate)
-         status = status_solved
-      else
-         call solve_ellipse(values, memory, results, error_estimate, status)
-      end if
-      associate (unused => self)
+      if (.not. allocated(state)) allocate (hertz_state_t :: state)
+      select type (state)
+      type is (hertz_state_t)
+         if (nint(values(v_kind)) == kind_line) then
+            call solve_line(values, state, results, error_estimate)
+            status = status_solved
+         else
+            call solve_ellipse(values, state, results, error_estimate, status)
+         end if
+      end select
+      associate (unused => self, unused_counts => counts)
       end associate
    end subroutine solve_point
 
    !> Solve the contact along a line.
-   subroutine solve_line(values, memory, results, error_estimate)
+   subroutine solve_line(values, state, results, error_estimate)
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> What earlier points of the block have found; this point keeps there what it finds.
-      type(point_memory_t), intent(inout) :: memory
+      !> In: the unit contact of the point before. Out: that of this point, and its contact.
+      type(hertz_state_t), intent(inout) :: state
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
-      type(unit_contact_t) :: unit_contact
-      type(line_contact_t) :: line
       real(dp) :: misfit
 
-      line = line_of_load(values(v_radius), modulus_of(values), values(v_load))
-      call find_unit_line(values(v_poisson_ratio), memory, unit_contact)
-      results([r_load, r_half_width, r_peak_pressure]) = [values(v_load), line%half_width, line%peak_pressure]
-      results([r_mean_pressure, r_contact_area]) = [pi/4*line%peak_pressure, 2*line%half_width]
-      results([r_shear, r_shear_depth]) = [unit_contact%shear*line%peak_pressure, unit_contact%depth*line%half_width]
-      misfit = line_misfit(line, values(v_load))
-      error_estimate = max(epsilon(error_estimate), misfit)
-      results(r_violation) = max(misfit, unit_contact%violation)
+      state%line = line_of_load(values(v_radius), modulus_of(values), values(v_load))
+      call find_unit_line(values(v_poisson_ratio), state%unit_contact)
+      associate (line => state%line, unit_contact => state%unit_contact)
+         results([r_load, r_half_width, r_peak_pressure]) = [values(v_load), line%half_width, line%peak_pressure]
+         results([r_mean_pressure, r_contact_area]) = [pi/4*line%peak_pressure, 2*line%half_width]
+         results([r_shear, r_shear_depth]) = [unit_contact%shear*line%peak_pressure, unit_contact%depth*line%half_width]
+         misfit = line_misfit(line, values(v_load))
+         error_estimate = max(epsilon(error_estimate), misfit)
+         results(r_violation) = max(misfit, unit_contact%violation)
+      end associate
    end subroutine solve_line
 
    !> Solve the contact on an ellipse or a circle.
-   subroutine solve_ellipse(values, memory, results, error_estimate, status)
+   subroutine solve_ellipse(values, state, results, error_estimate, status)
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> What earlier points of the block have found; this point keeps there what it finds.
-      type(point_memory_t), intent(inout) :: memory
+      !> In: the unit contact of the point before. Out: that of this point, and its contact.
+      type(hertz_state_t), intent(inout) :: state
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
-      type(unit_contact_t) :: unit_contact
-      type(ellipse_t) :: s
-      real(dp) :: a, b, direction, misfit
+      real(dp) :: direction, misfit
 
       status = status_no_equilibrium
       error_estimate = epsilon(error_estimate)
-      call get_curvatures(values, a, b, direction)
-      if (.not. a > 0) return
-      call find_unit_ellipse(a/b, values(v_poisson_ratio), memory, unit_contact)
-      status = merge(status_solved, status_not_converged, unit_contact%shape%is_converged)
-      if (status /= status_solved) return
-      call get_ellipse(values, a, b, unit_contact%shape, s)
-      results([r_load, r_approach, r_half_width, r_minor]) = [s%load, s%approach, s%major, s%minor]
-      results([r_peak_pressure, r_mean_pressure]) = s%peak_pressure*[1.0_dp, 2.0_dp/3]
-      results([r_contact_area, r_direction, r_violation]) = [pi*s%major*s%minor, direction, 0.0_dp]
-      if (.not. s%minor > 0) return
-      if (is_set(values(v_poisson_ratio))) results([r_shear, r_shear_depth]) = [unit_contact%shear*s%peak_pressure, &
-         & unit_contact%depth*s%major]
-      misfit = ellipse_misfit(s, a, b, modulus_of(values))
-      error_estimate = max(error_estimate, misfit)
-      results(r_violation) = max(misfit, unit_contact%violation)
+      associate (a => state%a, b => state%b, s => state%ellipse, unit_contact => state%unit_contact)
+         call get_curvatures(values, a, b, direction)
+         if (.not. a > 0) return
+         call find_unit_ellipse(a/b, values(v_poisson_ratio), unit_contact)
+         status = merge(status_solved, status_not_converged, unit_contact%shape%is_converged)
+         if (status /= status_solved) return
+         call get_ellipse(values, a, b, unit_contact%shape, s)
+         results([r_load, r_approach, r_half_width, r_minor]) = [s%load, s%approach, s%major, s%minor]
+         results([r_peak_pressure, r_mean_pressure]) = s%peak_pressure*[1.0_dp, 2.0_dp/3]
+         results([r_contact_area, r_direction, r_violation]) = [pi*s%major*s%minor, direction, 0.0_dp]
+         if (.not. s%minor > 0) return
+         if (is_set(values(v_poisson_ratio))) results([r_shear, r_shear_depth]) = [unit_contact%shear*s%peak_pressure, &
+            & unit_contact%depth*s%major]
+         misfit = ellipse_misfit(s, a, b, modulus_of(values))
+         error_estimate = max(error_estimate, misfit)
+         results(r_violation) = max(misfit, unit_contact%violation)
+      end associate
    end subroutine solve_ellipse
 
    !> Ellipse of a case under its load or approach.
@@ -302,42 +320,39 @@ contains
       end if
    end subroutine get_ellipse
 
-   !> See `halfspace_model_t`. x and y are the axes of the ellipse; a line contact extends along y.
-   subroutine get_profiles(self, values, results, slow, fast, profiles)
+   !> See `pointwise_model_t`. x and y are the axes of the ellipse; a line contact extends along y.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
       !> The model; nothing is read from it here.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> What `solve_block` found for this point, not used here.
       real(dp), intent(in) :: results(:)
-      !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
-      real(dp), intent(in) :: slow(:), fast(:)
+      !> The contact of the point.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Axes of the profiles, the slowest first.
+      type(profile_axis_t), intent(in) :: axes(:)
       !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
-      type(line_contact_t) :: line
-      type(ellipse_shape_t) :: shape
-      type(ellipse_t) :: s
-      real(dp) :: a, b, direction
       integer :: j
 
-      if (nint(values(v_kind)) == kind_line) then
-         line = line_of_load(values(v_radius), modulus_of(values), values(v_load))
-         profiles(:, :, 1) = spread(line_pressure(line, fast), 2, size(slow))
-         profiles(:, :, 2) = spread(line_gap(line, fast), 2, size(slow))
-         return
-      end if
-      call get_curvatures(values, a, b, direction)
-      if (.not. a > 0) return
-      call find_shape(a/b, shape)
-      if (.not. shape%is_converged) return
-      call get_ellipse(values, a, b, shape, s)
-      do j = 1, size(slow)
-         profiles(:, j, 1) = ellipse_pressure(s, fast, slow(j))
-         profiles(:, j, 2) = ellipse_gap(s, modulus_of(values), fast, slow(j))
-         if (.not. s%minor > 0) profiles(:, j, 2) = a*fast**2 + b*slow(j)**2
-      end do
-      associate (unused => self, unused_too => results)
+      select type (state)
+      type is (hertz_state_t)
+         associate (s => state%ellipse, y => axes(1)%coordinates, x => axes(2)%coordinates)
+            do j = 1, size(y)
+               if (nint(values(v_kind)) == kind_line) then
+                  profiles(:, j, 1) = line_pressure(state%line, x)
+                  profiles(:, j, 2) = line_gap(state%line, x)
+               else
+                  profiles(:, j, 1) = ellipse_pressure(s, x, y(j))
+                  profiles(:, j, 2) = ellipse_gap(s, modulus_of(values), x, y(j))
+                  if (.not. s%minor > 0) profiles(:, j, 2) = state%a*x**2 + state%b*y(j)**2
+               end if
+            end do
+         end associate
+      end select
+      associate (unused => self, unused_results => results)
       end associate
-   end subroutine get_profiles
+   end subroutine fill_profiles
 
 end module adfric_classical_hertz_model

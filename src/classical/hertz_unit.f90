@@ -3,14 +3,13 @@
 !> What does not depend on load, modulus and size is found here, once for the neighbouring points of a sweep that share it: the
 !> numbers that it depends on are nu of a line, and A/B and nu of an ellipse.
 module adfric_classical_hertz_unit
-   use adfric_base_kinds, only: dp
+   use adfric_base_kinds, only: dp, i8
    use adfric_base_unset, only: is_set, unset
    use adfric_classical_contact_conditions, only: largest_violation
    use adfric_classical_hertz_ellipse, only: ellipse_t, ellipse_shape_t, find_shape, ellipse_pressure, ellipse_gap, &
       & ellipse_axial_stress, ellipse_edge_shear
    use adfric_classical_hertz_line, only: line_contact_t, line_pressure, line_gap
    use adfric_classical_largest_shear, only: axial_stress_t, find_largest_shear
-   use adfric_classical_point_memory, only: point_memory_t
    use adfric_classical_strip_tractions, only: hertz_strip_stress
    implicit none (type, external)
    private
@@ -19,17 +18,19 @@ module adfric_classical_hertz_unit
    !> Places on each axis where the conditions of contact are checked, a third of them in it; how far they reach, in half-widths.
    integer, parameter :: n_places = 24
    real(dp), parameter :: reach = 3.0_dp
-   !> Numbers of a unit contact.
-   integer, parameter :: n_kept = 8
 
    !> A unit contact.
    type :: unit_contact_t
+      !> All numbers that the contact follows from; not allocated before it is solved.
+      real(dp), allocatable :: key(:)
       !> Shape of the ellipse; without meaning for a line.
       type(ellipse_shape_t) :: shape
       !> Largest shear stress and its depth; 0 for an ellipse without nu.
       real(dp) :: shear = 0, depth = 0
       !> Largest violation of the conditions of contact at some places.
       real(dp) :: violation = 0
+   contains
+      procedure, private :: is_of
    end type unit_contact_t
 
    !> Stress on the axis of an ellipse.
@@ -52,73 +53,43 @@ module adfric_classical_hertz_unit
 
 contains
 
-   !> Unit contact of a line; that of the last point, if this was solved for a line of the same nu.
-   subroutine find_unit_line(poisson_ratio, memory, self)
+   !> Unit contact of a line; the last one stays, if it is of the same nu.
+   subroutine find_unit_line(poisson_ratio, self)
       !> Poisson's ratio nu [-]; not set: the largest shear stress is that in the plane.
       real(dp), intent(in) :: poisson_ratio
-      !> What earlier points of the block have found; this point keeps there what it finds.
-      type(point_memory_t), intent(inout) :: memory
-      !> The unit contact; `shape` has no meaning for a line.
-      type(unit_contact_t), intent(out) :: self
-      logical :: is_known
+      !> In: the last unit contact. Out: that of the line; `shape` has no meaning.
+      type(unit_contact_t), intent(inout) :: self
 
-      call recall_unit_contact([poisson_ratio], memory, self, is_known)
-      if (is_known) return
+      if (self%is_of([poisson_ratio])) return
       call solve_unit_line(poisson_ratio, self)
-      call keep_unit_contact([poisson_ratio], self, memory)
+      self%key = [poisson_ratio]
    end subroutine find_unit_line
 
-   !> Unit contact of an ellipse; that of the last point, if this was solved for the same A/B and nu.
-   subroutine find_unit_ellipse(ratio, poisson_ratio, memory, self)
+   !> Unit contact of an ellipse; the last one stays, if it is of the same A/B and nu.
+   subroutine find_unit_ellipse(ratio, poisson_ratio, self)
       !> Ratio A/B of the curvatures [-], in (0, 1].
       real(dp), intent(in) :: ratio
       !> Poisson's ratio nu [-]; not set: no largest shear stress is looked for.
       real(dp), intent(in) :: poisson_ratio
-      !> What earlier points of the block have found; this point keeps there what it finds.
-      type(point_memory_t), intent(inout) :: memory
-      !> The unit contact; `shape%is_converged` tells whether it was found.
-      type(unit_contact_t), intent(out) :: self
-      logical :: is_known
+      !> In: the last unit contact. Out: that of the ellipse; `shape%is_converged` tells whether it was found.
+      type(unit_contact_t), intent(inout) :: self
 
-      call recall_unit_contact([ratio, poisson_ratio], memory, self, is_known)
-      if (is_known) return
+      if (self%is_of([ratio, poisson_ratio])) return
       call solve_unit_ellipse(ratio, poisson_ratio, self)
-      call keep_unit_contact([ratio, poisson_ratio], self, memory)
+      self%key = [ratio, poisson_ratio]
    end subroutine find_unit_ellipse
 
-   !> Give back the unit contact that was kept for a key.
-   pure subroutine recall_unit_contact(key, memory, self, is_known)
-      !> All numbers that the contact depends on.
+   !> Does the contact follow from these numbers, to the last bit? Then results do not depend on which points came before.
+   pure logical function is_of(self, key)
+      !> The contact, whose `key` is compared.
+      class(unit_contact_t), intent(in) :: self
+      !> nu of a line, or A/B and nu of an ellipse.
       real(dp), intent(in) :: key(:)
-      !> Memory that is looked into.
-      type(point_memory_t), intent(in) :: memory
-      !> The unit contact as it was kept; without meaning if the key is not known.
-      type(unit_contact_t), intent(out) :: self
-      !> Does the memory have this key?
-      logical, intent(out) :: is_known
-      real(dp) :: found(n_kept)
 
-      call memory%recall(key, found, is_known)
-      if (is_known) self = unit_contact_t(ellipse_shape_t(found(1), found(2), found(3), found(4), found(5) > 0), found(6), &
-         & found(7), found(8))
-   end subroutine recall_unit_contact
-
-   !> Keep the unit contact for a key.
-   pure subroutine keep_unit_contact(key, self, memory)
-      !> All numbers that the contact depends on.
-      real(dp), intent(in) :: key(:)
-      !> The unit contact that is kept.
-      type(unit_contact_t), intent(in) :: self
-      !> Memory, which receives the contact in place of what it held.
-      type(point_memory_t), intent(inout) :: memory
-      real(dp) :: found(n_kept)
-
-      associate (s => self%shape)
-         found = [s%axis_ratio, s%d_along, s%d_across, s%f, merge(1.0_dp, 0.0_dp, s%is_converged), self%shear, self%depth, &
-            & self%violation]
-      end associate
-      call memory%keep(key, found)
-   end subroutine keep_unit_contact
+      is_of = .false.
+      if (.not. allocated(self%key)) return
+      if (size(self%key) == size(key)) is_of = all(transfer(self%key, [0_i8]) == transfer(key, [0_i8]))
+   end function is_of
 
    !> Solve the unit contact along a line, R = 1 m.
    subroutine solve_unit_line(poisson_ratio, self)

@@ -7,10 +7,10 @@ module adfric_classical_line_load_model
    use adfric_base_unset, only: is_set
    use adfric_classical_field_model, only: field_model_t, set_plane_stresses, set_displacements, maps_of
    use adfric_classical_flamant, only: line_stress, line_displacement
-   use adfric_classical_point_memory, only: point_memory_t
    use adfric_classical_sampled_traction, only: sampled_traction_t, every_second
    use adfric_classical_strip_tractions, only: uniform_strip_stress, hertz_strip_stress, uniform_strip_integral, &
       & hertz_strip_integral
+   use adfric_model_pointwise, only: point_state_t
    use adfric_model_requirements, only: need
    use adfric_model_rows, only: positive, number, choice, dataset, poisson_ratio, result_row
    use adfric_model_status, only: status_solved
@@ -314,22 +314,24 @@ contains
       field(r_slope) = near*tractions(2) - far*integrals(1)
    end subroutine set_slopes
 
-   !> See `halfspace_model_t`. The error of sampled tractions is what every second sample changes of the stresses: at least the
+   !> See `pointwise_model_t`. The error of sampled tractions is what every second sample changes of the stresses: at least the
    !> error of the interpolation, where that falls with the distance of the samples or faster. Against the root of the squares of
    !> the stresses; 1 where they are 0 and should perhaps not be.
-   subroutine solve_strip_point(self, values, memory, results, error_estimate, status)
+   subroutine solve_strip_point(self, values, state, results, error_estimate, status, counts)
       !> The model with its samples.
       class(strip_load_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Memory of the block, not used here.
-      type(point_memory_t), intent(inout) :: memory
+      !> Nothing is left for the next point.
+      class(point_state_t), allocatable, intent(inout) :: state
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
+      !> These models count nothing; size 0.
+      real(dp), intent(inout) :: counts(:)
       type(sampled_traction_t) :: coarse
       real(dp) :: place(3), change
 
@@ -344,7 +346,7 @@ contains
          change = norm2(stress - coarse%stress_at(place(1), place(2)))
          if (change > 0) error_estimate = max(error_estimate, change/max(change, norm2(stress)))
       end associate
-      associate (unused => memory)
+      associate (unused => state, unused_counts => counts)
       end associate
    end subroutine solve_strip_point
 

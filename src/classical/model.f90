@@ -1,17 +1,14 @@
-!> What the classical models of the half-space share: points that are solved one by one, and profiles along axes that the
-!> user sets.
+!> What the classical models of the half-space share: profiles along axes that the user sets, and rows of the contact modulus.
 module adfric_classical_model
    use adfric_base_kinds, only: dp
-   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: count_words, get_word
-   use adfric_classical_point_memory, only: point_memory_t
    use adfric_material_contact_modulus, only: derive_contact_modulus
-   use adfric_model_model, only: model_t, derived_t
+   use adfric_model_model, only: derived_t
+   use adfric_model_pointwise, only: pointwise_model_t
    use adfric_model_requirements, only: need
    use adfric_model_rows, only: set_output_axis, set_coordinate, switch
-   use adfric_model_status, only: status_solved
    use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t
    implicit none (type, external)
    private
@@ -21,7 +18,7 @@ module adfric_classical_model
    integer, parameter :: n_samples = 201
 
    !> What the classical models share: profiles on axes whose ends and samples the input gives.
-   type, abstract, extends(model_t) :: halfspace_model_t
+   type, abstract, extends(pointwise_model_t) :: halfspace_model_t
       !> Place of the switch of the profiles; begin, end and number of each axis follow.
       integer :: output = 0
       !> Names of the profile axes, the slowest first, separated by a blank.
@@ -34,11 +31,7 @@ module adfric_classical_model
       procedure :: derive_quantities
       procedure :: wants_profiles
       procedure :: get_profile_axes
-      procedure :: solve_block
-      procedure :: solve_profiles
       procedure(check_case_i), deferred :: check_case
-      procedure(solve_point_i), deferred :: solve_point
-      procedure(get_profiles_i), deferred :: get_profiles
    end type halfspace_model_t
 
    abstract interface
@@ -54,40 +47,6 @@ module adfric_classical_model
          !> Receives what is wrong with the input; nothing is removed.
          type(problems_t), intent(inout) :: problems
       end subroutine check_case_i
-
-      !> Solve one point.
-      subroutine solve_point_i(self, values, memory, results, error_estimate, status)
-         import :: halfspace_model_t, point_memory_t, dp
-         implicit none (type, external)
-         !> The model that solves the point; it is not changed.
-         class(halfspace_model_t), intent(in) :: self
-         !> Values of the variables, in the order of the table; shape `(n_variables)`.
-         real(dp), intent(in) :: values(:)
-         !> What earlier points of the block have found; this point keeps there what it finds.
-         type(point_memory_t), intent(inout) :: memory
-         !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
-         real(dp), intent(inout) :: results(:)
-         !> Estimated relative error of the main result [-].
-         real(dp), intent(out) :: error_estimate
-         !> Status of the point, one of `status_...`.
-         integer, intent(out) :: status
-      end subroutine solve_point_i
-
-      !> Profiles of one solved point.
-      subroutine get_profiles_i(self, values, results, slow, fast, profiles)
-         import :: halfspace_model_t, dp
-         implicit none (type, external)
-         !> The model that finds the profiles; it is not changed.
-         class(halfspace_model_t), intent(in) :: self
-         !> Values of the variables, in the order of the table; shape `(n_variables)`.
-         real(dp), intent(in) :: values(:)
-         !> What `solve_block` found for this point; shape `(n_results)`.
-         real(dp), intent(in) :: results(:)
-         !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
-         real(dp), intent(in) :: slow(:), fast(:)
-         !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
-         real(dp), intent(inout) :: profiles(:, :, :)
-      end subroutine get_profiles_i
 
    end interface
 
@@ -214,51 +173,5 @@ contains
       if (n == 1 .or. .not. is_set(values(2))) return
       coordinates = [((values(1)*(n - 1 - k) + values(2)*k)/(n - 1), k=0, n - 1)]
    end function even_steps
-
-   !> See `model_t`.
-   subroutine solve_block(self, values, results, error_estimate, status, counts)
-      !> The model that solves each point; it is not changed.
-      class(halfspace_model_t), intent(in) :: self
-      !> Values of the variables of each point; shape `(n_variables, n_points)`.
-      real(dp), intent(in) :: values(:, :)
-      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
-      real(dp), intent(out) :: results(:, :)
-      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
-      real(dp), intent(out) :: error_estimate(:)
-      !> Status of each point, one of `status_...`; shape `(n_points)`.
-      integer, intent(out) :: status(:)
-      !> Size 0, for these models count nothing.
-      real(dp), intent(out) :: counts(:)
-      type(point_memory_t) :: memory
-      integer :: i
-
-      results = not_a_number()
-      do i = 1, size(values, 2)
-         call self%solve_point(values(:, i), memory, results(:, i), error_estimate(i), status(i))
-         if (status(i) /= status_solved) error_estimate(i) = not_a_number()
-      end do
-      counts = 0
-   end subroutine solve_block
-
-   !> See `model_t`.
-   subroutine solve_profiles(self, values, results, profiles)
-      !> The model that finds the profiles; it is not changed.
-      class(halfspace_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> What `solve_block` found for this point; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
-      !> Profiles of the point, NaN where there is no value; shape `(n_last_axis, n_first_axis, n_profiles)`.
-      real(dp), intent(out) :: profiles(:, :, :)
-      type(profile_axis_t), allocatable :: axes(:)
-
-      call self%get_profile_axes(values, axes)
-      profiles = not_a_number()
-      if (size(axes) == 1) then
-         call self%get_profiles(values, results, [0.0_dp], axes(1)%coordinates, profiles)
-      else
-         call self%get_profiles(values, results, axes(1)%coordinates, axes(2)%coordinates, profiles)
-      end if
-   end subroutine solve_profiles
 
 end module adfric_classical_model

@@ -8,16 +8,16 @@ module adfric_classical_punch_model
    use adfric_classical_contact_conditions, only: largest_violation
    use adfric_classical_field_model, only: set_plane_stresses, maps_of
    use adfric_classical_model, only: halfspace_model_t
-   use adfric_classical_point_memory, only: point_memory_t
    use adfric_classical_punch_profiles, only: polynomial_t, power_load, wedge_load, wedge_pressure, wedge_gap
    use adfric_classical_punch_stress, only: punch_stress
    use adfric_classical_rigid_punch, only: punch_contact_t, solve_punch, solve_punch_of_width
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, has_contact_modulus, &
       & check_contact_modulus
+   use adfric_model_pointwise, only: point_state_t
    use adfric_model_requirements, only: need, need_one
    use adfric_model_rows, only: positive, choice, number, whole_number, contact_profiles, result_row
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: result_t, profile_t, variable_t
+   use adfric_model_table, only: result_t, profile_t, profile_axis_t, variable_t
    implicit none (type, external)
    private
    public :: punch_model_t, new_punch_model
@@ -43,11 +43,11 @@ module adfric_classical_punch_model
    contains
       procedure :: check_case
       procedure :: solve_point
-      procedure :: get_profiles
+      procedure :: fill_profiles
    end type punch_model_t
 
    !> A punch on its contact: for the wedge `contact` holds the flat part only.
-   type :: state_t
+   type, extends(point_state_t) :: punch_state_t
       !> Shape of the punch.
       type(polynomial_t) :: profile
       !> Its contact.
@@ -60,7 +60,7 @@ module adfric_classical_punch_model
       procedure :: pressure
       procedure :: level
       procedure :: gap
-   end type state_t
+   end type punch_state_t
 
 contains
 
@@ -214,7 +214,7 @@ contains
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The punch on its contact; `contact%is_converged` tells whether it was found.
-      type(state_t), intent(out) :: state
+      type(punch_state_t), intent(out) :: state
       real(dp) :: load, width, modulus
       integer :: n
 
@@ -265,79 +265,85 @@ contains
       end do
    end function widest
 
-   !> See `halfspace_model_t`.
-   subroutine solve_point(self, values, memory, results, error_estimate, status)
+   !> See `pointwise_model_t`.
+   subroutine solve_point(self, values, state, results, error_estimate, status, counts)
       !> The model; nothing is read from it here.
       class(punch_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Memory of the block, not used here.
-      type(point_memory_t), intent(inout) :: memory
+      !> Receives the punch on its contact, for the profiles; nothing is taken from the point before.
+      class(point_state_t), allocatable, intent(inout) :: state
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
-      type(state_t) :: state
+      !> These models count nothing; size 0.
+      real(dp), intent(inout) :: counts(:)
+      type(punch_state_t) :: found
       real(dp) :: x(n_places), mean
       integer :: i
 
       status = status_no_equilibrium
       error_estimate = 0
       if (.not. is_possible(values)) return
-      call solve_state(values, state)
-      status = merge(status_solved, status_not_converged, state%contact%is_converged)
-      error_estimate = max(epsilon(mean), state%contact%load_error)
+      call solve_state(values, found)
+      status = merge(status_solved, status_not_converged, found%contact%is_converged)
+      error_estimate = max(epsilon(mean), found%contact%load_error)
       if (status /= status_solved) return
-      associate (contact => state%contact)
+      state = found
+      associate (contact => found%contact)
          mean = contact%load/(2*contact%half_width)
          results([r_load, r_contact_half_width, r_mean_pressure]) = [contact%load, contact%half_width, mean]
-         results(r_centre_pressure) = state%pressure(0.0_dp)
+         results(r_centre_pressure) = found%pressure(0.0_dp)
          results(r_edge_intensity) = contact%excess/sqrt(pi*contact%half_width)
          x = [((i - 0.5_dp)*reach/n_places, i=1, n_places)]*contact%half_width
-         x = pack(x, x < state%face, spread(x(1), 1, n_places))
-         results(r_violation) = largest_violation(state%pressure(x), state%gap(x), mean, mean*contact%half_width/contact%modulus)
+         x = pack(x, x < found%face, spread(x(1), 1, n_places))
+         results(r_violation) = largest_violation(found%pressure(x), found%gap(x), mean, mean*contact%half_width/contact%modulus)
       end associate
-      associate (unused => self, unused_too => memory)
+      associate (unused => self, unused_counts => counts)
       end associate
    end subroutine solve_point
 
-   !> See `halfspace_model_t`. Pressure, gap and displacement are those of the surface, NaN at other depths.
-   subroutine get_profiles(self, values, results, slow, fast, profiles)
+   !> See `pointwise_model_t`. Pressure, gap and displacement are those of the surface, NaN at other depths.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
       !> The model; nothing is read from it here.
       class(punch_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> What `solve_block` found for this point, not used here.
       real(dp), intent(in) :: results(:)
-      !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
-      real(dp), intent(in) :: slow(:), fast(:)
+      !> The punch on its contact.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Axes of the profiles, the slowest first.
+      type(profile_axis_t), intent(in) :: axes(:)
       !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
-      type(state_t) :: state
       real(dp) :: stress(3)
       integer :: i, j
 
-      if (.not. is_possible(values)) return
-      call solve_state(values, state)
-      if (.not. state%contact%is_converged) return
-      do j = 1, size(slow)
-         if (.not. slow(j) > 0) call get_surface(state, fast, profiles(:, j, :))
-         do i = 1, size(fast)
-            stress = punch_stress(state%contact, state%slope, fast(i), slow(j))
-            profiles(i, j, p_stress:p_shear - 1) = stress
-            profiles(i, j, p_shear) = hypot((stress(1) - stress(2))/2, stress(3))
-         end do
-      end do
-      associate (unused => self, unused_results => results)
+      select type (state)
+      type is (punch_state_t)
+         associate (depth => axes(1)%coordinates, x => axes(2)%coordinates)
+            do j = 1, size(depth)
+               if (.not. depth(j) > 0) call get_surface(state, x, profiles(:, j, :))
+               do i = 1, size(x)
+                  stress = punch_stress(state%contact, state%slope, x(i), depth(j))
+                  profiles(i, j, p_stress:p_shear - 1) = stress
+                  profiles(i, j, p_shear) = hypot((stress(1) - stress(2))/2, stress(3))
+               end do
+            end do
+         end associate
+      end select
+      associate (unused => self, unused_values => values, unused_results => results)
       end associate
-   end subroutine get_profiles
+   end subroutine fill_profiles
 
    !> Set pressure, gap and displacement along the surface.
    subroutine get_surface(state, x, profiles)
       !> The punch on its solved contact.
-      type(state_t), intent(in) :: state
+      type(punch_state_t), intent(in) :: state
       !> Coordinates along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x(:)
       !> Profiles along the surface; pressure, gap and displacement are set. Shape `(n_x, n_profiles)`.
@@ -356,7 +362,7 @@ contains
    !> Pressure at x.
    elemental real(dp) function pressure(self, x)
       !> The punch on its solved contact.
-      class(state_t), intent(in) :: self
+      class(punch_state_t), intent(in) :: self
       !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
 
@@ -368,7 +374,7 @@ contains
    !> How far the surface lies above its level under the middle of the punch.
    elemental real(dp) function level(self, x)
       !> The punch on its solved contact.
-      class(state_t), intent(in) :: self
+      class(punch_state_t), intent(in) :: self
       !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
 
@@ -383,7 +389,7 @@ contains
    !> Gap at x, where there is a face.
    elemental real(dp) function gap(self, x)
       !> The punch on its solved contact.
-      class(state_t), intent(in) :: self
+      class(punch_state_t), intent(in) :: self
       !> Coordinate along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x
 

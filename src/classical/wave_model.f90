@@ -6,14 +6,14 @@ module adfric_classical_wave_model
    use adfric_base_unset, only: is_set
    use adfric_classical_contact_conditions, only: largest_violation
    use adfric_classical_model, only: halfspace_model_t
-   use adfric_classical_point_memory, only: point_memory_t
    use adfric_classical_westergaard, only: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, &
       & find_wave_pressure
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
+   use adfric_model_pointwise, only: point_state_t
    use adfric_model_requirements, only: need, need_one
    use adfric_model_rows, only: positive, number, contact_profiles, result_row
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: result_t, variable_t
+   use adfric_model_table, only: result_t, variable_t, profile_axis_t
    implicit none (type, external)
    private
    public :: wave_model_t, new_wave_model
@@ -32,7 +32,7 @@ module adfric_classical_wave_model
    contains
       procedure :: check_case
       procedure :: solve_point
-      procedure :: get_profiles
+      procedure :: fill_profiles
    end type wave_model_t
 
 contains
@@ -93,20 +93,22 @@ contains
       full_pressure = pi*contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))*(values(v_amplitude)/values(v_period))
    end function full_pressure
 
-   !> See `halfspace_model_t`. Beyond full contact the penetration of a half-plane is undefined.
-   subroutine solve_point(self, values, memory, results, error_estimate, status)
+   !> See `pointwise_model_t`. Beyond full contact the penetration of a half-plane is undefined.
+   subroutine solve_point(self, values, state, results, error_estimate, status, counts)
       !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Memory of the block, not used here.
-      type(point_memory_t), intent(inout) :: memory
+      !> Nothing is left for the next point.
+      class(point_state_t), allocatable, intent(inout) :: state
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
+      !> These models count nothing; size 0.
+      real(dp), intent(inout) :: counts(:)
       real(dp) :: q, p, d, half_width, x(n_places), lift
       integer :: i
       logical :: is_converged
@@ -141,20 +143,22 @@ contains
       associate (places => [half_width*x, half_width + (0.5_dp - half_width)*x])
          results(r_violation) = largest_violation(wave_pressure(q, places), wave_gap(q, places), 1.0_dp, 1.0_dp)
       end associate
-      associate (unused => self, unused_too => memory)
+      associate (unused => self, unused_state => state, unused_counts => counts)
       end associate
    end subroutine solve_point
 
-   !> See `halfspace_model_t`.
-   subroutine get_profiles(self, values, results, slow, fast, profiles)
+   !> See `pointwise_model_t`.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
       !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> What `solve_block` found for this point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
-      !> Coordinates along the two axes [m]; `slow` is [0] where there is one.
-      real(dp), intent(in) :: slow(:), fast(:)
+      !> What `solve_point` has left, not used here.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Axes of the profiles, the slowest first.
+      type(profile_axis_t), intent(in) :: axes(:)
       !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
       real(dp) :: q, p, lift
@@ -166,10 +170,10 @@ contains
       end if
       p = full_pressure(values)
       q = results(r_mean_pressure)/p
-      profiles(:, 1, 1) = p*wave_pressure(q, fast/values(v_period))
-      profiles(:, 1, 2) = values(v_amplitude)*wave_gap(q, fast/values(v_period)) + lift
-      associate (unused => self, unused_too => slow)
+      profiles(:, 1, 1) = p*wave_pressure(q, axes(1)%coordinates/values(v_period))
+      profiles(:, 1, 2) = values(v_amplitude)*wave_gap(q, axes(1)%coordinates/values(v_period)) + lift
+      associate (unused => self, unused_state => state)
       end associate
-   end subroutine get_profiles
+   end subroutine fill_profiles
 
 end module adfric_classical_wave_model

@@ -7,8 +7,7 @@ module adfric_periodic_model
    use adfric_base_unset, only: is_set
    use adfric_material_contact_modulus, only: check_contact_modulus, derive_contact_modulus
    use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_model, only: model_t
-   use adfric_model_profile_receiver, only: profile_receiver_t
+   use adfric_model_pointwise, only: pointwise_model_t, point_state_t
    use adfric_model_requirements, only: need, need_one
    use adfric_model_rows, only: contact_profiles, set_coordinate
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
@@ -22,7 +21,7 @@ module adfric_periodic_model
    public :: periodic_model_t
 
    !> What the models of periodic surfaces share: how a point is solved, its results and its maps.
-   type, abstract, extends(model_t) :: periodic_model_t
+   type, abstract, extends(pointwise_model_t) :: periodic_model_t
       !> Rows of the variables before those that all these models share.
       integer :: n_own = 0
       !> Is the pressure of full contact known in closed form, so that nothing is computed on the cells?
@@ -32,9 +31,8 @@ module adfric_periodic_model
       procedure :: check_values
       procedure :: wants_profiles
       procedure :: get_profile_axes
-      procedure :: solve_block
-      procedure :: solve_profiles
-      procedure :: solve_block_and_profiles
+      procedure :: solve_point
+      procedure :: fill_profiles
       procedure :: derive_quantities
       procedure :: describe_case
       procedure :: describe_surface
@@ -97,6 +95,14 @@ module adfric_periodic_model
       end function get_peak_pressure_i
 
    end interface
+
+   !> What a point leaves: its solver for the next point, and its solution for the maps.
+   type, extends(point_state_t) :: periodic_state_t
+      !> Solver of the point, with its transforms.
+      type(periodic_memory_t) :: memory
+      !> Pressure, gap and area of the point.
+      type(periodic_solution_t) :: solution
+   end type periodic_state_t
 
    !> Points that share their transforms.
    integer, parameter :: most_neighbours = 4
@@ -190,109 +196,71 @@ contains
       end associate
    end function get_goal
 
-   !> See `model_t`.
-   subroutine solve_block(self, values, results, error_estimate, status, counts)
-      !> The model that solves each point; it is not changed.
+   !> See `pointwise_model_t`.
+   subroutine solve_point(self, values, state, results, error_estimate, status, counts)
+      !> The model, which says what the surface of the point is.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables of each point; shape `(n_variables, n_points)`.
-      real(dp), intent(in) :: values(:, :)
-      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
-      real(dp), intent(out) :: results(:, :)
-      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
-      real(dp), intent(out) :: error_estimate(:)
-      !> Status of each point, one of `status_...`; shape `(n_points)`.
-      integer, intent(out) :: status(:)
-      !> One number: the iterations on the finest grid, summed over the points.
-      real(dp), intent(out) :: counts(:)
-
-      call solve_points(self, values, results, error_estimate, status, counts)
-   end subroutine solve_block
-
-   !> See `model_t`: the maps are those of the solutions that the results are taken from.
-   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
-      !> The model that solves each point; it is not changed.
-      class(periodic_model_t), intent(in) :: self
-      !> Values of the variables of each point; shape `(n_variables, n_points)`.
-      real(dp), intent(in) :: values(:, :)
-      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
-      real(dp), intent(out) :: results(:, :)
-      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
-      real(dp), intent(out) :: error_estimate(:)
-      !> Status of each point, one of `status_...`; shape `(n_points)`.
-      integer, intent(out) :: status(:)
-      !> One number: the iterations on the finest grid, summed over the points.
-      real(dp), intent(out) :: counts(:)
-      !> Room for the maps of one point, of the shape that they have; left undefined.
-      real(dp), intent(inout) :: profiles(:, :, :)
-      !> Takes the maps of each solved point, and says whether more of the block is wanted.
-      class(profile_receiver_t), intent(inout) :: receiver
-
-      call solve_points(self, values, results, error_estimate, status, counts, profiles, receiver)
-   end subroutine solve_block_and_profiles
-
-   !> Solve the points of a block, with their maps or without.
-   subroutine solve_points(self, values, results, error_estimate, status, counts, profiles, receiver)
-      !> The model that solves each point; it is not changed.
-      class(periodic_model_t), intent(in) :: self
-      !> Values of the variables of each point; shape `(n_variables, n_points)`.
-      real(dp), intent(in) :: values(:, :)
-      !> Results of each point, NaN where there is no value; shape `(n_results, n_points)`.
-      real(dp), intent(out) :: results(:, :)
-      !> Estimated relative error of each point's main result [-], NaN if it is not solved; shape `(n_points)`.
-      real(dp), intent(out) :: error_estimate(:)
-      !> Status of each point, one of `status_...`; shape `(n_points)`.
-      integer, intent(out) :: status(:)
-      !> One number: the iterations on the finest grid, summed over the points.
-      real(dp), intent(out) :: counts(:)
-      !> Room for the maps of one point, of the shape that they have; present if `receiver` is.
-      real(dp), intent(inout), optional :: profiles(:, :, :)
-      !> Takes the maps of each solved point, and says whether more is wanted; not present: no maps are made.
-      class(profile_receiver_t), intent(inout), optional :: receiver
-      type(periodic_memory_t) :: memory
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Solver and solution of the point before; receives those of this point.
+      class(point_state_t), allocatable, intent(inout) :: state
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the area of contact [-]; 0 where the point is not solved.
+      real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
+      integer, intent(out) :: status
+      !> One number, to which the iterations on the finest grid are added.
+      real(dp), intent(inout) :: counts(:)
       type(periodic_surface_t) :: surface
-      type(periodic_solution_t) :: solution
       type(error_t), allocatable :: error
-      integer :: i
-      logical :: goes_on
 
-      counts = 0
-      results = not_a_number()
-      error_estimate = not_a_number()
+      if (.not. allocated(state)) allocate (periodic_state_t :: state)
       status = status_not_converged
-      do i = 1, size(values, 2)
-         call self%get_surface(values(:, i), surface)
-         call solve_periodic(surface, get_goal(self, values(:, i)), memory, solution, error)
+      error_estimate = 0
+      select type (state)
+      type is (periodic_state_t)
+         call self%get_surface(values, surface)
+         call solve_periodic(surface, get_goal(self, values), state%memory, state%solution, error)
          if (allocated(error)) then
             ! cells of a sweep may be too long, which is no lack of memory
-            if (error%code == file_failure) status(i) = status_out_of_memory
-            cycle
+            if (error%code == file_failure) status = status_out_of_memory
+            return
          end if
-         if (solution%status == contact_out_of_range) status(i) = status_no_equilibrium
-         counts(1) = counts(1) + solution%n_iterations
-         if (solution%status /= contact_solved) cycle
-         status(i) = status_solved
-         call store(self, values(:, i), solution, results(:, i))
-         error_estimate(i) = 0
-         if (solution%area%error > 0) error_estimate(i) = solution%area%error/max(solution%area%corrected, solution%area%error)
-         if (.not. present(receiver)) cycle
-         call set_maps(solution, modulus_of(values(self%n_own + 1:, i)), profiles)
-         call receiver%take(i, profiles, goes_on)
-         if (.not. goes_on) return
-      end do
-   end subroutine solve_points
+         associate (solution => state%solution)
+            if (solution%status == contact_out_of_range) status = status_no_equilibrium
+            counts(1) = counts(1) + solution%n_iterations
+            if (solution%status /= contact_solved) return
+            status = status_solved
+            call store(self, values, solution, results)
+            if (solution%area%error > 0) error_estimate = solution%area%error/max(solution%area%corrected, solution%area%error)
+         end associate
+      end select
+   end subroutine solve_point
 
-   !> Set the maps of pressure and gap.
-   pure subroutine set_maps(solution, modulus, profiles)
-      !> Solution whose pressure and gap are taken.
-      type(periodic_solution_t), intent(in) :: solution
-      !> Contact modulus E* [Pa].
-      real(dp), intent(in) :: modulus
+   !> See `pointwise_model_t`: the maps of pressure and gap.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
+      !> The model, for the places of the shared variables.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, not used here.
+      real(dp), intent(in) :: results(:)
+      !> The solution of the point.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Axes of the maps, not used here: a map has a value in each cell.
+      type(profile_axis_t), intent(in) :: axes(:)
       !> Receives the maps of pressure [Pa] and gap [m]; shape `(nx, ny, 2)`.
       real(dp), intent(inout) :: profiles(:, :, :)
 
-      profiles(:, :, 1) = solution%pressure*modulus
-      profiles(:, :, 2) = solution%gap
-   end subroutine set_maps
+      select type (state)
+      type is (periodic_state_t)
+         profiles(:, :, 1) = state%solution%pressure*modulus_of(values(self%n_own + 1:))
+         profiles(:, :, 2) = state%solution%gap
+      end select
+      associate (unused => results, unused_axes => axes)
+      end associate
+   end subroutine fill_profiles
 
    !> Set the results of a point.
    subroutine store(self, values, solution, results)
@@ -319,29 +287,6 @@ contains
          results(r_contact_violation) = s%residual
       end associate
    end subroutine store
-
-   !> See `model_t`.
-   subroutine solve_profiles(self, values, results, profiles)
-      !> The model that finds the profiles; it is not changed.
-      class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> What `solve_block` found for this point; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
-      !> Profiles of the point, NaN where there is no value; shape `(n_last_axis, n_first_axis, n_profiles)`.
-      real(dp), intent(out) :: profiles(:, :, :)
-      type(periodic_memory_t) :: memory
-      type(periodic_surface_t) :: surface
-      type(periodic_solution_t) :: solution
-      type(error_t), allocatable :: error
-
-      profiles = not_a_number()
-      if (.not. results(r_mean_pressure) < huge(1.0_dp)) return
-      call self%get_surface(values, surface)
-      call solve_periodic(surface, get_goal(self, values), memory, solution, error)
-      if (allocated(error)) return
-      call set_maps(solution, modulus_of(values(self%n_own + 1:)), profiles)
-   end subroutine solve_profiles
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)

@@ -7,7 +7,7 @@ module adfric_sphere_model
    use adfric_base_unset, only: is_set
    use adfric_material_contact_modulus, only: derive_contact_modulus, modulus_names
    use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_model, only: model_t
+   use adfric_model_pointwise, only: pointwise_model_t, point_state_t
    use adfric_model_requirements, only: refuse_swept_axes
    use adfric_model_status, only: status_solved
    use adfric_model_table, only: result_t, profile_t, profile_axis_t, count_t
@@ -23,18 +23,24 @@ module adfric_sphere_model
    public :: sphere_model_t, new_sphere_model
 
    !> The model; its tables stand in `adfric_sphere_variables`.
-   type, extends(model_t) :: sphere_model_t
+   type, extends(pointwise_model_t) :: sphere_model_t
    contains
       procedure :: check_values
       procedure :: describe_results
       procedure :: describe_profiles
       procedure :: wants_profiles
       procedure :: get_profile_axes
-      procedure :: solve_block
-      procedure :: solve_profiles
+      procedure :: solve_point => solve_sphere_point
+      procedure :: fill_profiles
       procedure :: derive_quantities
       procedure :: unit_of
    end type sphere_model_t
+
+   !> What a point leaves to the next one.
+   type, extends(point_state_t) :: sphere_state_t
+      !> Theory, contact, pull-off load and events of the point.
+      type(sphere_memory_t) :: memory
+   end type sphere_state_t
 
 contains
 
@@ -147,38 +153,38 @@ contains
       end associate
    end subroutine get_profile_axes
 
-   !> See `model_t`.
-   subroutine solve_block(self, values, results, error_estimate, status, counts)
-      !> The model; all threads solve with the same one.
+   !> See `pointwise_model_t`.
+   subroutine solve_sphere_point(self, values, state, results, error_estimate, status, counts)
+      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
-      !> Values of the variables for each point; shape `(n_variables, n_points)`.
-      real(dp), intent(in) :: values(:, :)
-      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
-      real(dp), intent(out) :: results(:, :)
-      !> Relative error of the main result, estimated; shape `(n_points)`.
-      real(dp), intent(out) :: error_estimate(:)
-      !> One of `status_...` for each point; shape `(n_points)`.
-      integer, intent(out) :: status(:)
-      !> Receives one number: how many points were solved by a limit theory.
-      real(dp), intent(out) :: counts(:)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Theory and contact of the point before; receives those of this point.
+      class(point_state_t), allocatable, intent(inout) :: state
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Relative error of the main result, estimated.
+      real(dp), intent(out) :: error_estimate
+      !> One of `status_...`.
+      integer, intent(out) :: status
+      !> One number, which rises by 1 if a limit theory has solved the point.
+      real(dp), intent(inout) :: counts(:)
       type(sphere_case_t) :: case
       type(sphere_point_t) :: point
-      type(sphere_memory_t) :: memory
-      integer :: i
 
-      counts = 0
-      do i = 1, size(values, 2)
-         call resolve_case(values(:, i), case)
-         call solve_point(case, values(v_events, i) > 0, memory, point)
-         status(i) = point%status
-         error_estimate(i) = point%error_estimate
-         call store(case, point, values(:, i), results(:, i))
-         if (point%status /= status_solved) error_estimate(i) = not_a_number()
+      if (.not. allocated(state)) allocate (sphere_state_t :: state)
+      select type (state)
+      type is (sphere_state_t)
+         call resolve_case(values, case)
+         call solve_point(case, values(v_events) > 0, state%memory, point)
+         status = point%status
+         error_estimate = point%error_estimate
+         call store(case, point, values, results)
          if (point%theory < theory_maugis_dugdale) counts(1) = counts(1) + 1
-      end do
+      end select
       associate (unused => self)
       end associate
-   end subroutine solve_block
+   end subroutine solve_sphere_point
 
    !> Results of a point in the units of the case.
    pure subroutine store(case, point, values, results)
@@ -230,37 +236,40 @@ contains
       if (is_set(values(v_tangential_displacement))) results(r_tangential_displacement) = values(v_tangential_displacement)
    end subroutine store
 
-   !> See `model_t`.
-   subroutine solve_profiles(self, values, results, profiles)
-      !> The model; all threads solve with the same one.
+   !> See `pointwise_model_t`: pressure, shear stress and gap. The point is solved once more, by the theory that was used and
+   !> without the point before it, which would change round-off; beside the samples of a profile that takes no time.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
+      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Results that `solve_block` found for this point; shape `(n_results)`.
+      !> Results of the point, of which the theory is read; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
-      !> Receives the profiles; shape `(n_r, 1, n_profiles)`.
-      real(dp), intent(out) :: profiles(:, :, :)
+      !> What the point has left, not used here.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> The axis r.
+      type(profile_axis_t), intent(in) :: axes(:)
+      !> In: all NaN. Out: the profiles; there is no shear stress without friction. Shape `(n_r, 1, 3)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
       type(sphere_case_t) :: case
       type(sphere_point_t) :: point
       type(sphere_memory_t) :: memory
       type(contact_profile_t) :: profile
-      type(profile_axis_t), allocatable :: axes(:)
-      real(dp), allocatable :: r(:)
+      real(dp) :: r(size(profiles, 1))
 
-      profiles = not_a_number()
-      if (.not. results(r_load) < huge(1.0_dp)) return
       call resolve_case(values, case)
       case%theory = nint(results(r_theory_used))
       call solve_point(case, .false., memory, point)
       call new_profile(profile, memory%theory, point%contact)
-      call self%get_profile_axes(values, axes)
       r = axes(1)%coordinates/case%length_unit
       profiles(:, 1, 1) = profile%pressure(r)*case%stress_unit
       if (case%has_friction) then
          profiles(:, 1, 2) = case%strength*case%stress_unit*shear_traction(r, point%friction_radius, point%gamma)
       end if
       profiles(:, 1, 3) = profile%gap(r)*case%approach_unit
-   end subroutine solve_profiles
+      associate (unused => self, unused_state => state)
+      end associate
+   end subroutine fill_profiles
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
