@@ -9,6 +9,7 @@ program scenes
    use adfric_base_unset, only: unset
    use adfric_model_model, only: model_t
    use adfric_model_status, only: status_solved
+   use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model
@@ -221,8 +222,8 @@ contains
       real(dp) :: times(2, n_repeats), change
       integer :: r
 
-      call new_periodic_solver(quarter, [n/2, n/2], [1.0_dp, 1.0_dp], .true., error, is_measured=.true.)
-      call new_periodic_solver(whole, [n, n], [1.0_dp, 1.0_dp], .false., error, is_measured=.true.)
+      call new_periodic_solver(quarter, elastic_kernel_t(), [n/2, n/2], [1.0_dp, 1.0_dp], .true., error, is_measured=.true.)
+      call new_periodic_solver(whole, elastic_kernel_t(), [n, n], [1.0_dp, 1.0_dp], .false., error, is_measured=.true.)
       do r = 1, n_repeats
          times(1, r) = wall_clock()
          call quarter%solve_load(wave(n, n/2), load, residual, one, error)

@@ -10,6 +10,7 @@ program wave_1d
    use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t
    use adfric_classical_westergaard, only: wave_half_width, wave_pressure, wave_penetration
+   use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
    use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
@@ -50,7 +51,7 @@ contains
       type(spread_t) :: time
       integer :: k, r
 
-      call new_periodic_solver(solver, [n/2, 1], [1.0_dp, 1.0_dp], .true., error)
+      call new_periodic_solver(solver, elastic_kernel_t(), [n/2, 1], [1.0_dp, 1.0_dp], .true., error)
       if (allocated(error)) error stop 'no solver'
       shape = line_wave(n, n/2)
       do k = 1, size(loads)

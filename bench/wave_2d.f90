@@ -11,6 +11,7 @@ program wave_2d
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
    use adfric_system_clock, only: wall_clock
@@ -66,7 +67,8 @@ contains
 
       setup = wall_clock()
       name = merge('quarter', 'general', is_quarter)
-      call new_periodic_solver(solver, [1, 1]*merge(n/2, n, is_quarter), [1.0_dp, 1.0_dp], is_quarter, error, is_measured=.true.)
+      call new_periodic_solver(solver, elastic_kernel_t(), [1, 1]*merge(n/2, n, is_quarter), [1.0_dp, 1.0_dp], &
+         is_quarter, error, is_measured=.true.)
       setup = wall_clock() - setup
       if (allocated(error)) error stop 'no solver'
       shape = wave(n, merge(n/2, n, is_quarter))

@@ -2,9 +2,10 @@
 module adfric
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_classical_hertz_model, only: hertz_model_t, new_hertz_model
-   use adfric_classical_line_load_model, only: line_load_model_t, new_line_load_model, strip_load_model_t, new_strip_load_model
+   use adfric_classical_line_load_model, only: line_load_model_t, new_line_load_model
    use adfric_classical_point_load_model, only: point_load_model_t, new_point_load_model
    use adfric_classical_punch_model, only: punch_model_t, new_punch_model
+   use adfric_classical_strip_load_model, only: strip_load_model_t, new_strip_load_model
    use adfric_classical_wave_model, only: wave_model_t, new_wave_model
    use adfric_model_model, only: model_t
    use adfric_periodic_surface_model, only: surface_model_t, new_surface_model

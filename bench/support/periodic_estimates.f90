@@ -3,6 +3,7 @@ module periodic_estimates
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_classical_westergaard, only: wave_half_width
+   use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
    use estimate_counts, only: counts_t, count_case
    use random_dice, only: dice_t, new_dice
@@ -73,7 +74,7 @@ contains
       else
          shape = wave(n, n/2)
       end if
-      call new_periodic_solver(solver, [size(shape, 1), size(shape, 2)], [1.0_dp, 1.0_dp], .true., error)
+      call new_periodic_solver(solver, elastic_kernel_t(), [size(shape, 1), size(shape, 2)], [1.0_dp, 1.0_dp], .true., error)
       call solver%solve_load(shape, load, tolerance, solution, error)
       if (allocated(error) .or. solution%status /= contact_solved) error stop 'error_estimates: a wave is not solved'
       fraction = [solution%area%corrected, solution%area%error]

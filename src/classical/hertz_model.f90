@@ -11,7 +11,7 @@ module adfric_classical_hertz_model
    use adfric_classical_hertz_unit, only: unit_contact_t, find_unit_line, find_unit_ellipse
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
    use adfric_model_pointwise, only: point_state_t
-   use adfric_model_requirements, only: need, need_one
+   use adfric_model_check, only: require, require_one
    use adfric_model_rows, only: positive, choice, number, contact_profiles, result_row
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_model_table, only: result_t, variable_t, profile_axis_t
@@ -145,23 +145,23 @@ contains
       real(dp) :: a, b, direction
       integer :: i
 
-      call need(self%variables, values, [v_kind], problems)
+      call require(self%variables, values, [v_kind], problems)
       call check_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
          & values(v_contact_modulus:v_second_poisson_ratio), problems, .true.)
       if (.not. is_set(values(v_kind))) return
       if (nint(values(v_kind)) == kind_line) then
-         call need(self%variables, values, [v_load], problems)
+         call require(self%variables, values, [v_load], problems)
          if (is_set(values(v_approach))) call problems%add('operating', 'approach', &
             & 'is undefined for the line contact of half-planes; give load')
       else
-         call need_one(self%variables, values, [v_load, v_approach], .true., problems)
+         call require_one(self%variables, values, [v_load, v_approach], .true., problems)
       end if
       do i = v_radius, v_radius_2y
          if (i == v_radius .eqv. nint(values(v_kind)) /= kind_elliptical) cycle
          if (is_set(values(i))) call problems%add('contact', self%variables(i)%name, 'has no meaning for this kind')
       end do
       if (nint(values(v_kind)) /= kind_elliptical) then
-         call need(self%variables, values, [v_radius], problems)
+         call require(self%variables, values, [v_radius], problems)
          return
       end if
       do i = v_radius_1x, v_radius_2y

@@ -7,7 +7,7 @@ module adfric_classical_model
    use adfric_material_contact_modulus, only: derive_contact_modulus
    use adfric_model_model, only: derived_t
    use adfric_model_pointwise, only: pointwise_model_t
-   use adfric_model_requirements, only: need
+   use adfric_model_check, only: require
    use adfric_model_rows, only: set_output_axis, set_coordinate, switch
    use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t
    implicit none (type, external)
@@ -111,7 +111,7 @@ contains
       do k = 1, count_words(self%axis_names)
          at = self%output + 3*k - 2
          if (nint(values(at + 2)) == 1) cycle
-         call need(self%variables, values, [at + 1], problems)
+         call require(self%variables, values, [at + 1], problems)
          if (is_set(values(at + 1)) .and. .not. values(at + 1) > values(at)) call problems%add('output', &
             & self%variables(at + 1)%name, 'is not larger than '//self%variables(at)%name)
       end do

@@ -4,7 +4,7 @@ module adfric_classical_point_load_model
    use adfric_base_problems, only: problems_t
    use adfric_classical_boussinesq_cerruti, only: point_stress, point_displacement
    use adfric_classical_field_model, only: field_model_t, set_stresses, set_displacements, maps_of
-   use adfric_model_requirements, only: need
+   use adfric_model_check, only: require
    use adfric_model_rows, only: positive, number, poisson_ratio
    use adfric_model_table, only: result_t, variable_t
    implicit none (type, external)
@@ -58,7 +58,7 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call need(self%variables, values, [v_young_modulus, v_poisson_ratio], problems)
+      call require(self%variables, values, [v_young_modulus, v_poisson_ratio], problems)
    end subroutine check_case
 
    !> See `field_model_t`.

@@ -14,7 +14,7 @@ module adfric_classical_punch_model
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, has_contact_modulus, &
       & check_contact_modulus
    use adfric_model_pointwise, only: point_state_t
-   use adfric_model_requirements, only: need, need_one
+   use adfric_model_check, only: require, require_one
    use adfric_model_rows, only: positive, choice, number, whole_number, contact_profiles, result_row
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_model_table, only: result_t, profile_t, profile_axis_t, variable_t
@@ -132,27 +132,27 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call need(self%variables, values, [v_kind], problems)
+      call require(self%variables, values, [v_kind], problems)
       call check_contact_modulus(self%variables(v_contact_modulus:v_poisson_ratio), &
          & values(v_contact_modulus:v_poisson_ratio), problems, .false.)
       if (modulo(nint(values(v_points)), 2) /= 0) call problems%add('numerics', 'points', 'is odd, allowed: an even number')
       if (.not. is_set(values(v_kind))) return
       select case (nint(values(v_kind)))
       case (kind_flat)
-         call need(self%variables, values, [v_face, v_load], problems)
+         call require(self%variables, values, [v_face, v_load], problems)
          if (is_set(values(v_contact_half_width))) call problems%add('operating', 'contact_half_width', &
             & 'has no meaning for a flat punch, whose whole face is in contact')
          return
       case (kind_wedge)
-         call need(self%variables, values, [v_slope], problems)
+         call require(self%variables, values, [v_slope], problems)
       case (kind_cylinder)
-         call need(self%variables, values, [v_radius], problems)
+         call require(self%variables, values, [v_radius], problems)
       case default
          if (.not. maxval(values(v_coefficient_2:v_coefficient_8)) > 0) call problems%add('punch', 'coefficient_2', &
             & 'is 0 like all coefficients; give one of them, or kind = ''flat''')
          if (has_contact_modulus(values(v_contact_modulus:v_poisson_ratio))) call check_coefficients(self, values, problems)
       end select
-      call need_one(self%variables, values, [v_load, v_contact_half_width], .true., problems)
+      call require_one(self%variables, values, [v_load, v_contact_half_width], .true., problems)
       if (is_set(values(v_contact_half_width)) .and. is_set(values(v_face))) then
          if (values(v_contact_half_width) > values(v_face)) call problems%add('operating', 'contact_half_width', &
             & 'is larger than the half_width of the face')

@@ -10,7 +10,7 @@ module adfric_classical_wave_model
       & find_wave_pressure
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
    use adfric_model_pointwise, only: point_state_t
-   use adfric_model_requirements, only: need, need_one
+   use adfric_model_check, only: require, require_one
    use adfric_model_rows, only: positive, number, contact_profiles, result_row
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_model_table, only: result_t, variable_t, profile_axis_t
@@ -79,10 +79,10 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call need(self%variables, values, [v_period, v_amplitude], problems)
+      call require(self%variables, values, [v_period, v_amplitude], problems)
       call check_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
          & values(v_contact_modulus:v_second_poisson_ratio), problems, .false.)
-      call need_one(self%variables, values, [v_mean_pressure, v_penetration], .true., problems)
+      call require_one(self%variables, values, [v_mean_pressure, v_penetration], .true., problems)
    end subroutine check_case
 
    !> Pressure p* of full contact.

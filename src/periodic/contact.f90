@@ -17,7 +17,7 @@
 !> than the tolerance, are reported as not converged, with the residual that was reached.
 module adfric_periodic_contact
    use adfric_base_kinds, only: dp
-   use adfric_periodic_face, only: face_t
+   use adfric_periodic_gap_solver, only: gap_solver_t
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
@@ -93,13 +93,13 @@ contains
    end subroutine prepare
 
    !> Solve from the gap and the open region in `state`.
-   subroutine solve_contact(state, operator, face, tolerance)
+   subroutine solve_contact(state, operator, gap_solver, tolerance)
       !> In: gap and open region to begin from. Out: the solution; `is_converged` tells whether it was found.
       type(contact_state_t), intent(inout) :: state
       !> Operator of this grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       !> Workspace for the cells of this grid.
-      type(face_t), intent(inout) :: face
+      type(gap_solver_t), intent(inout) :: gap_solver
       !> Largest residual that is allowed [-], see `residual_of`.
       real(dp), intent(in) :: tolerance
       logical, allocatable :: is_wrong(:, :)
@@ -118,7 +118,8 @@ contains
          call update_pressure(state, operator)
          aim = tolerance*state%pressure_scale/2
          if (.not. is_exact) aim = max(aim, loose*maxval(abs(state%pressure), mask=state%is_open))
-         call face%solve(operator, state%is_open, state%has_fixed_mean, aim, state%pressure, state%gap, state%mean_pressure, n)
+         call gap_solver%solve(operator, state%is_open, state%has_fixed_mean, aim, state%pressure, state%gap, &
+            & state%mean_pressure, n)
          call update_pressure(state, operator)
          state%n_iterations = state%n_iterations + n
          state%n_rounds = round

@@ -8,14 +8,14 @@ module adfric_periodic_model
    use adfric_material_contact_modulus, only: check_contact_modulus, derive_contact_modulus
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_pointwise, only: pointwise_model_t, point_state_t
-   use adfric_model_requirements, only: need, need_one
+   use adfric_model_check, only: require, require_one
    use adfric_model_rows, only: contact_profiles, set_coordinate
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
    use adfric_model_table, only: variable_t, count_t, profile_axis_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, &
       & find_full_pressure
    use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
-   use adfric_periodic_table
+   use adfric_periodic_variables
    implicit none (type, external)
    private
    public :: periodic_model_t
@@ -148,7 +148,7 @@ contains
       associate (first => self%n_own + v_contact_modulus, last => self%n_own + v_second_poisson_ratio)
          call check_contact_modulus(self%variables(first:last), values(first:last), problems, .false.)
       end associate
-      call need_one(self%variables, values, self%n_own + [v_mean_pressure, v_penetration], .true., problems)
+      call require_one(self%variables, values, self%n_own + [v_mean_pressure, v_penetration], .true., problems)
    end subroutine check_values
 
    !> See `model_t`.

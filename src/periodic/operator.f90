@@ -1,13 +1,13 @@
-!> The surface of an elastic half-space under pressures periodic in x and y.
+!> The surface of a half-space under pressures periodic in x and y.
 !>
-!> A mode of pressure p exp(i k.x) displaces the surface by u = 2 p/(E* |k|) (K. L. Johnson, Contact Mechanics, 1985,
-!> section 13.2); its inverse, the stiffness E* |k|/2, takes displacements to pressures. Pressures are in units of E*, lengths
-!> in any unit, displacements and pressures positive into the solid. Constants have no stiffness: the mean displacement is 0.
+!> The stiffness of a kernel (`adfric_periodic_kernel`) takes each wave of displacement to its pressure, and its inverse, the
+!> compliance, pressures to displacements. Pressures are in the unit of the kernel, for an elastic half-space E*, lengths in any
+!> unit, displacements and pressures positive into the solid. Constants have no stiffness: the mean displacement is 0.
 module adfric_periodic_operator
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
+   use adfric_periodic_kernel, only: kernel_t
    implicit none (type, external)
    private
    public :: periodic_operator_t, new_periodic_operator, is_too_long
@@ -37,9 +37,11 @@ module adfric_periodic_operator
 contains
 
    !> Set up the operator on a grid.
-   subroutine new_periodic_operator(self, n_cells, period, is_quarter, is_measured, error)
+   subroutine new_periodic_operator(self, kernel, n_cells, period, is_quarter, is_measured, error)
       !> The operator; not to be used after an error.
       type(periodic_operator_t), intent(out) :: self
+      !> The surface of the solid; all its stiffnesses must be real, for the transforms take no other.
+      class(kernel_t), intent(in) :: kernel
       !> Number of cells in each direction, of the quarter if it is one.
       integer, intent(in) :: n_cells(2)
       !> Periods in x and y, in any unit of length, > 0.
@@ -51,7 +53,7 @@ contains
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       integer :: i, j
-      real(dp) :: k
+      complex(dp) :: stiffness
 
       if (.not. all(period > 0)) then
          call set_error(error, input_failure, 'the periods of a surface must be positive')
@@ -69,11 +71,15 @@ contains
          allocate (self%stiffness(n(1), n(2)), self%compliance(n(1), n(2)))
          do j = 1, n(2)
             do i = 1, n(1)
-               k = two_pi*hypot((i - 1)/period(1), wave_number(j - 1, n_cells(2), is_quarter)/period(2))
-               self%stiffness(i, j) = k/2/gain
+               stiffness = kernel%stiffness([(i - 1)/period(1), wave_number(j - 1, n_cells(2), is_quarter)/period(2)])
+               if (abs(aimag(stiffness)) > 0) then
+                  call set_error(error, input_failure, 'the stiffness of a surface is complex; its transforms take a real one')
+                  return
+               end if
+               self%stiffness(i, j) = real(stiffness, dp)/gain
                ! the mean has none; the value stands for that of the ring around a small contact
                self%compliance(i, j) = maxval(period)/gain
-               if (k > 0) self%compliance(i, j) = 2/k/gain
+               if (real(stiffness, dp) > 0) self%compliance(i, j) = 1/real(stiffness, dp)/gain
             end do
          end do
       end associate

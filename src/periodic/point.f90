@@ -3,6 +3,7 @@ module adfric_periodic_point
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    implicit none (type, external)
@@ -81,8 +82,8 @@ contains
       real(dp), allocatable :: tension(:, :)
 
       pressure = not_a_number()
-      call new_periodic_operator(operator, shape(surface%shape), surface%period/surface%period(1), surface%is_quarter, .false., &
-         & error)
+      call new_periodic_operator(operator, elastic_kernel_t(), shape(surface%shape), surface%period/surface%period(1), &
+         & surface%is_quarter, .false., error)
       if (allocated(error)) return
       allocate (tension, mold=surface%shape)
       call operator%apply_stiffness(surface%shape/surface%period(1), tension)
@@ -106,7 +107,7 @@ contains
          memory%n_cells = 0
          if (allocated(memory%solver)) deallocate (memory%solver)
          allocate (memory%solver)
-         call new_periodic_solver(memory%solver, n, period, surface%is_quarter, error)
+         call new_periodic_solver(memory%solver, elastic_kernel_t(), n, period, surface%is_quarter, error)
          if (allocated(error)) return
          memory%n_cells = n
       end associate

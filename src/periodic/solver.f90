@@ -1,4 +1,4 @@
-!> Contact of a periodic surface with an elastic half-space: load or penetration to pressure, gap and area.
+!> Contact of a periodic surface with a half-space: load or penetration to pressure, gap and area.
 !>
 !> The contact is solved on the coarsest grid first and carried from grid to grid, each of half the cell size, so that on the
 !> finest one only cells at the perimeter are wrong. Frictionless, without adhesion; equations in
@@ -8,8 +8,9 @@ module adfric_periodic_solver
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_periodic_area, only: area_t, area_of_cells, refine_area
    use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact, residual_of
-   use adfric_periodic_face, only: face_t, new_face
+   use adfric_periodic_gap_solver, only: gap_solver_t, new_gap_solver
    use adfric_periodic_grids, only: coarsen, refine, n_grids_of
+   use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    implicit none (type, external)
    private
@@ -52,7 +53,7 @@ module adfric_periodic_solver
       !> Stiffness and compliance of the half-space on the cells.
       type(periodic_operator_t) :: operator
       !> Workspace of the iterations over the open cells.
-      type(face_t) :: face
+      type(gap_solver_t) :: gap_solver
    end type grid_t
 
    !> Plans and workspaces for one size of surface. Not to be copied; one for each thread.
@@ -70,9 +71,11 @@ module adfric_periodic_solver
 contains
 
    !> Set up grids, plans and workspaces.
-   subroutine new_periodic_solver(self, n_cells, period, is_quarter, error, is_measured)
+   subroutine new_periodic_solver(self, kernel, n_cells, period, is_quarter, error, is_measured)
       !> The solver; not to be used after an error.
       type(periodic_solver_t), intent(out) :: self
+      !> The surface of the solid, see `adfric_periodic_operator`.
+      class(kernel_t), intent(in) :: kernel
       !> Number of cells along x and y, of the quarter if it is one; best with many factors of 2. One cell along y makes a line.
       integer, intent(in) :: n_cells(2)
       !> Periods in x and y, in any unit of length, > 0.
@@ -92,9 +95,9 @@ contains
       allocate (self%grids(n_grids))
       do k = 1, n_grids
          associate (n => max(n_cells/2**(n_grids - k), min(n_cells, 1)))
-            call new_periodic_operator(self%grids(k)%operator, n, period, is_quarter, measured, error)
+            call new_periodic_operator(self%grids(k)%operator, kernel, n, period, is_quarter, measured, error)
             if (allocated(error)) return
-            call new_face(self%grids(k)%face, n)
+            call new_gap_solver(self%grids(k)%gap_solver, n)
          end associate
       end do
    end subroutine new_periodic_solver
@@ -222,7 +225,7 @@ contains
             if (k == n) solution%n_applied = -grid%operator%n_applied
             if (k == first) call start_contact(states(k), grid%operator)
             if (k > first) call start_from_coarse(states(k), states(k - 1), grid%operator)
-            call solve_contact(states(k), grid%operator, grid%face, merge(tolerance, coarse_tolerance, k == n))
+            call solve_contact(states(k), grid%operator, grid%gap_solver, merge(tolerance, coarse_tolerance, k == n))
          end associate
       end do
       solution%n_applied = solution%n_applied + self%grids(n)%operator%n_applied

@@ -7,7 +7,7 @@ module adfric_periodic_surface_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_model_requirements, only: need, refuse_swept_axes
+   use adfric_model_check, only: require, refuse_swept
    use adfric_model_rows, only: positive, dataset
    use adfric_model_table, only: variable_t
    use adfric_periodic_grids, only: n_grids_of
@@ -15,13 +15,13 @@ module adfric_periodic_surface_model
    use adfric_periodic_operator, only: is_too_long
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_solver, only: grids_for_error
-   use adfric_periodic_table, only: modulus_of
+   use adfric_periodic_variables, only: modulus_of
    use adfric_shape_period_seam, only: seam_t, seam_of
    implicit none (type, external)
    private
    public :: surface_model_t, new_surface_model
 
-   !> Places of the surface's own variables; those of `adfric_periodic_table` follow.
+   !> Places of the surface's own variables; those of `adfric_periodic_variables` follow.
    integer, parameter, public :: v_heights = 1, v_length_x = 2, v_length_y = 3
    integer, parameter, public :: n_surface_own = 3
    !> Fewest cells in each direction, so that they can hold a wave.
@@ -98,10 +98,10 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call need(self%variables, values, [v_heights, v_length_x], problems)
+      call require(self%variables, values, [v_heights, v_length_x], problems)
       if (.not. is_set(values(v_heights))) return
       if (.not. self%is_line()) then
-         call need(self%variables, values, [v_length_y], problems)
+         call require(self%variables, values, [v_length_y], problems)
          if (is_set(values(v_length_x)) .and. is_set(values(v_length_y))) then
             if (is_too_long(shape(self%depths), values([v_length_x, v_length_y]))) call problems%add('surface', 'length_y', &
                & 'and length_x make cells more than 1e6 times as long as wide')
@@ -109,7 +109,7 @@ contains
       else if (is_set(values(v_length_y))) then
          call problems%add('surface', 'length_y', 'is given, but the heights have one dimension, x')
       end if
-      if (self%wants_profiles(values)) call refuse_swept_axes(self%variables, is_swept, [v_length_x, v_length_y], problems)
+      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [v_length_x, v_length_y], problems)
    end subroutine check_surface
 
    !> See `periodic_model_t`.

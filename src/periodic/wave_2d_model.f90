@@ -7,17 +7,17 @@ module adfric_periodic_wave_2d_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
-   use adfric_model_requirements, only: need, refuse_swept_axes
+   use adfric_model_check, only: require, refuse_swept
    use adfric_model_rows, only: positive, whole_number
    use adfric_model_table, only: variable_t
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t
-   use adfric_periodic_table, only: modulus_of
+   use adfric_periodic_variables, only: modulus_of
    implicit none (type, external)
    private
    public :: wave_2d_model_t, new_wave_2d_model
 
-   !> Places of the wave's own variables; those of `adfric_periodic_table` follow.
+   !> Places of the wave's own variables; those of `adfric_periodic_variables` follow.
    integer, parameter, public :: v_period = 1, v_amplitude = 2, v_cells = 3
    integer, parameter, public :: n_wave_2d_own = 3
    !> Cells come in multiples of this, so that grids of half and a quarter of them tell the error of the area.
@@ -63,10 +63,10 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call need(self%variables, values, [v_period, v_amplitude], problems)
+      call require(self%variables, values, [v_period, v_amplitude], problems)
       if (modulo(nint(values(v_cells)), multiple_of_cells) /= 0) &
          & call problems%add('numerics', 'cells', 'is no multiple of 64')
-      if (self%wants_profiles(values)) call refuse_swept_axes(self%variables, is_swept, [v_period, v_cells], problems)
+      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [v_period, v_cells], problems)
    end subroutine check_surface
 
    !> See `periodic_model_t`.

@@ -4,7 +4,7 @@ module adfric_sphere_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_material_contact_modulus, only: check_contact_modulus
-   use adfric_model_requirements, only: need, need_one
+   use adfric_model_check, only: require, require_one
    use adfric_model_table, only: variable_t, kind_real
    use adfric_sphere_case, only: sphere_case_t, resolve_case, theory_auto
    use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale, control_radius, branch_stable
@@ -33,7 +33,7 @@ contains
       call check_sphere()
       call check_operation()
       call check_friction()
-      if (values(v_profiles) > 0) call need(variables, values, [v_r_max], problems)
+      if (values(v_profiles) > 0) call require(variables, values, [v_r_max], problems)
       if (problems%count() == before) call check_reduced()
 
    contains
@@ -61,16 +61,16 @@ contains
             do k = 1, size(si_only)
                if (is_set(values(si_only(k)))) call add(si_only(k), 'has no place in reduced units')
             end do
-            if (theory == theory_auto .or. theory == theory_maugis_dugdale) call need(variables, values, [v_lambda], problems)
+            if (theory == theory_auto .or. theory == theory_maugis_dugdale) call require(variables, values, [v_lambda], problems)
          else
-            call need(variables, values, [v_radius], problems)
+            call require(variables, values, [v_radius], problems)
             associate (first => v_contact_modulus, last => v_second_poisson_ratio)
                call check_contact_modulus(variables(first:last), values(first:last), problems, .false.)
             end associate
-            if (theory /= theory_hertz) call need(variables, values, [v_work_of_adhesion], problems)
+            if (theory /= theory_hertz) call require(variables, values, [v_work_of_adhesion], problems)
             has_adhesion = .false.
             if (is_set(values(v_work_of_adhesion))) has_adhesion = values(v_work_of_adhesion) > 0
-            call need_one(variables, values, [v_adhesion_stress, v_adhesion_range, v_lambda], &
+            call require_one(variables, values, [v_adhesion_stress, v_adhesion_range, v_lambda], &
                & has_adhesion .and. (theory == theory_auto .or. theory == theory_maugis_dugdale), problems)
             if (theory > theory_hertz .and. is_set(values(v_work_of_adhesion)) .and. .not. has_adhesion) then
                call add(v_work_of_adhesion, 'is 0, given 0 J/m^2, allowed with this theory: a number > 0 [J/m^2]')
@@ -80,7 +80,7 @@ contains
 
       !> What is held: one of load, approach and radius.
       subroutine check_operation()
-         call need_one(variables, values, [v_load, v_approach, v_contact_radius], .true., problems)
+         call require_one(variables, values, [v_load, v_approach, v_contact_radius], .true., problems)
          if (is_set(values(v_contact_radius)) .and. nint(values(v_branch)) /= branch_stable) then
             call add(v_branch, 'has no meaning with contact_radius: a radius belongs to one state')
          end if
@@ -95,8 +95,8 @@ contains
 
          is_static = nint(values(v_state)) == state_static
          is_moved = is_set(values(v_tangential_force)) .or. is_set(values(v_tangential_displacement))
-         call need_one(variables, values, [v_tangential_force, v_tangential_displacement], .false., problems)
-         call need_one(variables, values, [v_critical_slip, v_slip_energy_ratio], .false., problems)
+         call require_one(variables, values, [v_tangential_force, v_tangential_displacement], .false., problems)
+         call require_one(variables, values, [v_critical_slip, v_slip_energy_ratio], .false., problems)
          if (.not. is_set(values(v_shear_strength))) then
             do k = 1, size(with_strength)
                if (is_set(values(with_strength(k)))) call add(v_shear_strength, &
@@ -108,10 +108,10 @@ contains
             return
          end if
          if (is_moved .and. .not. is_static) call add(v_state, 'is sliding beside a tangential force or displacement')
-         if (is_moved .or. values(v_events) > 0) call need(variables, values, [v_poisson_ratio], problems)
+         if (is_moved .or. values(v_events) > 0) call require(variables, values, [v_poisson_ratio], problems)
          if (values(v_interaction) > 0) then
             if (.not. is_static .or. values(v_events) > 0) then
-               call need_one(variables, values, [v_slip_energy_ratio, v_critical_slip], .true., problems)
+               call require_one(variables, values, [v_slip_energy_ratio, v_critical_slip], .true., problems)
             end if
             ! where work_of_adhesion itself is missing that has been said
             if (nint(values(v_units)) == units_si .and. (.not. values(v_work_of_adhesion) > 0 .or. &

@@ -8,7 +8,7 @@ module adfric_sphere_model
    use adfric_material_contact_modulus, only: derive_contact_modulus, modulus_names
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_pointwise, only: pointwise_model_t, point_state_t
-   use adfric_model_requirements, only: refuse_swept_axes
+   use adfric_model_check, only: refuse_swept
    use adfric_model_status, only: status_solved
    use adfric_model_table, only: result_t, profile_t, profile_axis_t, count_t
    use adfric_sphere_case, only: sphere_case_t, resolve_case
@@ -70,7 +70,7 @@ contains
       type(problems_t), intent(inout) :: problems
 
       call check_sphere_values(self%variables, values, problems)
-      if (self%wants_profiles(values)) call refuse_swept_axes(self%variables, is_swept, [v_r_max, v_n_r], problems)
+      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [v_r_max, v_n_r], problems)
    end subroutine check_values
 
    !> See `model_t`.

@@ -3,7 +3,7 @@ module adfric_wavy_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_model_requirements, only: need
+   use adfric_model_check, only: require
    use adfric_model_table, only: variable_t
    use adfric_wavy_case, only: wavy_case_t, resolve_case
    use adfric_wavy_variables, only: v_height, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_poisson_ratio, &
@@ -29,10 +29,10 @@ contains
       integer :: before
 
       before = problems%count()
-      call need(variables, values, [v_kind, v_period, v_height], problems)
+      call require(variables, values, [v_kind, v_period, v_height], problems)
       call check_foundation()
       call check_adhesion()
-      call need(variables, values, [v_velocity], problems)
+      call require(variables, values, [v_velocity], problems)
       if (is_set(values(v_load)) .and. is_set(values(v_penetration))) then
          call add(v_load, 'stands beside penetration; give one of them')
       else if (.not. is_set(values(v_load)) .and. .not. is_set(values(v_penetration))) then
@@ -70,9 +70,9 @@ contains
          else if (.not. is_set(values(v_stiffness)) .and. .not. any(has_layer)) then
             call add(v_stiffness, 'is missing [Pa/m]; give it, or young_modulus, poisson_ratio and thickness')
          else if (any(has_layer)) then
-            call need(variables, values, layer, problems)
+            call require(variables, values, layer, problems)
          end if
-         call need(variables, values, [v_relaxation_time, v_retardation_ratio], problems)
+         call require(variables, values, [v_relaxation_time, v_retardation_ratio], problems)
       end subroutine check_foundation
 
       !> Adhesion: a stress with an energy or a range, and nothing of it without a stress.

@@ -1,4 +1,4 @@
-!> The gap over a given open region: conjugate gradients.
+!> The gap over a given open region, by conjugate gradients.
 !>
 !> Where the surfaces are apart the pressure q + s + A g is zero (`adfric_periodic_contact`), where they touch the gap g
 !> is zero. On the open region O that is A_OO g = -(q + s), symmetric and positive definite. The compliance restricted to O is the
@@ -8,18 +8,18 @@
 !> Under given load q is known. Under given penetration the mean of g is, and q is the multiplier of this constraint; the
 !> directions are kept in the constraint by a projection in the preconditioner (N. I. M. Gould, M. E. Hribar, J. Nocedal,
 !> SIAM J. Sci. Comput. 23, 2001, 1376).
-module adfric_periodic_face
+module adfric_periodic_gap_solver
    use adfric_base_kinds, only: dp
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
-   public :: face_t, new_face
+   public :: gap_solver_t, new_gap_solver
 
    !> Iterations that are never needed: it takes about ten for ten digits.
    integer, parameter :: max_iterations = 500
 
    !> Workspace of the iterations.
-   type :: face_t
+   type :: gap_solver_t
       private
       !> 1 where open, 0 where in contact; shape of the cells, as are the others.
       real(dp), allocatable :: open(:, :)
@@ -28,25 +28,25 @@ module adfric_periodic_face
    contains
       procedure :: solve
       procedure, private :: precondition
-   end type face_t
+   end type gap_solver_t
 
 contains
 
    !> Make the workspace for a number of cells.
-   pure subroutine new_face(self, n_cells)
+   pure subroutine new_gap_solver(self, n_cells)
       !> Workspace, allocated for these cells.
-      type(face_t), intent(out) :: self
+      type(gap_solver_t), intent(out) :: self
       !> Number of cells in each direction.
       integer, intent(in) :: n_cells(2)
 
       allocate (self%open(n_cells(1), n_cells(2)), source=0.0_dp)
       allocate (self%r, self%z, self%d, self%ad, self%w, mold=self%open)
-   end subroutine new_face
+   end subroutine new_gap_solver
 
    !> Improve the gap in the open region until the pressure there is small.
    subroutine solve(self, operator, is_open, has_fixed_mean, tolerance, pressure, gap, mean_pressure, n_iterations)
       !> Workspace for the cells of the operator.
-      class(face_t), intent(inout) :: self
+      class(gap_solver_t), intent(inout) :: self
       !> Operator of the same cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       !> Is the cell in the open region? Shape of the cells, as that of `pressure` and `gap`.
@@ -92,7 +92,7 @@ contains
    !> Apply the preconditioner; under a fixed mean gap find the mean pressure that leaves it.
    subroutine precondition(self, operator, has_fixed_mean, shift)
       !> Workspace with the residual; receives the preconditioned residual.
-      class(face_t), intent(inout) :: self
+      class(gap_solver_t), intent(inout) :: self
       !> Operator of the same cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       !> Is the mean gap given, and the mean pressure not?
@@ -109,4 +109,4 @@ contains
       self%r(:, :) = self%r - shift*self%open
    end subroutine precondition
 
-end module adfric_periodic_face
+end module adfric_periodic_gap_solver

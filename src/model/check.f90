@@ -1,17 +1,17 @@
-!> What is said of values that are missing, or stand beside others that say the same.
-module adfric_model_requirements
+!> Checks that models share: values that are missing, that stand beside others which say the same, or that may not be swept.
+module adfric_model_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_model_table, only: variable_t, kind_choice
    implicit none (type, external)
    private
-   public :: need, need_one, refuse_swept_axes
+   public :: require, require_one, refuse_swept
 
 contains
 
    !> Each of a list has to be given.
-   subroutine need(variables, values, list, problems)
+   subroutine require(variables, values, list, problems)
       !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
       !> Values of the variables; shape `(n_variables)`.
@@ -32,10 +32,10 @@ contains
             end if
          end associate
       end do
-   end subroutine need
+   end subroutine require
 
    !> Of a list not more than one may be given, and one has to be if it is needed.
-   subroutine need_one(variables, values, list, is_needed, problems)
+   subroutine require_one(variables, values, list, is_needed, problems)
       !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
       !> Values of the variables; shape `(n_variables)`.
@@ -59,10 +59,10 @@ contains
             call problems%add(v%group, v%name, 'stands beside '//w%name//'; give one of them')
          end associate
       end if
-   end subroutine need_one
+   end subroutine require_one
 
    !> Of a list none may be swept, since the axis of the profiles depends on them and all points share it.
-   subroutine refuse_swept_axes(variables, is_swept, list, problems)
+   subroutine refuse_swept(variables, is_swept, list, problems)
       !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
       !> Is the variable swept? Shape `(n_variables)`.
@@ -79,7 +79,7 @@ contains
                & 'is swept, but all profiles share one axis; sweep another variable')
          end associate
       end do
-   end subroutine refuse_swept_axes
+   end subroutine refuse_swept
 
    !> Names as in `a, b or c`.
    pure function list_names(variables, list) result(text)
@@ -100,4 +100,4 @@ contains
       end do
    end function list_names
 
-end module adfric_model_requirements
+end module adfric_model_check

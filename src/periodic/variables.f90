@@ -1,5 +1,5 @@
 !> Rows of the tables that all models of a periodic surface share.
-module adfric_periodic_table
+module adfric_periodic_variables
    use adfric_base_kinds, only: dp
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of
    use adfric_model_rows, only: positive, number, switch, result_row, any_number
@@ -64,4 +64,4 @@ contains
          & long_name='largest violation of g >= 0, p >= 0, g p = 0')
    end function get_periodic_results
 
-end module adfric_periodic_table
+end module adfric_periodic_variables
