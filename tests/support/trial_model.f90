@@ -12,7 +12,8 @@ module trial_model
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_model, only: model_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
-   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, count_t, kind_real, kind_integer, kind_logical, kind_choice
+   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, count_t, kind_real, kind_integer, kind_logical, &
+      & kind_choice
    implicit none (type, external)
    private
    public :: trial_model_t, new_trial_model, trial_values, trial_force, trial_profile, largest_load, endless_load
