@@ -37,7 +37,8 @@ module adfric_periodic_model
       procedure :: describe_case
       procedure :: describe_surface
       procedure(check_surface_i), deferred :: check_surface
-      procedure(get_surface_i), deferred :: get_surface
+      procedure(get_cells_i), deferred :: get_cells
+      procedure(get_shape_i), deferred :: get_shape
       procedure(get_full_pressure_i), deferred :: get_full_pressure
       procedure(get_peak_pressure_i), deferred :: get_peak_pressure
    end type periodic_model_t
@@ -58,17 +59,30 @@ module adfric_periodic_model
          type(problems_t), intent(inout) :: problems
       end subroutine check_surface_i
 
-      !> The surface of a point; its values have been checked.
-      subroutine get_surface_i(self, values, surface)
+      !> Periods and cells of the surface of a point, whose values have been checked.
+      subroutine get_cells_i(self, values, surface)
          import :: periodic_model_t, dp, periodic_surface_t
          implicit none (type, external)
          !> The model whose surface is wanted.
          class(periodic_model_t), intent(in) :: self
          !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> Periods and undeformed gap of the point.
-         type(periodic_surface_t), intent(out) :: surface
-      end subroutine get_surface_i
+         !> Receives all but the map `shape`, which stays as it is.
+         type(periodic_surface_t), intent(inout) :: surface
+      end subroutine get_cells_i
+
+      !> The undeformed gap of the surface of a point.
+      subroutine get_shape_i(self, values, shape)
+         import :: periodic_model_t, dp
+         implicit none (type, external)
+         !> The model whose surface is wanted.
+         class(periodic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> In: the map of the point before, not allocated at the first one. Out: that of this point, which is not copied again
+         !> where it is the same [m].
+         real(dp), allocatable, intent(inout) :: shape(:, :)
+      end subroutine get_shape_i
 
       !> Mean pressure at which contact becomes full [Pa].
       pure real(dp) function get_full_pressure_i(self, values, on_cells)
@@ -96,8 +110,10 @@ module adfric_periodic_model
 
    end interface
 
-   !> What a point leaves: its solver for the next point, and its solution for the maps.
+   !> What a point leaves: its surface and solver for the next point, and its solution for the maps.
    type, extends(point_state_t) :: periodic_state_t
+      !> Surface of the point; its map is taken over where the next point has the same.
+      type(periodic_surface_t) :: surface
       !> Solver of the point, with its transforms.
       type(periodic_memory_t) :: memory
       !> Pressure, gap and area of the point.
@@ -173,9 +189,9 @@ contains
       integer :: i, n, along
 
       allocate (axes(2))
-      call self%get_surface(values, surface)
+      call self%get_cells(values, surface)
       do along = 1, 2
-         n = size(surface%shape, along)
+         n = surface%n_cells(along)
          call set_coordinate(axes(3 - along), 'xy'(along:along), &
             & [(surface%period(along)*(i - 0.5_dp)/(n*merge(2, 1, surface%is_quarter)), i=1, n)])
       end do
@@ -212,7 +228,6 @@ contains
       integer, intent(out) :: status
       !> One number, to which the iterations on the finest grid are added.
       real(dp), intent(inout) :: counts(:)
-      type(periodic_surface_t) :: surface
       type(error_t), allocatable :: error
 
       if (.not. allocated(state)) allocate (periodic_state_t :: state)
@@ -220,8 +235,9 @@ contains
       error_estimate = 0
       select type (state)
       type is (periodic_state_t)
-         call self%get_surface(values, surface)
-         call solve_periodic(surface, get_goal(self, values), state%memory, state%solution, error)
+         call self%get_cells(values, state%surface)
+         call self%get_shape(values, state%surface%shape)
+         call solve_periodic(state%surface, get_goal(self, values), state%memory, state%solution, error)
          if (allocated(error)) then
             ! cells of a sweep may be too long, which is no lack of memory
             if (error%code == file_failure) status = status_out_of_memory
@@ -301,7 +317,8 @@ contains
       associate (first => self%n_own + v_contact_modulus, last => self%n_own + v_second_poisson_ratio)
          derived = derive_contact_modulus(self%variables(first:last), values(first:last))
       end associate
-      call self%get_surface(values, surface)
+      call self%get_cells(values, surface)
+      call self%get_shape(values, surface%shape)
       on_cells = not_a_number()
       if (.not. self%knows_full_pressure) on_cells = find_full_pressure(surface)
       call add_derived(derived, 'full_contact_pressure', 'Pa', 'pressure of full contact p*', &

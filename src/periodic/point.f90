@@ -14,6 +14,8 @@ module adfric_periodic_point
    type :: periodic_surface_t
       !> Periods along x and y [m].
       real(dp) :: period(2) = 0
+      !> Number of cells along x and y; 1 along y for a surface that does not vary there.
+      integer :: n_cells(2) = 0
       !> Is it even about 0 and half a period in both directions, and only that quarter given?
       logical :: is_quarter = .false.
       !> Gap of the undeformed surfaces in the middles of the cells, 0 at first touch [m].
@@ -82,7 +84,7 @@ contains
       real(dp), allocatable :: tension(:, :)
 
       pressure = not_a_number()
-      call new_periodic_operator(operator, elastic_kernel_t(), shape(surface%shape), surface%period/surface%period(1), &
+      call new_periodic_operator(operator, elastic_kernel_t(), surface%n_cells, surface%period/surface%period(1), &
          & surface%is_quarter, .false., error)
       if (allocated(error)) return
       allocate (tension, mold=surface%shape)
@@ -101,7 +103,7 @@ contains
       real(dp) :: period(2)
 
       period = surface%period/surface%period(1)
-      associate (n => shape(surface%shape))
+      associate (n => surface%n_cells)
          if (all(memory%n_cells == n) .and. .not. any(abs(memory%period - period) > 0) &
             & .and. (memory%is_quarter .eqv. surface%is_quarter)) return
          memory%n_cells = 0

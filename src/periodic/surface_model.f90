@@ -35,7 +35,8 @@ module adfric_periodic_surface_model
    contains
       procedure :: take_dataset
       procedure :: check_surface
-      procedure :: get_surface
+      procedure :: get_cells
+      procedure :: get_shape
       procedure :: get_full_pressure
       procedure :: get_peak_pressure
       procedure :: describe_surface
@@ -113,18 +114,32 @@ contains
    end subroutine check_surface
 
    !> See `periodic_model_t`.
-   subroutine get_surface(self, values, surface)
+   subroutine get_cells(self, values, surface)
       !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Periods and undeformed gap of the point.
-      type(periodic_surface_t), intent(out) :: surface
+      !> Receives the periods and the cells of the heights.
+      type(periodic_surface_t), intent(inout) :: surface
 
       surface%period = values(v_length_x)
       if (.not. self%is_line()) surface%period(2) = values(v_length_y)
-      surface%shape = self%depths
-   end subroutine get_surface
+      surface%n_cells = shape(self%depths)
+   end subroutine get_cells
+
+   !> See `periodic_model_t`: all points have the same map.
+   subroutine get_shape(self, values, shape)
+      !> The model with its heights.
+      class(surface_model_t), intent(in) :: self
+      !> Values of the variables, not used here.
+      real(dp), intent(in) :: values(:)
+      !> Receives the depths below the highest summit, unless it has them already [m].
+      real(dp), allocatable, intent(inout) :: shape(:, :)
+
+      if (.not. allocated(shape)) allocate (shape, source=self%depths)
+      associate (unused => values)
+      end associate
+   end subroutine get_shape
 
    !> See `periodic_model_t`: that of the cells as they are.
    pure real(dp) function get_full_pressure(self, values, on_cells)

@@ -27,7 +27,8 @@ module adfric_periodic_wave_2d_model
    type, extends(periodic_model_t) :: wave_2d_model_t
    contains
       procedure :: check_surface
-      procedure :: get_surface
+      procedure :: get_cells
+      procedure :: get_shape
       procedure :: get_full_pressure
       procedure :: get_peak_pressure
    end type wave_2d_model_t
@@ -70,27 +71,42 @@ contains
    end subroutine check_surface
 
    !> See `periodic_model_t`.
-   subroutine get_surface(self, values, surface)
+   subroutine get_cells(self, values, surface)
       !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Periods and undeformed gap of the point.
-      type(periodic_surface_t), intent(out) :: surface
+      !> Receives the periods and the cells of a quarter.
+      type(periodic_surface_t), intent(inout) :: surface
+
+      surface%period = values(v_period)
+      surface%n_cells = nint(values(v_cells))/2
+      surface%is_quarter = .true.
+      associate (unused => self)
+      end associate
+   end subroutine get_cells
+
+   !> See `periodic_model_t`.
+   subroutine get_shape(self, values, shape)
+      !> The model; nothing is read from it here.
+      class(wave_2d_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the gap of the undeformed wave in a quarter [m].
+      real(dp), allocatable, intent(inout) :: shape(:, :)
       real(dp) :: trough(nint(values(v_cells))/2)
       integer :: i, j, n
 
       n = size(trough)
       trough = [(values(v_amplitude)*(1 - cos(two_pi*(i - 0.5_dp)/(2*n))), i=1, n)]
-      surface%period = values(v_period)
-      surface%is_quarter = .true.
-      allocate (surface%shape(n, n))
+      if (allocated(shape)) deallocate (shape)
+      allocate (shape(n, n))
       do j = 1, n
-         surface%shape(:, j) = trough + trough(j)
+         shape(:, j) = trough + trough(j)
       end do
       associate (unused => self)
       end associate
-   end subroutine get_surface
+   end subroutine get_shape
 
    !> See `periodic_model_t`: that of the wave itself.
    pure real(dp) function get_full_pressure(self, values, on_cells)
