@@ -22,6 +22,7 @@ module adfric_api
    use adfric_input_run, only: say_unknown_model
    use adfric_model_model, only: model_t
    use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_solved
+   use adfric_model_table, only: profile_axis_t
    implicit none (type, external)
    private
    public :: simulation_t, open_simulation, list_models, error_t, dp, i8, name_length, input_failure, file_failure
@@ -255,13 +256,15 @@ contains
       real(dp), allocatable, intent(out) :: values(:)
       !> Allocated if there is no such result, or nothing is solved.
       type(error_t), allocatable, intent(out) :: error
+      type(profile_axis_t), allocatable :: axes(:)
       integer :: axis
 
       call self%state%check_solved(error)
       if (allocated(error)) return
       axis = find_axis(self%state%run%model, name)
       if (axis > 0) then
-         values = self%state%run%model%get_profile_axis(self%state%run%plan%base, axis)
+         call self%state%run%model%get_profile_axes(self%state%run%plan%base, axes)
+         values = axes(axis)%coordinates
       else
          call find_result(self%state%run%model, self%state%found, name, values, error)
       end if

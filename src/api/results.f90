@@ -10,7 +10,7 @@ module adfric_api_results
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_vocabulary, only: full_name
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_choice, profile_t, result_t, results_of_every_run
+   use adfric_model_table, only: kind_choice, profile_t, profile_axis_t, result_t, results_of_every_run
    use adfric_run_memory_sink, only: memory_sink_t
    implicit none (type, external)
    private
@@ -230,14 +230,14 @@ contains
       character(:), allocatable, intent(out) :: unit
       !> Receives a few words.
       character(:), allocatable, intent(out) :: long_name
-      type(profile_t) :: profile
+      type(profile_axis_t), allocatable :: axes(:)
 
       unit = ''
       long_name = 'coordinate '//get_word(model%profile_axes, axis)//' of the profiles'
       if (.not. is_complete) return
-      profile = model%describe_profile_axis(input%values, axis)
-      unit = profile%unit
-      long_name = profile%long_name
+      call model%get_profile_axes(input%values, axes)
+      unit = axes(axis)%unit
+      long_name = axes(axis)%long_name
    end subroutine describe_axis
 
    !> A list of names.

@@ -21,8 +21,6 @@ module adfric_classical_model
    type, abstract, extends(pointwise_model_t) :: halfspace_model_t
       !> Place of the switch of the profiles; begin, end and number of each axis follow.
       integer :: output = 0
-      !> Names of the profile axes, the slowest first, separated by a blank.
-      character(:), allocatable :: axis_names
       !> First and last place of the rows of the contact modulus; (0, -1) if there are none.
       integer :: solids(2) = [0, -1]
    contains
@@ -87,7 +85,7 @@ contains
       self%results = results
       self%profiles = profiles
       allocate (self%counts(0))
-      self%axis_names = axes
+      self%profile_axes = axes
    end subroutine set_tables
 
    !> See `model_t`.
@@ -108,7 +106,7 @@ contains
          if (is_swept(at)) call problems%add('output', self%variables(at)%name, &
             & 'is swept, but all profiles share their axes; sweep another variable')
       end do
-      do k = 1, count_words(self%axis_names)
+      do k = 1, count_words(self%profile_axes)
          at = self%output + 3*k - 2
          if (nint(values(at + 2)) == 1) cycle
          call require(self%variables, values, [at + 1], problems)
@@ -154,10 +152,10 @@ contains
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
       integer :: k, at
 
-      allocate (axes(count_words(self%axis_names)))
+      allocate (axes(count_words(self%profile_axes)))
       do k = 1, size(axes)
          at = self%output + 3*k - 2
-         call set_coordinate(axes(k), get_word(self%axis_names, k), even_steps(values(at:at + 2)))
+         call set_coordinate(axes(k), get_word(self%profile_axes, k), even_steps(values(at:at + 2)))
       end do
    end subroutine get_profile_axes
 

@@ -30,6 +30,8 @@ module adfric_model_model
       type(profile_t), allocatable :: profiles(:)
       !> What the model counts while it solves, shape `(n_counts)`; size 0 if it counts nothing.
       type(count_t), allocatable :: counts(:)
+      !> Names of the profile axes, one or two, the slowest first, separated by a blank: 'x' or 'y x'.
+      character(:), allocatable :: profile_axes
       !> Most points of a block, for points that take long and have little of their neighbours: other threads take the rest.
       integer :: largest_block = huge(1)
    contains
@@ -86,7 +88,7 @@ module adfric_model_model
          class(model_t), intent(in) :: self
          !> Values of the variables; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> Receives the axes, one or two, the slowest first; their number is that of the model, whatever the values are.
+         !> Receives the axes in the order of their names `profile_axes`.
          type(profile_axis_t), allocatable, intent(out) :: axes(:)
       end subroutine get_profile_axes_i
 

@@ -4,7 +4,7 @@ module adfric_output_constants
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: has_word
    use adfric_model_model, only: derived_t
-   use adfric_model_table, only: variable_t, profile_axis_t, kind_choice, kind_dataset, kind_logical
+   use adfric_model_table, only: variable_t, kind_choice, kind_dataset, kind_logical
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
@@ -117,14 +117,9 @@ contains
       !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       character(:), allocatable :: names
-      type(profile_axis_t), allocatable :: axes(:)
       integer :: i
 
-      names = 'status error_estimate blocks'
-      call run%model%get_profile_axes(run%plan%base, axes)
-      do i = 1, size(axes)
-         names = names//' '//axes(i)%name
-      end do
+      names = 'status error_estimate blocks '//run%model%profile_axes
       do i = 1, size(run%model%results)
          names = names//' '//run%model%results(i)%name
       end do

@@ -55,6 +55,7 @@ contains
       self%variables = get_sphere_variables()
       self%results = get_sphere_results(.false.)
       self%profiles = get_sphere_profiles(.false.)
+      self%profile_axes = 'r'
       self%counts = [count_t(name='share_of_limit_theories', long_name='points that a limit theory solves')]
    end subroutine new_sphere_model
 
@@ -133,7 +134,7 @@ contains
 
    !> See `model_t`.
    subroutine get_profile_axes(self, values, axes)
-      !> The model; nothing of it is read here.
+      !> The model, for the name of its axis.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -142,15 +143,13 @@ contains
       integer :: n, k
 
       allocate (axes(1))
-      axes(1)%name = 'r'
+      axes(1)%name = self%profile_axes
       axes(1)%unit = 'm'
       if (is_reduced(values)) axes(1)%unit = '-'
       axes(1)%long_name = 'distance from the axis'
       n = nint(values(v_n_r))
       allocate (axes(1)%coordinates(n), source=0.0_dp)
       if (is_set(values(v_r_max))) axes(1)%coordinates = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
-      associate (unused => self)
-      end associate
    end subroutine get_profile_axes
 
    !> See `pointwise_model_t`.

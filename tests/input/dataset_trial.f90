@@ -34,6 +34,7 @@ contains
       self%results = trial%results
       self%profiles = trial%profiles
       self%counts = trial%counts
+      self%profile_axes = trial%profile_axes
       allocate (self%variables(heights_place))
       do k = 1, n_trial
          self%variables(k) = trial%variables(k)

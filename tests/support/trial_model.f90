@@ -55,6 +55,7 @@ contains
       self%name = 'trial'
       self%summary = 'a block that slides on a table'
       self%references = 'Nobody, Nowhere 1 (2001) 1'
+      self%profile_axes = 'y x'
       self%counts = [count_t(name='steps_per_point', long_name='steps of the block')]
       allocate (self%variables(n_variables))
       associate (variables => self%variables)
