@@ -84,7 +84,7 @@ contains
       real(dp), allocatable :: tension(:, :)
 
       pressure = not_a_number()
-      call new_periodic_operator(operator, elastic_kernel_t(), surface%n_cells, surface%period/surface%period(1), &
+      call new_periodic_operator(operator, elastic_kernel_t(), shape(surface%shape), surface%period/surface%period(1), &
          & surface%is_quarter, .false., error)
       if (allocated(error)) return
       allocate (tension, mold=surface%shape)
@@ -103,7 +103,7 @@ contains
       real(dp) :: period(2)
 
       period = surface%period/surface%period(1)
-      associate (n => surface%n_cells)
+      associate (n => shape(surface%shape))
          if (all(memory%n_cells == n) .and. .not. any(abs(memory%period - period) > 0) &
             & .and. (memory%is_quarter .eqv. surface%is_quarter)) return
          memory%n_cells = 0
