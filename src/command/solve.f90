@@ -134,7 +134,7 @@ contains
       if (world%is_first()) then
          call results%hand_over(error)
       else
-         call results%join(run)
+         call results%join(run, error)
       end if
       call share_error(world, error)
       if (allocated(error)) return

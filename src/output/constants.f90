@@ -15,12 +15,17 @@ module adfric_output_constants
 
    !> A number, or one of several words, that holds for every point.
    type :: constant_t
+      !> Name of the dataset.
       character(:), allocatable :: name
+      !> Unit as it stands in the file.
       character(:), allocatable :: unit
+      !> What the value is, in a phrase.
       character(:), allocatable :: long_name
       !> Meanings of `first_flag`, `first_flag + 1`, ... separated by a blank; empty for real numbers.
       character(:), allocatable :: flag_meanings
+      !> The state that the first of these meanings is of.
       integer :: first_flag = 0
+      !> The number, or the state as a number.
       real(dp) :: value = 0
    end type constant_t
 

@@ -3,7 +3,7 @@ module adfric_output_field_dataset
    use hdf5, only: hid_t
    use adfric_base_kinds, only: i8
    use adfric_hdf5_attributes, only: write_attribute
-   use adfric_hdf5_calls, only: hdf5_calls_t
+   use adfric_hdf5_calls, only: hdf5_calls_t, no_id
    use adfric_hdf5_datasets, only: create_space, create_real_dataset, create_state_dataset, &
       write_values, make_scale, attach_scale
    use adfric_output_flags, only: write_flags
@@ -11,10 +11,24 @@ module adfric_output_field_dataset
    use adfric_output_virtual_parts, only: virtual_parts_t
    implicit none (type, external)
    private
-   public :: create_scale, create_field, create_counts, count_group
+   public :: field_form_t, create_scale, create_field, create_counts, count_group
 
    !> Group of what is known of each block.
    character(*), parameter :: count_group = 'blocks'
+
+   !> What all results, or all profiles, of a file have in common.
+   type :: field_form_t
+      !> Space of the shape of the datasets.
+      integer(hid_t) :: space = no_id
+      !> Ids of the scales of the dimensions, from `first_dimension` on.
+      integer(hid_t), allocatable :: scales(:)
+      !> Number of the dimension of the first scale, from 1, the slowest first.
+      integer :: first_dimension = 1
+      !> Names of scalars that hold for all values, separated by a blank.
+      character(:), allocatable :: coordinates
+      !> Are these profiles? Else they are results.
+      logical :: is_profile = .false.
+   end type field_form_t
 
 contains
 
@@ -40,44 +54,34 @@ contains
    end subroutine create_scale
 
    !> Create a dataset of a result or a profile.
-   subroutine create_field(calls, file, field, space, scales, first, coordinates, dataset, parts, is_profile)
+   subroutine create_field(calls, file, field, form, dataset, parts)
       !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> Name, unit and meanings of what stands in the dataset.
       type(field_t), intent(in) :: field
-      !> Space of the dataset's shape.
-      integer(hid_t), intent(in) :: space
-      !> Ids of the scales of the dimensions, from dimension `first` on.
-      integer(hid_t), intent(in) :: scales(:)
-      !> Number of the dimension of the first scale, from 1, the slowest first.
-      integer, intent(in) :: first
-      !> Names of scalars that hold for all values of the dataset, separated by a blank.
-      character(*), intent(in) :: coordinates
+      !> Shape of the dataset, and what belongs to its dimensions.
+      type(field_form_t), intent(in) :: form
       !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
       !> Files in which the values are; if absent the values are in this file.
       type(virtual_parts_t), intent(in), optional :: parts
-      !> Present where the dataset is a profile, whatever its value.
-      logical, intent(in), optional :: is_profile
-      logical :: is_real
       integer :: k
 
-      is_real = len(field%flag_meanings) == 0
       if (present(parts)) then
-         call parts%create_dataset(calls, file, field%name, is_real, present(is_profile), space, dataset)
-      else if (is_real) then
-         call create_real_dataset(calls, file, field%name, space, dataset)
+         call parts%create_dataset(calls, file, field, form%is_profile, form%space, dataset)
+      else if (len(field%flag_meanings) == 0) then
+         call create_real_dataset(calls, file, field%name, form%space, dataset)
       else
-         call create_state_dataset(calls, file, field%name, space, dataset)
+         call create_state_dataset(calls, file, field%name, form%space, dataset)
       end if
       call write_flags(calls, dataset, field%first_flag, field%flag_meanings)
       call write_attribute(calls, dataset, 'units', field%unit)
       call write_attribute(calls, dataset, 'long_name', field%long_name)
-      if (len(coordinates) > 0) call write_attribute(calls, dataset, 'coordinates', coordinates)
-      do k = 1, size(scales)
-         call attach_scale(calls, dataset, scales(k), first + k - 1)
+      if (len(form%coordinates) > 0) call write_attribute(calls, dataset, 'coordinates', form%coordinates)
+      do k = 1, size(form%scales)
+         call attach_scale(calls, dataset, form%scales(k), form%first_dimension + k - 1)
       end do
    end subroutine create_field
 

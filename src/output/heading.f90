@@ -25,15 +25,19 @@ module adfric_output_heading
 
    !> The texts at the root of the file.
    type :: heading_t
+      !> Title of the run, or the name of the model.
       character(:), allocatable :: title
+      !> Name of the model.
       character(:), allocatable :: model
       !> Where the model was published.
       character(:), allocatable :: references
       !> What was done before to get these results, a line each; empty for a run that begins.
       character(:), allocatable :: history
-      !> Version and revision of the program, and its compiler.
+      !> Version of the program.
       character(:), allocatable :: version
+      !> Revision of its sources.
       character(:), allocatable :: revision
+      !> Compiler that it was built by.
       character(:), allocatable :: compiler
       !> Whole text of the input.
       character(:), allocatable :: input

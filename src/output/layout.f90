@@ -1,5 +1,6 @@
 !> Which datasets a results file has, of what shape and size.
 module adfric_output_layout
+   use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_kinds, only: dp, i8
    use adfric_model_table, only: result_t, profile_t, profile_axis_t, results_of_every_run
    use adfric_output_constants, only: constant_t, find_constants, file_unit
@@ -7,7 +8,7 @@ module adfric_output_layout
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
-   public :: layout_t, new_layout, scale_t, field_t, set_status_fields
+   public :: layout_t, new_layout, check_axes, scale_t, field_t, set_status_fields
 
    !> Meaning of the state `no_state` of a result.
    character(*), parameter :: no_state_meaning = 'no_value'
@@ -18,19 +19,27 @@ module adfric_output_layout
 
    !> A dataset of one dimension with the values along a dimension of others.
    type :: scale_t
+      !> Name of the dataset.
       character(:), allocatable :: name
+      !> Unit as it stands in the file.
       character(:), allocatable :: unit
+      !> What the values are, in a phrase.
       character(:), allocatable :: long_name
+      !> Values along the dimension.
       real(dp), allocatable :: values(:)
    end type scale_t
 
    !> A dataset with a value at every point.
    type :: field_t
+      !> Name of the dataset.
       character(:), allocatable :: name
+      !> Unit as it stands in the file.
       character(:), allocatable :: unit
+      !> What the values are, in a phrase.
       character(:), allocatable :: long_name
       !> Meanings of `first_flag`, `first_flag + 1`, ... separated by a blank; empty for real numbers.
       character(:), allocatable :: flag_meanings
+      !> The state that the first of these meanings is of.
       integer :: first_flag = 0
       !> Place in the results of the model; 0 for `error_estimate` and `status`, which every model has.
       integer :: column = 0
@@ -62,6 +71,17 @@ module adfric_output_layout
    end type layout_t
 
 contains
+
+   !> Refuse a run with axes that have no form in the file.
+   subroutine check_axes(run, error)
+      !> The run, along each axis of which one variable should change.
+      class(run_t), intent(in) :: run
+      !> Not allocated if the run can be written.
+      type(error_t), allocatable, intent(out) :: error
+
+      if (run%plan%has_joint_axis()) call set_error(error, input_failure, &
+         run%output//': cannot create: a results file has no form for variables that are swept together')
+   end subroutine check_axes
 
    !> Find the datasets of a run, along each axis of which one variable changes.
    subroutine new_layout(self, run)

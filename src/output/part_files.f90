@@ -24,7 +24,9 @@ module adfric_output_part_files
 
    !> The file of a part.
    type :: part_file_t
+      !> Name of the file.
       character(:), allocatable :: path
+      !> The blocks of the run, and which of them the part has.
       type(blocks_t) :: blocks
       !> How long its run took [s].
       real(dp) :: wall_seconds = 0

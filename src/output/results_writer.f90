@@ -12,10 +12,11 @@ module adfric_output_results_writer
    use adfric_model_status, only: status_solved
    use adfric_output_block_sums, only: profile_sums_t, sum_of_block, sum_of_profiles
    use adfric_output_datasets, only: datasets_t
+   use adfric_output_file_state, only: is_idle, is_open, is_closed, is_shared, check_state
    use adfric_output_layout, only: layout_t
    use adfric_output_status_log, only: status_log_t
    use adfric_run_sink, only: sink_t
-   use adfric_system_files, only: synchronise, begin_to_synchronise
+   use adfric_system_files, only: file_id_t, synchronise, begin_to_synchronise
    use adfric_system_clock, only: wall_clock
    use adfric_system_leftovers, only: forget_leftover, note_kept
    implicit none (type, external)
@@ -32,8 +33,15 @@ module adfric_output_results_writer
    type, extends(sink_t) :: results_writer_t
       !> Final name, and the one it has now.
       character(:), allocatable :: path, path_now
+      !> Where the file is in its life, one of `is_...` of `file_state.f90`.
+      integer :: state = is_idle
+      !> Identity of the file that this run writes; others may put a file of theirs in its place.
+      type(file_id_t) :: id
+      !> Layout of the file: its datasets and its points.
       type(layout_t) :: layout
+      !> Id of the file while it is open in this process.
       integer(hid_t) :: file = no_id
+      !> The datasets of the open file.
       type(datasets_t) :: datasets
       !> When everything was last on the disk, and how long that took [s].
       real(dp) :: safe_at = 0, safe_took = 0
@@ -45,11 +53,10 @@ module adfric_output_results_writer
       integer(i8), allocatable :: sums(:)
       !> States that wait for their results to be on the disk.
       type(status_log_t), private :: log
+      !> Checksums of the profiles of blocks that have not been put yet.
       type(profile_sums_t), private :: profile_sums
       !> Numbers written since the system was last asked to bring them to the disk.
       integer(i8), private :: n_numbers = 0
-      !> Do several processes write the file now?
-      logical, private :: is_shared = .false.
    contains
       procedure :: open_found
       procedure :: open_shared
@@ -66,7 +73,39 @@ module adfric_output_results_writer
 contains
 
    !> Open the file that is there, with its datasets.
-   subroutine open_found(self, error, access)
+   subroutine open_found(self, error)
+      !> The closed file of the name `path_now`, which is open afterwards.
+      class(results_writer_t), intent(inout) :: self
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+
+      call check_state(self%state, [is_closed], 'open_found', error)
+      if (allocated(error)) return
+      self%state = is_open
+      call open_with_datasets(self, error)
+   end subroutine open_found
+
+   !> Open the file together with all other processes. From now on each writes its results where it likes and when it likes.
+   !> Nothing but values changes in the file, so that a process that dies cannot harm it.
+   subroutine open_shared(self, access, error)
+      !> The closed file, which is shared afterwards, also after an error.
+      class(results_writer_t), intent(inout) :: self
+      !> How all processes open the file together: an access list of HDF5.
+      integer(hid_t), intent(in) :: access
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+
+      call check_state(self%state, [is_closed], 'open_shared', error)
+      if (allocated(error)) return
+      self%state = is_shared
+      ! cores are given to processes, and MPI may allow no thread but the one that asks for blocks
+      self%has_own_thread = .false.
+      self%safe_at = wall_clock()
+      call open_with_datasets(self, error, access)
+   end subroutine open_shared
+
+   !> Open the file that is there, with its datasets.
+   subroutine open_with_datasets(self, error, access)
       !> The file of the name `path_now`, which is open for writing afterwards.
       class(results_writer_t), intent(inout) :: self
       !> Not allocated if all went well.
@@ -78,40 +117,26 @@ contains
       call open_file(calls, self%path_now, .true., self%file, access)
       call self%datasets%open(calls, self%file, self%layout)
       call calls%get_error(self%path_now//': cannot open', error)
-   end subroutine open_found
-
-   !> Open the file together with all other processes. From now on each writes its results where it likes and when it likes.
-   !> Nothing but values changes in the file, so that a process that dies cannot harm it.
-   subroutine open_shared(self, access, error)
-      !> A file that exists and has its name; open in this process afterwards.
-      class(results_writer_t), intent(inout) :: self
-      !> How all processes open the file together: an access list of HDF5.
-      integer(hid_t), intent(in) :: access
-      !> Not allocated if all went well.
-      type(error_t), allocatable, intent(out) :: error
-
-      self%is_shared = .true.
-      ! cores are given to processes, and MPI may allow no thread but the one that asks for blocks
-      self%has_own_thread = .false.
-      self%safe_at = wall_clock()
-      call self%open_found(error, access)
-   end subroutine open_shared
+   end subroutine open_with_datasets
 
    !> Bring everything to the disk, and close the file together with all other processes.
    subroutine close_shared(self, error)
-      !> The file that is open in all processes; closed afterwards, even after an error.
+      !> The shared file, which is closed afterwards, even after an error.
       class(results_writer_t), intent(inout) :: self
       !> An error of the run, which is kept if it is allocated; else what goes wrong here, if anything.
       type(error_t), allocatable, intent(inout) :: error
       type(error_t), allocatable :: another
       type(hdf5_calls_t) :: calls
 
-      ! what was written before an error may still be saved
-      if (self%file /= no_id) call self%make_safe(another)
-      call self%close_all(calls)
-      if (.not. allocated(another)) call calls%get_error(self%path//': cannot write', another)
+      call check_state(self%state, [is_shared], 'close_shared', another)
+      if (.not. allocated(another)) then
+         ! what was written before an error may still be saved
+         if (self%file /= no_id) call self%make_safe(another)
+         call self%close_all(calls)
+         if (.not. allocated(another)) call calls%get_error(self%path//': cannot write', another)
+         self%state = is_closed
+      end if
       if (.not. allocated(error)) call move_alloc(another, error)
-      self%is_shared = .false.
    end subroutine close_shared
 
    !> Write the results of a row of points.
@@ -134,7 +159,8 @@ contains
       integer(i8) :: row
       real(dp) :: waiting
 
-      if (.not. self%log%has_room(size(status))) call self%make_safe(error)
+      call check_state(self%state, [is_open, is_shared], 'put', error)
+      if (.not. (allocated(error) .or. self%log%has_room(size(status)))) call self%make_safe(error)
       if (allocated(error)) return
       call calls%silence()
       row = self%layout%row_of(first)
@@ -247,6 +273,8 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
 
+      call check_state(self%state, [is_open, is_shared], 'put_profiles', error)
+      if (allocated(error)) return
       call calls%silence()
       call self%datasets%write_profiles(calls, self%layout, self%layout%row_of(point), profiles)
       call self%profile_sums%add((point - 1)/self%layout%blocks%size + 1, sum_of_profiles(point, profiles))
@@ -320,7 +348,7 @@ contains
       !> The file; one that several processes share is left alone.
       class(results_writer_t), intent(inout) :: self
 
-      if (.not. self%is_shared) call flush_file(calls, self%file)
+      if (self%state /= is_shared) call flush_file(calls, self%file)
    end subroutine flush_own
 
    !> Close every id.

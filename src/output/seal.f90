@@ -34,7 +34,9 @@ module adfric_output_seal
    !> A seal that is being made.
    type :: seal_t
       private
+      !> The dataset of the seal while it is open.
       integer(hid_t) :: dataset = no_id
+      !> Number of words of the seal.
       integer :: n_words = 0
    contains
       procedure :: create

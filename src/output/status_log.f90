@@ -13,10 +13,13 @@ module adfric_output_status_log
 
    !> States in the order in which they came.
    type :: status_log_t
+      !> Number of points that wait, and number of rows of them.
       integer :: n_points = 0, n_rows = 0
+      !> States of the points, with room for more.
       integer(int8), allocatable :: states(:)
-      !> First place in the file, from 1, and number of points of each row.
+      !> First place in the file of each row, from 1.
       integer(i8), allocatable :: first(:)
+      !> Number of points of each row.
       integer, allocatable :: count(:)
    contains
       procedure :: has_room

@@ -16,8 +16,9 @@ module adfric_output_sums_dataset
 
    !> The dataset, open. Places are those of blocks in the file, from 1.
    type :: sums_dataset_t
-      !> Id of the dataset, and id of its space.
+      !> Id of the dataset.
       integer(hid_t) :: id = no_id
+      !> Id of its space.
       integer(hid_t), private :: space = no_id
    contains
       procedure :: create

@@ -7,7 +7,7 @@ module adfric_output_virtual_parts
    use adfric_hdf5_virtual, only: select_nothing, add_box, create_virtual_list, add_source, &
       create_virtual_dataset
    use adfric_output_boxes, only: box_t, next_box
-   use adfric_output_layout, only: layout_t
+   use adfric_output_layout, only: layout_t, field_t
    use adfric_run_blocks, only: blocks_t
    implicit none (type, external)
    private
@@ -24,7 +24,9 @@ module adfric_output_virtual_parts
    !> All parts that have points.
    type :: virtual_parts_t
       private
+      !> Number of parts that have been added.
       integer :: n = 0
+      !> The parts that have points, with room for all.
       type(virtual_part_t), allocatable :: parts(:)
    contains
       procedure :: add
@@ -101,17 +103,15 @@ contains
    end subroutine select_points
 
    !> Create a virtual dataset of the whole run.
-   subroutine create_dataset(self, calls, file, name, is_real, is_profile, space, dataset)
+   subroutine create_dataset(self, calls, file, field, is_profile, space, dataset)
       !> All parts that have points.
       class(virtual_parts_t), intent(in) :: self
       !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open results file of the whole run.
       integer(hid_t), intent(in) :: file
-      !> Name of the dataset, the same in the new file and in the parts.
-      character(*), intent(in) :: name
-      !> Has the dataset real numbers? Else it has states.
-      logical, intent(in) :: is_real
+      !> Description of the dataset, whose name is the same in the new file and in the parts.
+      type(field_t), intent(in) :: field
       !> Is it a dataset of profiles? Else it is one of results.
       logical, intent(in) :: is_profile
       !> Space of the dataset's shape, all points of the run.
@@ -119,19 +119,21 @@ contains
       !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
       integer(hid_t) :: list
+      logical :: is_real
       integer :: i
 
+      is_real = len(field%flag_meanings) == 0
       call create_virtual_list(calls, is_real, list)
       do i = 1, self%n
          associate (part => self%parts(i))
             if (is_profile) then
-               call add_source(calls, list, part%profile_target, part%path, name, part%profile_source)
+               call add_source(calls, list, part%profile_target, part%path, field%name, part%profile_source)
             else
-               call add_source(calls, list, part%target, part%path, name, part%source)
+               call add_source(calls, list, part%target, part%path, field%name, part%source)
             end if
          end associate
       end do
-      call create_virtual_dataset(calls, file, name, is_real, space, list, dataset)
+      call create_virtual_dataset(calls, file, field%name, is_real, space, list, dataset)
       call calls%close_id(list)
    end subroutine create_dataset
 

@@ -1,7 +1,7 @@
 !> A run: a model, the points that it solves, and what belongs to all of them.
 !>
-!> Whoever has a run and a sink solves it by two calls: `prepare` of its model, and `run_sweep` of the runner. What a run is does not
-!> depend on where its description comes from (a namelist file, a caller of the library) or where its results go.
+!> Whoever has a run and a sink solves it by two calls: `prepare` of its model, and `run_sweep` of the runner. What a run is
+!> does not depend on where its description comes from (a namelist file, a caller of the library) or where its results go.
 module adfric_run_run
    use adfric_model_model, only: model_t
    use adfric_run_blocks, only: blocks_t, part_t, new_blocks
