@@ -125,6 +125,7 @@ contains
                result%error_estimate(first:last), result%status(first:last), counts)
             result%strips_per_point = result%strips_per_point + counts(1)/n
          end do
+         call model%release()
          times(r) = 1.0e6_dp*(wall_clock() - start)/n
       end do
       result%time = spread_of(times)

@@ -63,6 +63,7 @@ contains
       if (allocated(error)) return
       call run%model%prepare()
       call run_sweep(run, found, silent, summary, error)
+      call run%model%release()
       if (allocated(error)) return
       if (any(found%status == status_not_put)) call set_error(error, file_failure, 'a signal ended the run before its time')
    end subroutine solve_all

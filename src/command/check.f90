@@ -50,6 +50,7 @@ contains
       call outcome%say(describe_sweep(run))
       call outcome%say(pad('points', name_width)//show_count(run%plan%n_points())//newline)
       call outcome%say(pad('estimated time', name_width)//describe_time(run)//newline)
+      call run%model%release()
       call outcome%say(warn_of_values(run))
       call outcome%say(pad('results file', name_width)//run%output//', ' &
          //show_bytes(file_size_of(run))//newline)

@@ -58,6 +58,7 @@ contains
       if (.not. (allocated(error) .or. is_complete)) then
          call run%model%prepare()
          call solve_case(command, world, run, progress, summary, error)
+         call run%model%release()
       end if
       if (allocated(error)) then
          call outcome%fail(error)

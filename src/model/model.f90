@@ -41,6 +41,7 @@ module adfric_model_model
       procedure(solve_block_i), deferred :: solve_block
       procedure(solve_profiles_i), deferred :: solve_profiles
       procedure :: prepare
+      procedure :: release
       procedure :: solve_block_and_profiles
       procedure :: take_dataset
       procedure :: describe_results
@@ -129,14 +130,24 @@ module adfric_model_model
 contains
 
    !> Make room for what points share, so that it is found once, whichever block and thread needs it first. It saves time and
-   !> changes no bit of the results. Here there is nothing; a model with something costly of that kind overrides it.
+   !> changes no bit of the results. `release` gives the room back when the points are solved. Here there is nothing; a model with
+   !> something costly of that kind overrides both.
    subroutine prepare(self)
-      !> The model, which may keep what its points find; it is not copied afterwards.
+      !> The model, which may keep what its points find.
       class(model_t), intent(inout) :: self
 
       associate (unused => self)
       end associate
    end subroutine prepare
+
+   !> Give back what `prepare` has made.
+   subroutine release(self)
+      !> The model, prepared or not.
+      class(model_t), intent(inout) :: self
+
+      associate (unused => self)
+      end associate
+   end subroutine release
 
    !> Solve neighbouring points as `solve_block` does, to the same bits, and hand over the profiles of those that are solved. A
    !> model whose points would be solved once more for their profiles overrides it.

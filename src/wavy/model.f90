@@ -32,13 +32,14 @@ module adfric_wavy_model
    !> Load or friction below this share of the sum of its terms is zero but for round-off.
    real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
 
-   !> The model. Not to be copied once it is prepared.
+   !> The model. A copy of one that is prepared is not to be used once either is released.
    type, extends(model_t) :: wavy_model_t
       private
-      !> The pull-off loads that the points of a run share; null before the model is prepared.
+      !> The pull-off loads that the points of a run share; null unless the model is prepared.
       type(pull_off_table_t), pointer :: pull_offs => null()
    contains
       procedure :: prepare
+      procedure :: release
       procedure :: check_values
       procedure :: describe_results
       procedure :: wants_profiles
@@ -47,7 +48,6 @@ module adfric_wavy_model
       procedure :: solve_profiles
       procedure :: derive_quantities
       procedure :: unit_of
-      final :: free
    end type wavy_model_t
 
 contains
@@ -157,13 +157,13 @@ contains
       if (.not. associated(self%pull_offs)) allocate (self%pull_offs)
    end subroutine prepare
 
-   !> Give back the pull-off loads.
-   impure elemental subroutine free(self)
+   !> Give back the pull-off loads that points have shared.
+   subroutine release(self)
       !> The model, which keeps nothing at the end.
-      type(wavy_model_t), intent(inout) :: self
+      class(wavy_model_t), intent(inout) :: self
 
       if (associated(self%pull_offs)) deallocate (self%pull_offs)
-   end subroutine free
+   end subroutine release
 
    !> Solve neighbouring points. Loads, and penetrations in 3-D and on the approach branch, are solved in the order in which each
    !> leads to the next on its branch.
