@@ -5,6 +5,11 @@ if(NOT CMAKE_BUILD_TYPE)
 endif()
 
 option(ADFRIC_WARNINGS_AS_ERRORS "Let a warning of the compiler stop the build, as developers want it" OFF)
+set(default_of_asserts OFF)
+if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+  set(default_of_asserts ON)
+endif()
+option(ADFRIC_ASSERTS "Check what procedures demand of their callers; a mistake ends the program" ${default_of_asserts})
 option(ADFRIC_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
 
 set(CMAKE_Fortran_FLAGS_RELEASE "-O2 -g1")
@@ -21,4 +26,15 @@ function(adfric_set_flags target)
     $<$<COMPILE_LANGUAGE:Fortran>:-std=f2018 -Wall -Wextra -pedantic -Wimplicit-interface>
     $<$<COMPILE_LANGUAGE:C>:-std=c11 -Wall -Wextra -pedantic>
     $<$<BOOL:${ADFRIC_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+
+# adfric_add_asserts(<target>): add the module adfric_base_asserts, which says whether demands are checked, to a library.
+function(adfric_add_asserts target)
+  set(ADFRIC_HAS_ASSERTS ".false.")
+  if(ADFRIC_ASSERTS)
+    set(ADFRIC_HAS_ASSERTS ".true.")
+  endif()
+  set(file "${PROJECT_BINARY_DIR}/asserts/asserts.f90")
+  configure_file("${PROJECT_SOURCE_DIR}/src/base/asserts.f90.in" "${file}" @ONLY)
+  target_sources(${target} PRIVATE "${file}")
 endfunction()

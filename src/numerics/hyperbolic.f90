@@ -1,6 +1,7 @@
 !> Differences of hyperbolic functions that keep their digits where the argument is small.
 module adfric_numerics_hyperbolic
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    implicit none (type, external)
    private
    public :: sinh_minus_argument
@@ -14,6 +15,7 @@ contains
       integer :: k
       real(dp) :: y, term
 
+      if (has_asserts) call assert(x >= 0, 'sinh_minus_argument: x >= 0')
       if (x >= 1) then
          sinh_minus_argument = sinh(x) - x
          return

@@ -2,6 +2,7 @@
 module adfric_numerics_scalar_root
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    implicit none (type, external)
    private
    public :: equation_t, find_root
@@ -54,6 +55,7 @@ contains
       integer :: iteration
       logical :: is_tangent
 
+      if (has_asserts) call assert(low < high, 'find_root: the bracket has a width')
       left = low
       right = high
       if (.not. (x > left .and. x < right)) x = left + (right - left)/2

@@ -6,6 +6,7 @@
 module adfric_numerics_spectral_filter
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_null_ptr, c_ptr, c_size_t
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure
    use adfric_numerics_fftw_bindings, only: fftw_plan_r2r_2d, fftw_plan_dft_r2c_2d, fftw_plan_dft_c2r_2d, fftw_execute, &
       fftw_destroy_plan, fftw_malloc, fftw_free, fftw_redft10, fftw_redft01, fftw_measure, fftw_estimate
@@ -101,6 +102,10 @@ contains
       !> Receives the field with its modes multiplied; shape `(nx, ny)`.
       real(dp), intent(out) :: y(:, :)
 
+      if (has_asserts) call assert(all(shape(x) == shape(self%field)) .and. all(shape(y) == shape(self%field)), &
+         & 'apply: fields have the shape of the plans')
+      if (has_asserts) call assert(size(symbol, 1) == self%n_modes(1) .and. size(symbol, 2) == self%n_modes(2), &
+         & 'apply: there is a factor for each mode')
       self%field(:, :) = x
       call fftw_execute(self%forward)
       if (self%is_even) then

@@ -1,6 +1,7 @@
 !> Differences of angles, sines and cosines that keep their digits where the angle is small.
 module adfric_numerics_trigonometry
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    implicit none (type, external)
    private
    public :: sinc_minus_cos, angle_minus_sine
@@ -16,6 +17,7 @@ contains
       !> Angle [rad], 0 to pi.
       real(dp), intent(in) :: x
 
+      if (has_asserts) call assert(x >= 0, 'sinc_minus_cos: x >= 0')
       if (x >= 1) then
          sinc_minus_cos = sin(x)/x - cos(x)
       else
@@ -28,6 +30,7 @@ contains
       !> Angle [rad], >= 0.
       real(dp), intent(in) :: x
 
+      if (has_asserts) call assert(x >= 0, 'angle_minus_sine: x >= 0')
       if (x >= 1) then
          angle_minus_sine = x - sin(x)
       else

@@ -5,6 +5,7 @@
 !> unit, displacements and pressures positive into the solid. Constants have no stiffness: the mean displacement is 0.
 module adfric_periodic_operator
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
    use adfric_periodic_kernel, only: kernel_t
@@ -120,6 +121,8 @@ contains
       !> Pressure in the middles of the cells [E*]; shape `n_cells`.
       real(dp), intent(out) :: pressure(:, :)
 
+      if (has_asserts) call assert(all(shape(displacement) == self%n_cells) .and. all(shape(pressure) == self%n_cells), &
+         & 'apply_stiffness: maps have the shape of the cells')
       call self%filter%apply(self%stiffness, displacement, pressure)
       self%n_applied = self%n_applied + 1
    end subroutine apply_stiffness
@@ -134,6 +137,8 @@ contains
       !> Displacement of the surface in the middles of the cells; shape `n_cells`.
       real(dp), intent(out) :: displacement(:, :)
 
+      if (has_asserts) call assert(all(shape(displacement) == self%n_cells) .and. all(shape(pressure) == self%n_cells), &
+         & 'apply_compliance: maps have the shape of the cells')
       call self%filter%apply(self%compliance, pressure, displacement)
       self%n_applied = self%n_applied + 1
    end subroutine apply_compliance

@@ -2,6 +2,7 @@
 !> not deform. P = a^3 - 2 X, delta = a^2 (J 2.11, limit lambda -> 0).
 module adfric_sphere_dmt
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_numerics_powers, only: cube_root
    use adfric_sphere_contact, only: contact_t, theory_t, branch_stable
    implicit none (type, external)
@@ -29,6 +30,7 @@ contains
       !> Receives the contact; what stood there before is not used.
       type(contact_t), intent(inout) :: contact
 
+      if (has_asserts) call assert(value >= 0, 'of_radius: radius >= 0')
       contact = contact_t()
       contact%is_found = .true.
       contact%is_stable = .true.

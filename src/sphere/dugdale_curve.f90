@@ -10,6 +10,7 @@
 !> and radii go like powers of exp y there.
 module adfric_sphere_dugdale_curve
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: pi
    use adfric_numerics_trigonometry, only: sinc_minus_cos
    implicit none (type, external)
@@ -43,6 +44,7 @@ contains
       type(curve_point_t), intent(out) :: point
       real(dp) :: t, th, s, c, s_c, cos_2, f, k, aa, bb, root, c_slope, total, pull
 
+      if (has_asserts) call assert(lambda > 0 .and. ratio >= 0, 'get_curve_point: lambda > 0, X >= 0')
       t = exp(place)
       th = atan(t)
       c = 1/sqrt(1 + t*t)
@@ -86,6 +88,7 @@ contains
       real(dp), intent(in) :: ratio
       real(dp) :: bb
 
+      if (has_asserts) call assert(lambda > 0 .and. ratio >= 0, 'get_disc_radius: lambda > 0, X >= 0')
       bb = 4*ratio*lambda**2*(pi/2 - 1)/3
       radius = 2/(bb + sqrt(bb*bb + pi*lambda))
    end function get_disc_radius
@@ -103,6 +106,7 @@ contains
       !> Approach delta of the disc, reduced; separation is negative.
       real(dp), intent(out) :: approach
 
+      if (has_asserts) call assert(lambda > 0 .and. ratio >= 0 .and. radius >= 0, 'get_disc: lambda > 0, X >= 0, radius >= 0')
       load = -pi*ratio*lambda*radius**2/2
       approach = radius**2/2 - 8*ratio*lambda*radius/(3*pi) - 2/(pi*lambda)
    end subroutine get_disc
@@ -117,6 +121,7 @@ contains
       real(dp), intent(in) :: radius
       real(dp) :: inverse
 
+      if (has_asserts) call assert(lambda > 0 .and. ratio >= 0 .and. radius > 0, 'guess_place: lambda > 0, X >= 0, radius > 0')
       ! (2/3) lambda th^3 a^2 + (2/3) X lambda^2 th^2 a = 1, by the harmonic sum of what each alone gives
       inverse = (2*lambda*radius**2/3)**(1.0_dp/3) + lambda*sqrt(2*ratio*radius/3)
       if (inverse >= 1) then

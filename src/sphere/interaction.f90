@@ -8,6 +8,7 @@
 !> which is real for alpha <= (1 + g)^2/(2g), and not negative for alpha <= 1 + 1/(2g), the narrower limit for g > 0.
 module adfric_sphere_interaction
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    implicit none (type, external)
    private
    public :: get_adhesion_ratio, adhesion_ratio, is_valid_interaction, slip_energy_of_ratio
@@ -34,6 +35,7 @@ contains
       real(dp), intent(in) :: interaction
       real(dp) :: excess
 
+      if (has_asserts) call assert(slip_energy >= 0 .and. interaction >= 0, 'adhesion_ratio: g >= 0, alpha >= 0')
       ! X = (S^2 - g^2)/(S + g): no difference of large terms
       if (slip_energy <= 1) then
          excess = max(1 + 2*slip_energy*(1 - interaction), 0.0_dp)
@@ -94,6 +96,7 @@ contains
       !> The least X that is allowed [-], 0 to 1.
       real(dp), intent(in) :: ratio
 
+      if (has_asserts) call assert(slip_energy > 0, 'largest_interaction: g > 0')
       interaction = (1 - ratio)*(1 + (1 + ratio)/slip_energy/2)
    end function largest_interaction
 

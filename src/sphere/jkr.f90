@@ -2,6 +2,7 @@
 !> (J 2.11, 4.10, limit lambda -> infinity).
 module adfric_sphere_jkr
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_numerics_powers, only: cube_root
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_sphere_contact, only: contact_t, theory_t, branch_stable, control_approach
@@ -38,6 +39,7 @@ contains
       type(contact_t), intent(inout) :: contact
       real(dp) :: tension
 
+      if (has_asserts) call assert(value >= 0, 'of_radius: radius >= 0')
       contact = contact_t()
       contact%is_found = .true.
       contact%radius = value

@@ -4,6 +4,7 @@
 !> to a = 0. Beyond, the surfaces only attract each other, on a disc of radius c, down to c = 0.
 module adfric_sphere_maugis_dugdale
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: pi
    use adfric_numerics_powers, only: cube_root
    use adfric_numerics_scalar_root, only: equation_t, find_root
@@ -61,6 +62,8 @@ contains
       !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
       type(contact_t), intent(inout) :: contact
 
+      if (has_asserts) call assert(value >= 0 .and. self%lambda > 0 .and. self%ratio >= 0, &
+         & 'of_radius: radius >= 0, lambda > 0, X >= 0')
       if (value > 0) then
          if (.not. abs(contact%place) > 0) contact%place = guess_place(self%lambda, self%ratio, value)
          call go_to(self, radius_along, value, farthest, .true., contact)

@@ -12,6 +12,7 @@
 !> fracture mechanics for a narrow annulus.
 module adfric_sphere_static_friction
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_powers, only: cube_root
    use adfric_numerics_trigonometry, only: sinc_minus_cos, angle_minus_sine
@@ -158,6 +159,7 @@ contains
       real(dp) :: target, root, step
       integer :: k
 
+      if (has_asserts) call assert(core >= 0, 'angle_of_slip: core >= 0')
       if (core > near_largest_slip*largest_slip_core) then
          angle = half_pi - complement_of_slip(core)
          return
@@ -203,6 +205,7 @@ contains
       real(dp), intent(in) :: gamma
       real(dp) :: r
 
+      if (has_asserts) call assert(radius >= 0 .and. friction_radius >= 0, 'shear_traction: radii >= 0')
       traction = 0
       if (.not. radius <= friction_radius .or. .not. friction_radius > 0) return
       r = radius/friction_radius

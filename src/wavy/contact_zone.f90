@@ -1,6 +1,7 @@
 !> Functions of the contact zone that keep their digits for narrow contacts and for slow and fast sliding.
 module adfric_wavy_contact_zone
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_numerics_libm, only: expm1
    use adfric_numerics_trigonometry, only: sinc_minus_cos
    implicit none (type, external)
@@ -22,14 +23,15 @@ contains
       real(dp), intent(out) :: excess
       real(dp) :: q
 
+      if (has_asserts) call assert(x > 0, 'coth_and_slope: x > 0')
       q = 1/expm1(min(2*x, longest_decay))
       coth = 1 + 2*q
       excess = 4*q*(1 + q)
    end subroutine coth_and_slope
 
-   !> 1 - exp(-x) without loss of digits, for x >= 0: what a decay over x takes away.
+   !> 1 - exp(-x) without loss of digits: what a decay over x takes away.
    elemental real(dp) function decay(x)
-      !> Way over the length of the decay [-], >= 0.
+      !> Way over the length of the decay [-]; back, where it is negative.
       real(dp), intent(in) :: x
 
       decay = -expm1(-x)
@@ -41,6 +43,7 @@ contains
       real(dp), intent(in) :: x
       real(dp) :: y
 
+      if (has_asserts) call assert(x >= 0, 'langevin: x >= 0')
       if (x < 1) then
          y = x*x
          langevin = x/(3 + y/(5 + y/(7 + y/(9 + y/(11 + y/(13 + y/(15 + y/17)))))))
@@ -58,6 +61,7 @@ contains
       !> Value of coth(half_width/u).
       real(dp), intent(in) :: coth_u
 
+      if (has_asserts) call assert(half_width > 0 .and. u > 0, 'get_lag: half width and relaxation phase are positive')
       if (half_width >= 1) then
          get_lag = sin(half_width)*coth_u - u*cos(half_width)
       else

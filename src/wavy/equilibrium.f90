@@ -6,6 +6,7 @@
 !> adhesion in the whole gap it carries no more. Both are convex and rise, so each search starts next to where it may end.
 module adfric_wavy_equilibrium
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_load_search, only: find_first_state, downwards, upwards, search_found, search_empty
@@ -249,6 +250,7 @@ contains
       real(dp) :: width, penetration
       integer :: k
 
+      if (has_asserts) call assert(low%penetration <= high%penetration, 'close_bracket: the bracket has its ends in order')
       if (carries_load(surface, low)) high = low
       do k = 1, max_iterations
          if (carries_load(surface, high)) return

@@ -1,6 +1,7 @@
 !> Friction with GM's finite slope, tau = p sin(arctan f') (GM 13), by Gauss's rule.
 module adfric_wavy_finite_slope
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_wavy_column, only: get_column
@@ -38,6 +39,7 @@ contains
       real(dp), intent(out) :: small_slope
       real(dp) :: a, b, trailing, start, finish, length, total(2)
 
+      if (has_asserts) call assert(slope > 0, 'get_finite_slope_friction: slope > 0')
       friction = 0
       small_slope = 0
       if (state%regime == regime_free) return

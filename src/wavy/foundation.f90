@@ -6,6 +6,7 @@
 !> GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2011.
 module adfric_wavy_foundation
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    implicit none (type, external)
    private
    public :: foundation_t, new_foundation
@@ -40,6 +41,7 @@ contains
       real(dp), intent(in) :: beta
       real(dp) :: s
 
+      if (has_asserts) call assert(u >= 0 .and. beta >= 1, 'new_foundation: u >= 0, beta >= 1')
       self%u = max(u, slowest/beta)
       ! nothing lags behind an elastic foundation: it knows no velocity
       if (beta <= 1) self%u = 1

@@ -7,6 +7,7 @@
 !> A rule is raised to the next, which keeps all its strips; where that gains little, the interval is halved.
 module adfric_wavy_interval
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: pi
    use adfric_numerics_patterson, only: n_levels, n_half, rule_nodes, rule_weights, first_stride
    use adfric_wavy_panels, only: panel_t
@@ -57,6 +58,8 @@ contains
       !> Number under which the strips are remembered, from 1.
       integer, intent(in) :: place
 
+      if (has_asserts) call assert(panel%start >= 0 .and. panel%start < panel%finish .and. panel%finish <= pi, &
+         & 'new_interval: 0 <= start < finish <= pi')
       interval%panel = panel
       interval%place = place
       interval%is_mirrored = panel%start <= 0 .or. panel%finish >= pi

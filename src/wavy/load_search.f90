@@ -7,6 +7,7 @@
 !> rising penetration the load jumps downwards only.
 module adfric_wavy_load_search
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_load_trial, only: trial_t, try_near, carries_load, get_reach, get_fall, has_moving_edges, is_plain, &
       & is_past_least, indistinct
@@ -63,6 +64,7 @@ contains
       logical :: is_turn, is_over
       integer :: k
 
+      if (has_asserts) call assert(direction == downwards .or. direction == upwards, 'find_first_state: the way is known')
       outcome = search_found
       last = near
       is_turn = has_turned

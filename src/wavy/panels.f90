@@ -347,8 +347,8 @@ contains
    end subroutine divide_between
 
    !> Of two regimes that follow each other, is it the first whose end divides them? On the adhered branch that is the one that
-   !> adheres more, on the approach branch the one that adheres less: the other may still exist beyond. Ends in closed form have been
-   !> found before.
+   !> adheres more, on the approach branch the one that adheres less: the other may still exist beyond. Ends in closed form have
+   !> been found before.
    pure logical function ends_first(surface, one, two)
       !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface

@@ -1,6 +1,7 @@
 !> Pressure, shear stress, displacement and gap over one period of the surface.
 module adfric_wavy_profiles
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: two_pi
    use adfric_wavy_case, only: wavy_case_t
    use adfric_wavy_column, only: get_column
@@ -31,6 +32,8 @@ contains
       real(dp) :: share
       integer :: j, mirror
 
+      if (has_asserts) call assert(all(shape(profiles) == [size(x), size(y), 4]), &
+         & 'get_profiles: profiles have the shape of the axes')
       do j = 1, size(y)
          ! the surface is even across its crest line
          mirror = size(y) + 1 - j

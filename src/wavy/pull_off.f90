@@ -5,6 +5,7 @@
 !> the search proves that there is none, the turn is the least load; if it finds one, it goes on from there.
 module adfric_wavy_pull_off
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_load
    use adfric_wavy_load_search, only: find_first_state, downwards, search_found, search_empty
@@ -243,6 +244,8 @@ contains
       real(dp) :: low, high, ends(2), enough, middle, margin, step, before, last, p, q, r
       integer :: k
 
+      if (has_asserts) call assert(lowest <= least%penetration .and. least%penetration <= highest, &
+         & 'narrow: the least load lies between the two penetrations')
       low = lowest
       high = highest
       ends = huge(low)

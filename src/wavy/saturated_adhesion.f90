@@ -9,6 +9,7 @@
 !> the same for every load, adhesion stress and strip. GM's two edge equations are inverted by one scalar root.
 module adfric_wavy_saturated_adhesion
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: pi
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_wavy_foundation, only: foundation_t
@@ -48,6 +49,7 @@ contains
       real(dp), intent(in) :: half_width
       real(dp) :: coth_u, coth_v, excess
 
+      if (has_asserts) call assert(half_width > 0 .and. half_width < pi, 'shift_of_half_width: 0 < half width < pi')
       associate (u => foundation%u, v => foundation%v)
          call coth_and_slope(half_width/u, coth_u, excess)
          call coth_and_slope((pi - half_width)/v, coth_v, excess)
@@ -71,6 +73,7 @@ contains
       real(dp) :: coth_u, coth_v, excess_u, excess_v, s, c, n, d, h, versine, h_less_d
       real(dp) :: n_slope, d_slope, h_slope, storage_coth
 
+      if (has_asserts) call assert(half_width > 0 .and. half_width < pi, 'depth_of_half_width: 0 < half width < pi')
       associate (u => foundation%u, v => foundation%v, loss => foundation%loss)
          call coth_and_slope(half_width/u, coth_u, excess_u)
          call coth_and_slope((pi - half_width)/v, coth_v, excess_v)
@@ -108,6 +111,8 @@ contains
       logical, intent(out) :: is_converged
       type(depth_equation_t) :: equation
 
+      if (has_asserts) call assert(depth > 0 .and. depth < saturation_level(foundation) + 1, &
+         & 'half_width_of_depth: 0 < depth < |G| + 1')
       equation%foundation = foundation
       equation%root_depth = sqrt(depth)
       half_width = start

@@ -8,6 +8,7 @@
 !> passes none.
 module adfric_wavy_steady_state
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: pi, two_pi
    use adfric_wavy_contact_zone, only: decay
    use adfric_wavy_edges, only: refine_edges, refine_adhesion_edges, is_admissible, is_admissible_adhesion
@@ -50,11 +51,14 @@ contains
       type(steady_state_t), intent(in), optional :: guess
       !> Is this strip known to be in the regime of the guess, if it is stable there? Then nothing else is tried.
       logical, intent(in), optional :: is_regime_known
-      !> Does this strip adhere wherever the neighbour does, for it is the same at a larger penetration? If absent, that is not known.
+      !> Does this strip adhere wherever the neighbour does, for it is the same at a larger penetration? If absent, that is not
+      !> known.
       logical, intent(in), optional :: adheres_more
       logical :: is_found, is_known, may_continue
       real(dp) :: bound_width
 
+      if (has_asserts) call assert(branch == branch_adhered .or. branch == branch_approach, &
+         & 'find_steady_state: the branch is known')
       if (strip%stress <= 0) then
          call find_without_release(strip, state, guess)
          if (state%regime == regime_saturated_adhesion) state%regime = regime_discrete

@@ -5,6 +5,7 @@
 !> Adhesion pulls with the stress \( \pi \) wherever \( 0 < g \le \delta \).
 module adfric_wavy_strip
    use adfric_base_kinds, only: dp
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_wavy_foundation, only: foundation_t
    implicit none (type, external)
    private
@@ -81,6 +82,9 @@ contains
       !> What the displacement does at the edges of adhesion, one of `edge_...`.
       integer, intent(in) :: edge
 
+      if (has_asserts) call assert(amplitude > 0, 'new_strip: the strip has a height')
+      if (has_asserts) call assert(stress >= 0 .and. range >= 0, 'new_strip: stress >= 0, range >= 0')
+      if (has_asserts) call assert(edge == edge_continuous .or. edge == edge_instantaneous, 'new_strip: the edge rule is known')
       self%foundation = foundation
       self%crest = penetration/amplitude
       self%mean = self%crest - 1

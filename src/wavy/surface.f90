@@ -5,6 +5,7 @@
 !> h_y = h Y, D_y = D - h (1 - Y) (GM 9, 10). A 2-D surface is the one strip Y = 1.
 module adfric_wavy_surface
    use adfric_base_kinds, only: dp, i8
+   use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: two_pi
    use adfric_wavy_balance, only: balance_t, get_balance, get_load_slope, get_slope_bound
    use adfric_wavy_finite_slope, only: get_finite_slope_friction
@@ -119,6 +120,7 @@ contains
       !> Share Y of the height, in [0, 1].
       real(dp), intent(in) :: share
 
+      if (has_asserts) call assert(share >= 0 .and. share <= 1, 'phase_of_share: 0 <= share <= 1')
       phase_of_share = 2*acos(sqrt(share))
    end function phase_of_share
 
@@ -133,6 +135,7 @@ contains
       !> The strip in its own reduced units, in which half its height is 1.
       type(strip_t), intent(out) :: strip
 
+      if (has_asserts) call assert(share > 0 .and. share <= 1, 'new_surface_strip: 0 < share <= 1')
       call new_strip(strip, surface%foundation, share/2, penetration - (1 - share), &
          & surface%stress, surface%range, surface%edge)
    end subroutine new_surface_strip
