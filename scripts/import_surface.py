@@ -1,0 +1,8 @@
+"""Bring a measured surface or a master curve into an HDF5 file: scripts/import_surface FILE [options]."""
+
+import sys
+
+from importing.command import main
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,1 @@
+"""Measured surfaces and master curves, as the files of instruments have them, and as the models want them."""

@@ -1,0 +1,155 @@
+"""Surfaces in files of instruments, as SurfaceTopography reads them.
+
+Where its readers complete what a file does not say, they are not believed: the unit of heights in a text file, and formats without
+any mark of their own, for which other files would be taken.
+"""
+
+import io
+import json
+import warnings
+from contextlib import redirect_stderr, redirect_stdout
+
+import numpy as np
+
+from .arrays import read_hdf5
+from .problems import BadInput, first_line
+from .source import Source, masked
+from .units import exponent_of
+
+# formats that no mark tells; only the ending of the name does
+WITHOUT_MARK = ("hgt", "nms")
+# arrays that state nothing; as everywhere in the project x is the last index
+ARRAYS = ("mat", "npy", "npz")
+# first words of the tables of positions that state their units (HFM, Dektak)
+INSTRUMENT_HEADS = (b"X;Y;valid", b"Scan Parameters")
+
+
+def read_instrument_file(path, channel):
+    """Read a file of an instrument; None where it is a table of positions, which `text_surface` reads."""
+    # imported here, since it takes seconds that a bad option need not cost
+    from SurfaceTopography.IO import CannotDetectFileFormat, open_topography
+
+    # some readers print what they find
+    with warnings.catch_warnings(record=True) as caught, redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
+        warnings.simplefilter("always")
+        try:
+            reader = open_topography(str(path))
+        except CannotDetectFileFormat:
+            raise BadInput(f"{path}: {reason_of(path)}") from None
+        with reader:
+            form = reader.format()
+            if form in WITHOUT_MARK and path.suffix.lower() != f".{form}":
+                raise BadInput(f"{path}: none of the formats that SurfaceTopography knows")
+            if form == "h5":
+                return read_hdf5(path, channel)
+            if form == "xyz" and not has_instrument_head(path):
+                return None
+            source = read_channel(reader, choose_channel(reader, channel, path), path)
+    # other warnings speak of the libraries, not of the file
+    source.remarks += [first_line(warning.message) for warning in caught if issubclass(warning.category, UserWarning)]
+    return source
+
+
+def has_instrument_head(path):
+    """Does a table of positions begin as profilometers write it, with units?"""
+    with path.open("rb") as file:
+        return file.read(64).startswith(INSTRUMENT_HEADS)
+
+
+def reason_of(path):
+    """Why no reader takes a file: what the reader of its ending says."""
+    from SurfaceTopography.IO import readers
+
+    for reader in readers:
+        if path.suffix.lower().lstrip(".") in reader.file_extensions():
+            try:
+                reader(str(path)).close()
+            except Exception as problem:
+                return f"no {reader.format()} file that can be read: {first_line(problem)}"
+    return "none of the formats that SurfaceTopography knows"
+
+
+def choose_channel(reader, wanted, path):
+    """The channel that is asked for; otherwise the only one with heights."""
+    channels = {channel.channel_id: channel for channel in reader.channels}
+    heights = [name for name, channel in channels.items() if channel.is_height_channel]
+    if wanted is None and len(heights) == 1:
+        return channels[heights[0]]
+    if wanted is None:
+        raise BadInput(f"{path}: there are no heights in it" if not heights else
+                       f"{path}: choose one of its channels by --channel: {', '.join(heights)}")
+    if wanted not in channels:
+        raise BadInput(f"{path}: there is no channel '{wanted}', there are {', '.join(channels)}")
+    if wanted not in heights:
+        raise BadInput(f"{path}: the channel '{wanted}' has no heights")
+    return channels[wanted]
+
+
+def read_channel(reader, channel, path):
+    """Heights of a channel and what the file says of them."""
+    has_size = channel.physical_sizes is not None and channel.is_uniform is not False
+    if has_size and len(channel.physical_sizes) != channel.dim:
+        raise BadInput(f"{path}: the file states a size along one direction alone")
+    is_line = channel.is_uniform is False
+    sizes = {} if has_size or is_line else {"physical_sizes": tuple(map(float, channel.nb_grid_pts))}
+    try:
+        topography = reader.topography(channel_index=channel.index, **sizes)
+        heights = topography.heights()
+    except Exception as problem:
+        raise BadInput(f"{path}: SurfaceTopography cannot read it: {first_line(problem)}") from None
+    source = Source(f"{reader.format()} ({reader.name()})", heights_of(topography, heights, reader.format()),
+                    None, topography.unit, topography.unit, channel.is_periodic, facts_of(topography.info, channel))
+    if not topography.is_uniform:
+        return on_grid(source, topography, path)
+    if has_size:
+        source.spacing = tuple(float(size) / n for size, n in zip(topography.physical_sizes, topography.nb_grid_pts))
+    return state_text_units(source, channel, path) if reader.format() == "asc" else source
+
+
+def heights_of(topography, heights, form):
+    """Heights with x as the last index."""
+    if topography.dim == 2 and form not in ARRAYS:
+        heights = heights.T
+    return masked(heights)
+
+
+def on_grid(source, topography, path):
+    """A line with positions of any distance, interpolated linearly where they are equidistant."""
+    x, z = (np.asarray(values, dtype=float) for values in topography.positions_and_heights())
+    if not (np.diff(x) > 0).all():
+        raise BadInput(f"{path}: the positions do not rise along the line")
+    step = (x[-1] - x[0]) / (len(x) - 1)
+    source.heights = masked(np.interp(x[0] + step * np.arange(len(x)), x, z))
+    source.spacing = (step,)
+    source.remarks.append(f"the positions are not equidistant: heights interpolated linearly at {len(x)} positions that are")
+    return source
+
+
+def state_text_units(source, channel, path):
+    """Units of a text file: what its reader has completed is taken back."""
+    said = channel.info.get("raw_metadata", {})
+    if said.get("format_flavor") in ("wyko", "spip"):
+        return source
+    source.height_unit = said.get("zunit") or None
+    lateral = (said.get("xunit") or "").strip() or None
+    if source.height_unit and lateral and source.spacing:
+        # sizes are in the unit of the heights now
+        return source
+    if source.height_unit and source.spacing:
+        raise BadInput(f"{path}: the file states a size, and no unit of it")
+    if lateral and exponent_of(lateral, "length") is None:
+        raise BadInput(f"{path}: the unit '{lateral}' of the size is not known")
+    source.unit = lateral
+    return source
+
+
+def facts_of(info, channel):
+    """What the file says of its making, as attributes."""
+    instrument = info.get("instrument") or {}
+    facts = {"channel": channel.channel_id, "acquisition_time": info.get("acquisition_time"),
+             **{f"instrument_{key}": instrument.get(key) for key in ("name", "vendor", "serial", "software")}}
+    facts = {key: str(value) for key, value in facts.items() if value}
+    for key, value in (("instrument_parameters", instrument.get("parameters")), ("source_metadata", info.get("raw_metadata"))):
+        if value:
+            facts[key] = json.dumps(value, default=str, ensure_ascii=False)
+    return facts

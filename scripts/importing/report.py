@@ -1,0 +1,74 @@
+"""The short table of what was read, and the same as attributes of the file."""
+
+import datetime
+import hashlib
+import importlib.metadata
+import shlex
+
+# edges meet where the step across the seam is at most so many times the largest inside (src/shape/period_seam.f90)
+OPEN_SEAM = 2.0
+
+
+def file_attributes(given, arguments, form):
+    """Where the file comes from."""
+    now = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
+    return {"Conventions": "CF-1.11", "title": given.file.name, "source_file": given.file.name, "source_format": form,
+            "source_sha256": hashlib.sha256(given.file.read_bytes()).hexdigest(), "created": now,
+            "history": f"{now} scripts/import_surface {shlex.join(map(str, arguments))}",
+            "reader": f"SurfaceTopography {importlib.metadata.version('SurfaceTopography')}"}
+
+
+def surface_attributes(given, arguments, source, surface, read):
+    """Attributes of the file and of the heights."""
+    lengths = {f"length_{name}": length for name, length in zip("xy", surface.lengths)}
+    steps = {f"d{name}": step for name, step in zip("xy", surface.spacing)}
+    heights = {**steps, **lengths, "periodic": int(surface.is_periodic), "detrend": read.trend, "missing_points": read.missing}
+    if read.coefficients:
+        heights["detrend_coefficients"] = read.coefficients
+    return {"file": file_attributes(given, arguments, source.format) | source.facts, "heights": heights}
+
+
+def surface_lines(given, source, surface, read, results):
+    """The table of a surface, and how an input names it."""
+    periodic = "yes" if surface.is_periodic else "no"
+    origin = "as the option says" if given.periodic is not None else (
+        "as the file states" if source.is_periodic is not None and not given.region else "the file does not say")
+    rows = [("format", source.format),
+            ("points", " x ".join(map(str, surface.points)) + (" (x, y)" if len(surface.points) > 1 else "")),
+            ("spacing", " x ".join(f"{step:.6g}" for step in surface.spacing) + " m"),
+            ("length", " x ".join(f"{length:.6g}" for length in surface.lengths) + " m"),
+            ("periodic", f"{periodic}, {origin}"),
+            ("missing points", f"{read.missing} of {read.points}" + (", interpolated" if read.missing else "")),
+            ("detrend", read.trend + slopes_of(read))]
+    for moment in results.moments:
+        unit = "" if moment.unit == "1" else f" {moment.unit}"
+        rows.append((moment.name.replace("_", " "), f"{moment.value:.6g}{unit}" + (f" ({moment.symbol})" if moment.symbol else "")))
+    for name, (step, largest) in zip("xy", results.seams):
+        rows.append((f"seam along {name}", f"{step:.3g} m, largest step inside {largest:.3g} m"))
+    lengths = "".join(f", length_{name} = {length!r}" for name, length in zip("xy", map(float, surface.lengths)))
+    return [*table(given.file, rows), f"  {'input':<17}heights = '{given.output}:/z'{lengths}"]
+
+
+def slopes_of(read):
+    """The slopes of the line or plane that was removed."""
+    if read.trend not in ("line", "plane"):
+        return ""
+    slopes = (f"{rise / length:.4g} along {name}" for name, rise, length in zip("xy", read.coefficients[1:], read.lengths))
+    return ", slope " + ", ".join(slopes)
+
+
+def curve_lines(given, curve):
+    """The table of a master curve, and how an input names it."""
+    rows = [("rows", str(len(curve.omega))),
+            ("frequency", f"{curve.omega[0]:.6g} to {curve.omega[-1]:.6g} rad/s"),
+            ("storage modulus", f"{curve.storage.min():.6g} to {curve.storage.max():.6g} Pa"),
+            ("loss modulus", f"{curve.loss.min():.6g} to {curve.loss.max():.6g} Pa"),
+            ("temperature", f"{curve.temperature:.6g} K")]
+    if curve.poisson_ratio is not None:
+        rows.append(("moduli", f"Young's, from those of shear with Poisson's ratio {curve.poisson_ratio:g}"))
+    return [*table(given.file, rows), f"  {'input':<17}master_curve = '{given.output}:/master_curve'"]
+
+
+def table(path, rows):
+    """Lines of a table under the name of the file."""
+    return [str(path), *(f"  {name:<17}{text}" for name, text in rows)]

@@ -1,0 +1,135 @@
+"""Surfaces in tables: two columns are a line (x, z), three a map (x, y, z), more a map of heights, one a line of heights."""
+
+import re
+
+import numpy as np
+
+from .problems import BadInput
+from .source import Source, masked
+from .tables import read_table
+from .units import exponent_of, unit_in
+
+# positions are on a grid where they miss it by less than this part of its step
+OFF_GRID = 0.05
+# gaps between positions that are smaller than this part of the largest are noise of one and the same position
+NOISE = 0.1
+# headers that Gwyddion writes above positions
+LATERAL = re.compile(r"Lateral units:\s*(\S+)")
+VERTICAL = re.compile(r"Value units:\s*(\S+)")
+
+
+def read_text_surface(path):
+    """Read a line or a map."""
+    table = read_table(path)
+    columns = table.values.shape[1]
+    units = units_of(table, path)
+    if columns == 1:
+        return Source("text, heights of a line", masked(table.values[:, 0]), None, None, units[0])
+    if columns > 3:
+        return Source("text, heights of a map", masked(table.values), None, None, None)
+    if columns == 2:
+        return line_of(table.values[:, 0], table.values[:, 1], "text, x z", units, path)
+    x, y, z = table.values.T
+    if np.ptp(y) == 0:
+        return line_of(x, z, "text, x y z along a line", [units[0], units[2]], path)
+    return map_of(x, y, z, units, path)
+
+
+def units_of(table, path):
+    """Units of the columns that heads or comments state, None where they do not."""
+    units = [unit_in(head)[1] or None for head in table.heads] or [None] * table.values.shape[1]
+    units = [unit if unit is None or exponent_of(unit, "length") is not None else refuse_unit(unit, path) for unit in units]
+    for pattern, places in ((LATERAL, range(len(units) - 1)), (VERTICAL, [len(units) - 1])):
+        found = next((pattern.search(line)[1] for line in table.comments if pattern.search(line)), None)
+        for place in places if found else ():
+            units[place] = found
+    return units
+
+
+def refuse_unit(unit, path):
+    """A head with a unit that is none of length."""
+    raise BadInput(f"{path}: the head of a column has the unit '{unit}', which is not known for a length")
+
+
+def lateral_unit(units, path):
+    """The unit that all positions have."""
+    if len({unit and exponent_of(unit, "length") for unit in units}) > 1:
+        raise BadInput(f"{path}: the heads of the positions have different units: {', '.join(str(unit) for unit in units)}")
+    return units[0]
+
+
+def check_positions(path, *positions):
+    """Positions may not be missing."""
+    if not all(np.isfinite(values).all() for values in positions):
+        raise BadInput(f"{path}: a position is missing")
+
+
+def line_of(x, z, form, units, path):
+    """A line, from positions in any order; positions that are not equidistant are interpolated."""
+    check_positions(path, x)
+    order = np.argsort(x, kind="stable")
+    x, z = x[order], z[order]
+    if not (np.diff(x) > 0).all():
+        raise BadInput(f"{path}: a position occurs twice")
+    source = Source(form, masked(z), None, units[0], units[-1])
+    step = grid_step(x)
+    if step is not None:
+        places = places_on(x, step)
+        heights = np.full(places[-1] + 1, np.nan)
+        heights[places] = z
+        source.heights = masked(heights)
+    else:
+        n = len(x)
+        if np.isnan(z).any():
+            raise BadInput(f"{path}: heights are missing at positions that are not equidistant")
+        step = (x[-1] - x[0]) / (n - 1)
+        source.heights = masked(np.interp(x[0] + step * np.arange(n), x, z))
+        source.remarks.append(f"the positions are not equidistant: heights interpolated linearly at {n} positions that are")
+    source.spacing = (step,)
+    return source
+
+
+def map_of(x, y, z, units, path):
+    """A map, from positions on a grid in any order; points that are not there are missing."""
+    check_positions(path, x, y)
+    steps = [grid_step(distinct(values)) for values in (x, y)]
+    places = [None if step is None else places_on(values, step) for values, step in zip((x, y), steps)]
+    if any(place is None for place in places):
+        raise BadInput(f"{path}: the positions are not on a grid along x and y with equal steps")
+    nx, ny = (int(place.max()) + 1 for place in places)
+    # a scattered cloud would make an empty grid of any size
+    if nx * ny > 100 * len(z):
+        raise BadInput(f"{path}: {len(z)} points are too few for the grid of {nx} x {ny} on which they stand")
+    flat = places[1] * nx + places[0]
+    if len(np.unique(flat)) < len(flat):
+        raise BadInput(f"{path}: a position occurs twice")
+    heights = np.full(ny * nx, np.nan)
+    heights[flat] = z
+    return Source("text, x y z", masked(heights.reshape(ny, nx)), tuple(steps), lateral_unit(units[:2], path), units[2])
+
+
+def distinct(values):
+    """The different positions, in order; those that differ by noise count as one, their mean."""
+    values = np.sort(values)
+    gaps = np.diff(values)
+    if not gaps.size or gaps.max() == 0:
+        return values[:1]
+    return np.array([group.mean() for group in np.split(values, np.flatnonzero(gaps > NOISE * gaps.max()) + 1)])
+
+
+def grid_step(values):
+    """Step of the grid on which ordered positions stand, with gaps or without; None if there is none."""
+    if len(values) < 2:
+        return None
+    span = values[-1] - values[0]
+    step = span / max(1, round(span / np.median(np.diff(values))))
+    places = (values - values[0]) / step
+    is_on_grid = np.abs(places - np.round(places)).max() < OFF_GRID and (np.diff(np.round(places)) > 0).all()
+    return step if is_on_grid else None
+
+
+def places_on(values, step):
+    """Numbers of positions on their grid; None if they are not on it."""
+    places = (values - values.min()) / step
+    near = np.round(places)
+    return near.astype(int) if np.abs(places - near).max() < OFF_GRID else None

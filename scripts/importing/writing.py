@@ -1,0 +1,94 @@
+"""HDF5 files with axes and units, and how files appear: whole or not at all, and never in the place of another by accident."""
+
+import os
+from contextlib import contextmanager, suppress
+
+import h5py
+
+from .problems import FileFailure, first_line
+
+
+def check_target(target, source, is_forced):
+    """May this file be written?"""
+    if target.exists():
+        if target.samefile(source):
+            raise FileFailure(f"{target}: this is the file to read, --output writes another one")
+        if not is_forced:
+            raise FileFailure(f"{target}: this file exists; --force overwrites it, --output writes another one")
+        if not target.is_file():
+            raise FileFailure(f"{target}: this is no file that could be overwritten")
+    if not target.parent.is_dir():
+        raise FileFailure(f"{target}: there is no such folder")
+
+
+@contextmanager
+def new_files(targets, is_forced):
+    """Names beside the targets to write to; without an error the files get the names of the targets, else they vanish."""
+    partial = [target.with_name(f"{target.name}.{os.getpid()}.partial") for target in targets]
+    target = targets[0]
+    try:
+        yield partial
+        for target, written in zip(targets, partial):
+            put_in_place(written, target, is_forced)
+    except (OSError, RuntimeError) as problem:
+        # h5py reports a full disk as either
+        reason = getattr(problem, "strerror", None) or first_line(problem)
+        raise FileFailure(f"{target}: cannot write: {reason}") from None
+    finally:
+        for written in partial:
+            with suppress(OSError):
+                written.unlink(missing_ok=True)
+
+
+def put_in_place(written, target, is_forced):
+    """Give a written file its name."""
+    if is_forced:
+        os.replace(written, target)
+        return
+    try:
+        # unlike a change of name this never takes the place of a file that has come in the meantime
+        os.link(written, target)
+    except FileExistsError:
+        raise FileFailure(f"{target}: this file exists; --force overwrites it, --output writes another one") from None
+    except OSError:
+        # a file system without links
+        os.rename(written, target)
+
+
+def write_surface(path, surface, results, attributes):
+    """Write the heights as `z`, with their axes, moments, spectra and distribution."""
+    with h5py.File(path, "w") as file:
+        for key, value in attributes["file"].items():
+            file.attrs[key] = value
+        names = "xy"[:surface.heights.ndim]
+        for name, points, step, origin in zip(names, surface.points, surface.spacing, surface.origin):
+            middles = [origin + step * (i + 0.5) for i in range(points)]
+            add_axis(file, name, middles, "m", f"position along {name}, in the middle of a cell")
+        z = add_dataset(file, "z", surface.heights.data, "m", "height of the rough body, summits positive", names[::-1])
+        for key, value in attributes["heights"].items():
+            z.attrs[key] = value
+        for moment in results.moments:
+            dataset = add_dataset(file, moment.name, moment.value, moment.unit, moment.meaning)
+            if moment.symbol:
+                dataset.attrs["symbol"] = moment.symbol
+        for spectrum in results.spectra:
+            add_axis(file, spectrum.axis, spectrum.wave_numbers, "rad/m", "wave number")
+            add_dataset(file, spectrum.name, spectrum.density, spectrum.unit, spectrum.meaning, [spectrum.axis])
+        middles, density = results.distribution
+        add_axis(file, "height", middles, "m", "height")
+        add_dataset(file, "height_density", density, "1/m", "share of the points per interval of the height", ["height"])
+
+
+def add_dataset(group, name, values, units, long_name, axes=()):
+    """A dataset with its unit and, where it has dimensions, their scales."""
+    dataset = group.create_dataset(name, data=values)
+    dataset.attrs["units"] = units
+    dataset.attrs["long_name"] = long_name
+    for dimension, axis in zip(dataset.dims, axes):
+        dimension.attach_scale(group[axis])
+    return dataset
+
+
+def add_axis(group, name, values, units, long_name):
+    """A dimension scale."""
+    add_dataset(group, name, values, units, long_name).make_scale(name)
