@@ -4,10 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .problems import BadInput
 from .treatment import topography_of
 
 # bins of the distribution of heights
 FEWEST_BINS, MOST_BINS = 10, 200
+# edges meet where the step across them is at most so many times the largest inside (src/shape/period_seam.f90)
+OPEN_SEAM = 2.0
 
 
 @dataclass
@@ -31,6 +34,32 @@ class Spectrum:
     density: np.ndarray
     unit: str
     meaning: str
+
+
+@dataclass
+class Results:
+    """What is computed from a surface."""
+
+    # list of `Quantity`
+    moments: list
+    # list of `Spectrum`, along x first
+    spectra: list
+    # wave numbers and density of the spectrum along x in bins
+    binned: tuple
+    # middles of bins of heights and the density in them
+    distribution: tuple
+    # steps across the edges and inside, along x first
+    seams: list
+
+
+def analyse(surface, path):
+    """All that is computed from a surface."""
+    results = Results(moments_of(surface), spectra_of(surface), binned(surface), distribution_of(surface), seams_of(surface))
+    for name, values in [(moment.name, moment.value) for moment in results.moments] + [
+            (spectrum.name, spectrum.density) for spectrum in results.spectra]:
+        if not np.isfinite(values).all():
+            raise BadInput(f"{path}: {name.replace('_', ' ')} is no number: the heights are too large or too small")
+    return results
 
 
 def moments_of(surface):
@@ -106,3 +135,8 @@ def seams_of(surface):
         steps = np.sqrt(np.mean(steps**2, axis=1))
         seams.append((float(steps[0]), float(steps[1:].max())))
     return seams
+
+
+def is_open(seams):
+    """Do opposite edges not meet?"""
+    return any(step > OPEN_SEAM * largest for step, largest in seams)

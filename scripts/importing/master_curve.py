@@ -3,13 +3,12 @@
 import re
 from dataclasses import dataclass
 
-import h5py
 import numpy as np
 
 from .problems import BadInput
 from .tables import read_table
 from .units import CYCLES, check_unit, settle, to_si, unit_in
-from .writing import add_axis, add_dataset
+from .writing import add_axis, add_dataset, hdf5_image
 
 # heads of columns, without their units, in small letters
 FREQUENCY = {"frequency", "freq", "freq.", "f", "omega", "w", "\u03c9", "angular frequency", "angular_frequency",
@@ -129,9 +128,9 @@ def temperature_of(comments, given, path):
     return temperature
 
 
-def write_master_curve(path, curve, attributes):
-    """Write the curve as the group `master_curve`."""
-    with h5py.File(path, "w") as file:
+def image_of_curve(curve, attributes):
+    """The bytes of a file with the curve as the group `master_curve`."""
+    with hdf5_image() as (file, get_bytes):
         for key, value in attributes.items():
             file.attrs[key] = value
         group = file.create_group("master_curve")
@@ -142,3 +141,4 @@ def write_master_curve(path, curve, attributes):
         add_axis(group, "omega", curve.omega, "rad/s", "angular frequency")
         add_dataset(group, "storage", curve.storage, "Pa", "storage modulus", ["omega"])
         add_dataset(group, "loss", curve.loss, "Pa", "loss modulus", ["omega"])
+    return get_bytes()

@@ -1,21 +1,26 @@
 """The picture of what was read."""
 
+import io
+
 import numpy as np
 from matplotlib.ticker import NullFormatter
 
 from plotting.labels import scale_of
+from plotting.printable import printable
 from plotting.style import COLOURS, plt, use_style
 
 # a longer line is drawn by the lowest and highest points of so many parts
 MOST_DRAWN = 4000
 # what is so small a part of the largest value is not drawn on logarithmic axes
 ROUND_OFF = 1e-20
+# maps of other ratios of their sides are drawn with other scales along x and y
+WIDEST = 4.0
 # points stay so far from the ends of a logarithmic axis [decades]
 EDGE = 0.05
 
 
-def draw_surface(surface, results, title, path):
-    """Heights, power spectra and the distribution of heights, as a PNG file."""
+def draw_surface(surface, results, title):
+    """Heights, power spectra and the distribution of heights: the bytes of a PNG file."""
     use_style()
     is_line = surface.heights.ndim == 1
     if is_line:
@@ -26,10 +31,7 @@ def draw_surface(surface, results, title, path):
         draw_map(figure, panels["heights"], surface)
     draw_spectra(panels["spectrum"], results)
     draw_distribution(panels["distribution"], results)
-    # a name is no formula
-    figure.suptitle(title.replace("$", r"\$"), fontsize="medium")
-    figure.savefig(path, format="png")
-    plt.close(figure)
+    return bytes_of(figure, title)
 
 
 def draw_line(panel, surface):
@@ -53,7 +55,7 @@ def draw_map(figure, panel, surface):
     height_factor, height_unit = scale_of(surface.heights.data, "m")
     right, top = (length * factor for length in surface.lengths)
     image = panel.imshow(surface.heights.data * height_factor, origin="lower", extent=(0, right, 0, top), cmap="viridis",
-                         interpolation="antialiased")
+                         interpolation="antialiased", aspect="equal" if 1 / WIDEST < right / top < WIDEST else "auto")
     panel.set_xlabel(f"$x$ ({unit})")
     panel.set_ylabel(f"$y$ ({unit})")
     figure.colorbar(image, ax=panel, label=f"Height $z$ ({height_unit})", shrink=0.85)
@@ -111,8 +113,8 @@ def bin_edges(middles):
     return np.append(middles - half, middles[-1] + half)
 
 
-def draw_master_curve(curve, title, path):
-    """Storage and loss modulus and their ratio over the angular frequency, as a PNG file."""
+def draw_master_curve(curve, title):
+    """Storage and loss modulus and their ratio over the angular frequency: the bytes of a PNG file."""
     use_style()
     figure, (panel, ratio) = plt.subplots(1, 2, figsize=(7.6, 3.2))
     factor, unit = scale_of(np.append(curve.storage, curve.loss), "Pa")
@@ -126,6 +128,14 @@ def draw_master_curve(curve, title, path):
     for each in (panel, ratio):
         use_decades(each, "x", curve.omega)
         each.set_xlabel(r"Angular frequency $\omega$ (rad/s)")
-    figure.suptitle(f"{title}, {curve.temperature:g} K".replace("$", r"\$"), fontsize="medium")
-    figure.savefig(path, format="png")
+    return bytes_of(figure, f"{title}, {curve.temperature:g} K")
+
+
+def bytes_of(figure, title):
+    """The PNG file of a figure under its title."""
+    # a name of a file is no formula
+    figure.suptitle(printable(title).replace("$", r"\$"), fontsize="medium")
+    image = io.BytesIO()
+    figure.savefig(image, format="png")
     plt.close(figure)
+    return image.getvalue()

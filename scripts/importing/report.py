@@ -5,9 +5,6 @@ import hashlib
 import importlib.metadata
 import shlex
 
-# edges meet where the step across the seam is at most so many times the largest inside (src/shape/period_seam.f90)
-OPEN_SEAM = 2.0
-
 
 def file_attributes(given, arguments, form):
     """Where the file comes from."""
@@ -15,7 +12,7 @@ def file_attributes(given, arguments, form):
     return {"Conventions": "CF-1.11", "title": given.file.name, "source_file": given.file.name, "source_format": form,
             "source_sha256": hashlib.sha256(given.file.read_bytes()).hexdigest(), "created": now,
             "history": f"{now} scripts/import_surface {shlex.join(map(str, arguments))}",
-            "reader": f"SurfaceTopography {importlib.metadata.version('SurfaceTopography')}"}
+            "software": f"SurfaceTopography {importlib.metadata.version('SurfaceTopography')}"}
 
 
 def surface_attributes(given, arguments, source, surface, read):

@@ -22,6 +22,13 @@ def topography_of(surface):
     return kind(heights.T, surface.lengths, periodic=surface.is_periodic, unit="m")
 
 
+def transpose(surface, path):
+    """The surface with x and y in each other's place."""
+    if surface.heights.ndim == 1:
+        raise BadInput(f"{path}: --transpose is for maps, this is a line")
+    return dataclasses.replace(surface, heights=surface.heights.T, spacing=surface.spacing[::-1])
+
+
 def cut_out(surface, region, path):
     """The points between positions [m], measured from the edge of the first cell."""
     if len(region) != 2 * surface.heights.ndim:

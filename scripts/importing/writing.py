@@ -1,5 +1,6 @@
 """HDF5 files with axes and units, and how files appear: whole or not at all, and never in the place of another by accident."""
 
+import io
 import os
 from contextlib import contextmanager, suppress
 
@@ -21,21 +22,22 @@ def check_target(target, source, is_forced):
         raise FileFailure(f"{target}: there is no such folder")
 
 
-@contextmanager
-def new_files(targets, is_forced):
-    """Names beside the targets to write to; without an error the files get the names of the targets, else they vanish."""
-    partial = [target.with_name(f"{target.name}.{os.getpid()}.partial") for target in targets]
-    target = targets[0]
+def write_files(contents, is_forced):
+    """Write files, given as their bytes by their names: all of them with a name of their own first, so that none is half."""
+    partial = {target: target.with_name(f"{target.name}.{os.getpid()}.partial") for target in contents}
+    target = None
     try:
-        yield partial
-        for target, written in zip(targets, partial):
+        for target, data in contents.items():
+            with partial[target].open("xb") as file:
+                file.write(data)
+                file.flush()
+                os.fsync(file.fileno())
+        for target, written in partial.items():
             put_in_place(written, target, is_forced)
-    except (OSError, RuntimeError) as problem:
-        # h5py reports a full disk as either
-        reason = getattr(problem, "strerror", None) or first_line(problem)
-        raise FileFailure(f"{target}: cannot write: {reason}") from None
+    except OSError as problem:
+        raise FileFailure(f"{target}: cannot write: {problem.strerror or first_line(problem)}") from None
     finally:
-        for written in partial:
+        for written in partial.values():
             with suppress(OSError):
                 written.unlink(missing_ok=True)
 
@@ -55,9 +57,17 @@ def put_in_place(written, target, is_forced):
         os.rename(written, target)
 
 
-def write_surface(path, surface, results, attributes):
-    """Write the heights as `z`, with their axes, moments, spectra and distribution."""
-    with h5py.File(path, "w") as file:
+@contextmanager
+def hdf5_image():
+    """An HDF5 file in memory, where no disk is full, and a function that gives its bytes once it is closed."""
+    image = io.BytesIO()
+    with h5py.File(image, "w") as file:
+        yield file, image.getvalue
+
+
+def image_of_surface(surface, results, attributes):
+    """The bytes of a file with the heights as `z`, their axes, moments, spectra and distribution."""
+    with hdf5_image() as (file, get_bytes):
         for key, value in attributes["file"].items():
             file.attrs[key] = value
         names = "xy"[:surface.heights.ndim]
@@ -77,6 +87,7 @@ def write_surface(path, surface, results, attributes):
         middles, density = results.distribution
         add_axis(file, "height", middles, "m", "height")
         add_dataset(file, "height_density", density, "1/m", "share of the points per interval of the height", ["height"])
+    return get_bytes()
 
 
 def add_dataset(group, name, values, units, long_name, axes=()):

@@ -139,7 +139,8 @@ class Formats(Imports):
         np.savetxt("b.xyz", np.where(mask.ravel()[:, None] & [False, False, True], np.nan, self.columns))
         text = "\n".join(",".join("" if gap else f"{z:g}" for z, gap in zip(*row)) for row in zip(self.heights, mask))
         self.write(text, "a.csv")
-        for name, options in (("a.npy", UNITS + SPACING), ("a.nc", ()), ("a.xyz", UNITS), ("b.xyz", UNITS), ("a.csv", UNITS + SPACING)):
+        for name, options in (("a.npy", UNITS + SPACING), ("a.nc", ()), ("a.xyz", UNITS), ("b.xyz", UNITS),
+                              ("a.csv", UNITS + SPACING)):
             with self.subTest(name=name):
                 _, attributes = self.check(name, *options, heights=filled, exact=False)
                 self.assertEqual(attributes["missing_points"], 1)
@@ -175,7 +176,8 @@ class Refused(Imports):
             (self.folder / name).write_bytes(data)
         for words, name in (
             ("there is no such file", "none.npy"), ("this is no file", "."), ("no array of real numbers", "cube.npy"),
-            ("no array of real numbers", "complex.npy"), ("4 x 3 points are too few", "small.npy"), ("by --channel: a, b", "two.npz"),
+            ("no array of real numbers", "complex.npy"), ("4 x 3 points are too few", "small.npy"),
+            ("by --channel: a, b", "two.npz"),
             ("no numpy file", "bad.npy"), ("none of the formats", "noise.bin"), ("none of the formats", "noise.hgt.bin"),
             ("no x3p file that can be read", "bad.x3p"), ("no nc file that can be read", "bad.nc"), ("bad.h5: ", "bad.h5"),
             ("empty.csv: ", "empty.csv"), ("zero.csv: ", "zero.csv"),
@@ -188,7 +190,8 @@ class Refused(Imports):
         for words, text in (
             ("line 3 has 1 columns, those above have 2", "0 1\n1 2\n2\n3 4\n"), ("line 2: could not convert", "0 1\n1 two\n2 3\n"),
             ("decimal commas are read where semicolons separate", "0,5 1,5\n1,5 2,5\n"),
-            ("which of them are decimal is not clear", "1.000,5;2\n2.000,5;3\n"), ("a position is missing", "0 1\nnan 2\n2 3\n3 4\n"),
+            ("which of them are decimal is not clear", "1.000,5;2\n2.000,5;3\n"),
+            ("a position is missing", "0 1\nnan 2\n2 3\n3 4\n"),
             ("a position occurs twice", "0 1\n0 2\n2 3\n3 4\n"), ("not on a grid", "0 0 1\n1.3 1 1\n2 2.2 1\n3 0 1\n1 7 1\n"),
             ("a position occurs twice", "0 0 1\n0 1 1\n1 0 1\n1 1 1\n1 1 2\n"), ("no row of numbers", "nothing here\n"),
             ("which is not known for a length", "x [um] z [V]\n0 1\n1 2\n2 3\n"),

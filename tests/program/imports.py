@@ -44,7 +44,7 @@ class Imports(Runs):
 
     def read(self, *arguments):
         """Heights and attributes of an import without warnings."""
-        _, errors = self.call(*arguments, "--output", "read.h5", "--force")
+        _, errors = self.call(*arguments, "--output", "read.h5", "--force", "--no-picture")
         self.assertEqual(errors, "")
         with h5py.File("read.h5") as file:
             return file["z"][()], dict(file["z"].attrs)
