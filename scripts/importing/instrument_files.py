@@ -1,12 +1,12 @@
 """Surfaces in files of instruments, as SurfaceTopography reads them.
 
-Where its readers complete what a file does not say, they are not believed: the unit of heights in a text file, and formats without
-any mark of their own, for which other files would be taken.
+Where its readers complete what a file does not say, they are not believed: the unit of heights in a text file, the period, and
+formats without any mark of their own, for which other files would be taken.
 """
 
+import dataclasses
 import io
 import json
-import warnings
 from contextlib import redirect_stderr, redirect_stdout
 
 import numpy as np
@@ -14,10 +14,15 @@ import numpy as np
 from .arrays import read_hdf5
 from .problems import BadInput, first_line
 from .source import Source, masked
+from .text_surface import line_of
 from .units import exponent_of
 
 # formats that no mark tells; only the ending of the name does
 WITHOUT_MARK = ("hgt", "nms")
+# formats whose sizes SurfaceTopography 1.27 gets wrong by powers of ten: its own example would be 160 m wide
+WRONG_SIZE = ("nms",)
+# formats that say whether heights are one period; the readers of others call all heights a part
+STATE_PERIOD = ("nc",)
 # arrays that state nothing; as everywhere in the project x is the last index
 ARRAYS = ("mat", "npy", "npz")
 # first words of the tables of positions that state their units (HFM, Dektak)
@@ -30,8 +35,7 @@ def read_instrument_file(path, channel):
     from SurfaceTopography.IO import CannotDetectFileFormat, open_topography
 
     # some readers print what they find
-    with warnings.catch_warnings(record=True) as caught, redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
-        warnings.simplefilter("always")
+    with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
         try:
             reader = open_topography(str(path))
         except CannotDetectFileFormat:
@@ -44,10 +48,7 @@ def read_instrument_file(path, channel):
                 return read_hdf5(path, channel)
             if form == "xyz" and not has_instrument_head(path):
                 return None
-            source = read_channel(reader, choose_channel(reader, channel, path), path)
-    # other warnings speak of the libraries, not of the file
-    source.remarks += [first_line(warning.message) for warning in caught if issubclass(warning.category, UserWarning)]
-    return source
+            return read_channel(reader, choose_channel(reader, channel, path), path)
 
 
 def has_instrument_head(path):
@@ -97,11 +98,16 @@ def read_channel(reader, channel, path):
         heights = topography.heights()
     except Exception as problem:
         raise BadInput(f"{path}: SurfaceTopography cannot read it: {first_line(problem)}") from None
+    is_period = channel.is_periodic if channel.is_periodic or reader.format() in STATE_PERIOD else None
     source = Source(f"{reader.format()} ({reader.name()})", heights_of(topography, heights, reader.format()),
-                    None, topography.unit, topography.unit, channel.is_periodic, facts_of(topography.info, channel))
+                    None, topography.unit, topography.unit, is_period, facts_of(topography.info, channel))
     if not topography.is_uniform:
-        return on_grid(source, topography, path)
-    if has_size:
+        x, z = (np.asarray(values, dtype=float) for values in topography.positions_and_heights())
+        line = line_of(x, z, source.format, [source.unit, source.height_unit], path)
+        return dataclasses.replace(line, facts=source.facts)
+    if reader.format() in WRONG_SIZE:
+        source.unit = None
+    elif has_size:
         source.spacing = tuple(float(size) / n for size, n in zip(topography.physical_sizes, topography.nb_grid_pts))
     return state_text_units(source, channel, path) if reader.format() == "asc" else source
 
@@ -111,18 +117,6 @@ def heights_of(topography, heights, form):
     if topography.dim == 2 and form not in ARRAYS:
         heights = heights.T
     return masked(heights)
-
-
-def on_grid(source, topography, path):
-    """A line with positions of any distance, interpolated linearly where they are equidistant."""
-    x, z = (np.asarray(values, dtype=float) for values in topography.positions_and_heights())
-    if not (np.diff(x) > 0).all():
-        raise BadInput(f"{path}: the positions do not rise along the line")
-    step = (x[-1] - x[0]) / (len(x) - 1)
-    source.heights = masked(np.interp(x[0] + step * np.arange(len(x)), x, z))
-    source.spacing = (step,)
-    source.remarks.append(f"the positions are not equidistant: heights interpolated linearly at {len(x)} positions that are")
-    return source
 
 
 def state_text_units(source, channel, path):

@@ -13,6 +13,8 @@ from plotting.style import COLOURS, plt, use_style
 MOST_DRAWN = 4000
 # what is so small a part of the largest value is not drawn on logarithmic axes
 ROUND_OFF = 1e-20
+# the colours end at these percentiles of the heights, so that a few pits do not take them all
+COLOURED = (0.1, 99.9)
 # maps of other ratios of their sides are drawn with other scales along x and y
 WIDEST = 4.0
 # points stay so far from the ends of a logarithmic axis [decades]
@@ -53,12 +55,14 @@ def draw_map(figure, panel, surface):
     """Heights over x and y."""
     factor, unit = scale_of(surface.lengths, "m")
     height_factor, height_unit = scale_of(surface.heights.data, "m")
+    lowest, highest = np.percentile(surface.heights.data, COLOURED) * height_factor
     right, top = (length * factor for length in surface.lengths)
     image = panel.imshow(surface.heights.data * height_factor, origin="lower", extent=(0, right, 0, top), cmap="viridis",
-                         interpolation="antialiased", aspect="equal" if 1 / WIDEST < right / top < WIDEST else "auto")
+                         vmin=lowest, vmax=highest, interpolation="antialiased",
+                         aspect="equal" if 1 / WIDEST < right / top < WIDEST else "auto")
     panel.set_xlabel(f"$x$ ({unit})")
     panel.set_ylabel(f"$y$ ({unit})")
-    figure.colorbar(image, ax=panel, label=f"Height $z$ ({height_unit})", shrink=0.85)
+    figure.colorbar(image, ax=panel, label=f"Height $z$ ({height_unit})", shrink=0.85, extend="both")
 
 
 def draw_spectra(panel, results):

@@ -13,6 +13,8 @@ from .units import exponent_of, unit_in
 OFF_GRID = 0.05
 # gaps between positions that are smaller than this part of the largest are noise of one and the same position
 NOISE = 0.1
+# heads of a first column that numbers the rows
+NUMBERS = {"index", "no", "no.", "nr", "nr.", "number", "point", "row"}
 # headers that Gwyddion writes above positions
 LATERAL = re.compile(r"Lateral units:\s*(\S+)")
 VERTICAL = re.compile(r"Value units:\s*(\S+)")
@@ -21,6 +23,8 @@ VERTICAL = re.compile(r"Value units:\s*(\S+)")
 def read_text_surface(path):
     """Read a line or a map."""
     table = read_table(path)
+    if table.heads and table.heads[0].lower() in NUMBERS:
+        table.heads, table.values = table.heads[1:], table.values[:, 1:]
     columns = table.values.shape[1]
     units = units_of(table, path)
     if columns == 1:
@@ -65,12 +69,14 @@ def check_positions(path, *positions):
 
 
 def line_of(x, z, form, units, path):
-    """A line, from positions in any order; positions that are not equidistant are interpolated."""
+    """A line, from positions that rise or fall; positions that are not equidistant are interpolated."""
     check_positions(path, x)
-    order = np.argsort(x, kind="stable")
-    x, z = x[order], z[order]
-    if not (np.diff(x) > 0).all():
+    if len(x) > 1 and x[-1] < x[0]:
+        x, z = x[::-1], z[::-1]
+    if (np.diff(x) == 0).any():
         raise BadInput(f"{path}: a position occurs twice")
+    if (np.diff(x) < 0).any():
+        raise BadInput(f"{path}: the positions go back and forth along the line: this is no single height at each of them")
     source = Source(form, masked(z), None, units[0], units[-1])
     step = grid_step(x)
     if step is not None:

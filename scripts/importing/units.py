@@ -47,8 +47,8 @@ def to_si(values, unit, kind):
 
 
 def unit_in(label):
-    """Name and unit of the head of a column, as in `x [um]`, `x (um)` or `x / um`; without one the unit is empty."""
-    found = re.fullmatch(r"\s*(.*?)\s*(?:\[([^\]]*)\]|\(([^)]*)\)|/\s*(\S+))\s*", label)
+    """Name and unit of the head of a column, as in `x [um]`, `x (um)`, `x / um` or `x in um`; without one the unit is empty."""
+    found = re.fullmatch(r"\s*(.*?)\s*(?:\[([^\]]*)\]|\(([^)]*)\)|/\s*(\S+)|\s+in\s+(\S+))\s*", label)
     if not found:
         return label.strip(), ""
     name, *units = found.groups()

@@ -72,6 +72,13 @@ class Formats(Imports):
         rows = "".join(f"{x:.2f};{z:.1f};\r\n".replace(".", ",") for x, _, z in self.columns[:NX])
         self.write("x [um];z [nm]\r\n" + rows, "line.csv")
         self.check("line.csv", heights=self.heights[0])
+        # a scan from right to left
+        self.write("x [um];z [nm]\n" + "".join(f"{x};{z}\n" for x, _, z in self.columns[NX - 1::-1]), "line.csv")
+        self.check("line.csv", heights=self.heights[0])
+        # rows with numbers, in an encoding of two bytes
+        rows = "".join(f"{i},{x},{z}\n" for i, (x, _, z) in enumerate(self.columns[:NX]))
+        (self.folder / "line.csv").write_bytes(("index,x in \u00b5m,z in nm\n" + rows).encode("utf-16"))
+        self.check("line.csv", heights=self.heights[0])
 
     def test_matrix(self):
         np.savetxt("a.csv", self.heights, delimiter=",")
@@ -106,6 +113,8 @@ class Formats(Imports):
         self.assertIn("A microscope", file["instrument_name"])
         self.assertEqual(file["instrument_vendor"], "Someone")
         self.assertIn("Record1", file["source_metadata"])
+        output, _ = self.call("a.x3p")
+        self.assertIn("periodic         no, the file does not say", output)
 
     def test_gwyddion(self):
         self.topography().to_gwy("a.gwy")
@@ -192,7 +201,8 @@ class Refused(Imports):
             ("decimal commas are read where semicolons separate", "0,5 1,5\n1,5 2,5\n"),
             ("which of them are decimal is not clear", "1.000,5;2\n2.000,5;3\n"),
             ("a position is missing", "0 1\nnan 2\n2 3\n3 4\n"),
-            ("a position occurs twice", "0 1\n0 2\n2 3\n3 4\n"), ("not on a grid", "0 0 1\n1.3 1 1\n2 2.2 1\n3 0 1\n1 7 1\n"),
+            ("a position occurs twice", "0 1\n0 2\n2 3\n3 4\n"), ("back and forth", "0 1\n1 2\n0.5 3\n3 4\n"),
+            ("not on a grid", "0 0 1\n1.3 1 1\n2 2.2 1\n3 0 1\n1 7 1\n"),
             ("a position occurs twice", "0 0 1\n0 1 1\n1 0 1\n1 1 1\n1 1 2\n"), ("no row of numbers", "nothing here\n"),
             ("which is not known for a length", "x [um] z [V]\n0 1\n1 2\n2 3\n"),
             ("different units", "x [um] y [mm] z [nm]\n0 0 1\n0 1 1\n1 0 1\n1 1 1\n"),
