@@ -71,6 +71,19 @@ class Treatment(Imports):
         np.testing.assert_allclose(z, plane / 1e9, atol=ROUND_OFF)
         self.refuse("9 of 108 points are missing, a share of 0.0833; --most-missing allows 0.05", "a.npy", *NM)
 
+    def test_gap_at_the_edge(self):
+        """The first point of a line has two neighbours if the line is a period, otherwise one; so has the first row of a map."""
+        line = np.array([np.nan, 10, 20, 40, 80, 30])
+        np.save("line.npy", line)
+        np.save("map.npy", np.add.outer(line, [0.0, 1, 2, 3, 8]))
+        options = (*NM, "--detrend", "none", "--most-missing", "0.2")
+        for period, first in (("--periodic", (30 + 10) / 2), ("--no-periodic", 10)):
+            z, _ = self.read("line.npy", *options, period)
+            self.assertAlmostEqual(z[0] / 1e-9, first, places=9)
+            # a whole row of the map is missing: its mean is that of the rows beside it
+            z, _ = self.read("map.npy", *options, period)
+            self.assertAlmostEqual(z[0].mean() / 1e-9, first + 2.8, places=9)
+
     def test_period(self):
         heights = np.add.outer(100 * np.cos(X), 50 * np.cos(3 * X))
         np.save("a.npy", heights)
