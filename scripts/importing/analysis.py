@@ -77,13 +77,13 @@ def moments_of(surface):
         Quantity("mean_deviation", f"{letter}a", np.mean(np.abs(z)), "m", "mean absolute deviation of the heights from their mean"),
         Quantity("skewness", f"{letter}sk", np.mean(z**3) / deviation**3, "1", "skewness of the heights"),
         Quantity("kurtosis", f"{letter}ku", np.mean(z**4) / deviation**4, "1", "kurtosis of the heights, 3 of a Gaussian"),
-        Quantity("peak_height", f"{letter}p", z.max(), "m", "height of the highest point above the mean"),
-        Quantity("pit_depth", f"{letter}v", -z.min(), "m", "depth of the lowest point below the mean"),
+        Quantity("peak_height", f"{letter}p", z.max(), "m", "height of the highest sample above the mean"),
+        Quantity("pit_depth", f"{letter}v", -z.min(), "m", "depth of the lowest sample below the mean"),
         Quantity("rms_slope", f"{letter}dq", float(slope), "1",
-                 "root mean square of the slope between neighbouring points" if is_line else
-                 "root mean square of the gradient between neighbouring points"),
+                 "root mean square of the slope between neighbouring samples" if is_line else
+                 "root mean square of the gradient between neighbouring samples"),
         Quantity("rms_curvature", "", float(curvature), "1/m",
-                 "root mean square of the second derivative, from three neighbouring points" if is_line else
+                 "root mean square of the second derivative, from three neighbouring samples" if is_line else
                  "root mean square of the mean curvature, half the sum of the second derivatives along x and y"),
     ]
 

@@ -79,9 +79,9 @@ def treat(surface, given):
         surface = treatment.cut_out(surface, given.region, path)
         # a part of a period is no period
         surface.is_periodic = bool(given.periodic)
-    missing = treatment.missing_points(surface, given.most_missing, path)
+    missing = treatment.missing_samples(surface, given.most_missing, path)
     trend = treatment.choose_trend(surface, given.detrend, path)
-    read = SimpleNamespace(points=surface.heights.size, missing=missing, trend=trend, lengths=surface.lengths)
+    read = SimpleNamespace(samples=surface.heights.size, missing=missing, trend=trend, lengths=surface.lengths)
     surface, read.coefficients = treatment.remove_trend(surface, trend, path)
     surface = treatment.average(treatment.fill_gaps(surface), given.average, path)
     if surface.heights.data.min() == surface.heights.data.max():

@@ -34,19 +34,19 @@ def read_command_line(arguments):
     surface = parser.add_argument_group("surfaces").add_argument
     surface("--unit", metavar="U", help="unit of the lengths, where the file states none: m, mm, um, nm ...")
     surface("--height-unit", metavar="U", help="unit of the heights, where the file states none and it is another one")
-    surface("--spacing", metavar="DX[,DY]", type=numbers(1, 2), help="distance of neighbouring points in this unit, where the file "
-            "states none")
+    surface("--spacing", metavar="DX[,DY]", type=numbers(1, 2), help="distance of neighbouring samples in this unit, "
+            "where the file states none")
     surface("--channel", metavar="NAME", help="which of several channels or arrays")
     surface("--transpose", action="store_true", help="x and y change places, before all else, so that a model slides along the "
             "other direction")
     surface("--periodic", action=argparse.BooleanOptionalAction, help="this is one period, or a part of a larger surface "
             "(default: what the file states, otherwise a part)")
-    surface("--region", metavar="X0,X1[,Y0,Y1]", type=numbers(2, 4), help="keep the points between these positions [m]")
+    surface("--region", metavar="X0,X1[,Y0,Y1]", type=numbers(2, 4), help="keep the samples between these positions [m]")
     surface("--detrend", choices=("none", "mean", "line", "plane", "curvature"), help="what is removed, by least squares "
             "(default: line or plane; mean of a period)")
-    surface("--average", metavar="N", type=int, default=1, help="means over N points of a line, N x N of a map")
+    surface("--average", metavar="N", type=int, default=1, help="means over N samples of a line, N x N of a map")
     surface("--most-missing", metavar="SHARE", type=float, default=OF_SURFACES["most_missing"],
-            help="largest share of missing points that are interpolated (default: %(default)s)")
+            help="largest share of missing samples that are interpolated (default: %(default)s)")
     curve = parser.add_argument_group("master curves").add_argument
     curve("--master-curve", action="store_true", help="FILE is a table of frequency, storage and loss modulus")
     curve("--frequency-unit", metavar="U", help="Hz or rad/s, where the file does not state which")

@@ -9,7 +9,7 @@ from plotting.labels import scale_of
 from plotting.printable import printable
 from plotting.style import COLOURS, plt, use_style
 
-# a longer line is drawn by the lowest and highest points of so many parts
+# a longer line is drawn by the lowest and highest samples of so many parts
 MOST_DRAWN = 4000
 # what is so small a part of the largest value is not drawn on logarithmic axes
 ROUND_OFF = 1e-20
@@ -17,7 +17,7 @@ ROUND_OFF = 1e-20
 COLOURED = (0.1, 99.9)
 # maps of other ratios of their sides are drawn with other scales along x and y
 WIDEST = 4.0
-# points stay so far from the ends of a logarithmic axis [decades]
+# samples stay so far from the ends of a logarithmic axis [decades]
 EDGE = 0.05
 
 
@@ -38,7 +38,7 @@ def draw_surface(surface, results, title):
 
 def draw_line(panel, surface):
     """Heights along a line."""
-    x, z = (np.arange(surface.points[0]) + 0.5) * surface.spacing[0], surface.heights.data
+    x, z = (np.arange(surface.samples[0]) + 0.5) * surface.spacing[0], surface.heights.data
     if len(z) > 2 * MOST_DRAWN:
         parts = np.array_split(np.arange(len(z)), MOST_DRAWN)
         kept = sorted({place for part in parts for place in (part[z[part].argmin()], part[z[part].argmax()])})

@@ -19,7 +19,7 @@ def surface_attributes(given, arguments, source, surface, read):
     """Attributes of the file and of the heights."""
     lengths = {f"length_{name}": length for name, length in zip("xy", surface.lengths)}
     steps = {f"d{name}": step for name, step in zip("xy", surface.spacing)}
-    heights = {**steps, **lengths, "periodic": int(surface.is_periodic), "detrend": read.trend, "missing_points": read.missing}
+    heights = {**steps, **lengths, "periodic": int(surface.is_periodic), "detrend": read.trend, "missing_samples": read.missing}
     if read.coefficients:
         heights["detrend_coefficients"] = read.coefficients
     return {"file": file_attributes(given, arguments, source.format) | source.facts, "heights": heights}
@@ -31,11 +31,11 @@ def surface_lines(given, source, surface, read, results):
     origin = "as the option says" if given.periodic is not None else (
         "as the file states" if source.is_periodic is not None and not given.region else "the file does not say")
     rows = [("format", source.format),
-            ("points", " x ".join(map(str, surface.points)) + (" (x, y)" if len(surface.points) > 1 else "")),
+            ("samples", " x ".join(map(str, surface.samples)) + (" (x, y)" if len(surface.samples) > 1 else "")),
             ("spacing", " x ".join(f"{step:.6g}" for step in surface.spacing) + " m"),
             ("length", " x ".join(f"{length:.6g}" for length in surface.lengths) + " m"),
             ("periodic", f"{periodic}, {origin}"),
-            ("missing points", f"{read.missing} of {read.points}" + (", interpolated" if read.missing else "")),
+            ("missing samples", f"{read.missing} of {read.samples}" + (", interpolated" if read.missing else "")),
             ("detrend", read.trend + slopes_of(read))]
     for moment in results.moments:
         unit = "" if moment.unit == "1" else f" {moment.unit}"

@@ -7,8 +7,8 @@ import numpy as np
 from .problems import BadInput
 from .units import settle, to_si
 
-# a surface has so many points along each direction at least, as the models want it
-FEWEST_POINTS = 4
+# a surface has so many samples along each direction at least, as the models want it
+FEWEST_SAMPLES = 4
 
 
 @dataclass
@@ -17,9 +17,9 @@ class Source:
 
     # name of the format
     format: str
-    # heights, shape (n) or (ny, nx), as the file has them; missing points are masked
+    # heights, shape (n) or (ny, nx), as the file has them; missing samples are masked
     heights: np.ma.MaskedArray
-    # distance of neighbouring points along x, and along y of a map
+    # distance of neighbouring samples along x, and along y of a map
     spacing: tuple | None = None
     # unit of the spacing
     unit: str | None = None
@@ -35,23 +35,23 @@ class Source:
 
 @dataclass
 class Surface:
-    """Heights [m], shape (n) or (ny, nx), and distances of neighbouring points [m], along x first."""
+    """Heights [m], shape (n) or (ny, nx), and distances of neighbouring samples [m], along x first."""
 
     heights: np.ma.MaskedArray
     spacing: tuple
     is_periodic: bool
-    # how far the first point is from the edge of what was measured [m], along x first
+    # how far the first sample is from the edge of what was measured [m], along x first
     origin: tuple = (0.0, 0.0)
 
     @property
-    def points(self):
-        """Numbers of points, along x first."""
+    def samples(self):
+        """Numbers of samples, along x first."""
         return self.heights.shape[::-1]
 
     @property
     def lengths(self):
-        """Lengths [m], those of the cells around the points; along x first."""
-        return tuple(n * step for n, step in zip(self.points, self.spacing))
+        """Lengths [m], those of the cells around the samples; along x first."""
+        return tuple(n * step for n, step in zip(self.samples, self.spacing))
 
 
 def masked(heights):
@@ -73,25 +73,25 @@ def in_metres(source, given, path):
 
 
 def check_shape(heights, path):
-    """Are these heights of a line or a map, with points enough?"""
+    """Are these heights of a line or a map, with samples enough?"""
     if heights.ndim not in (1, 2):
         raise BadInput(f"{path}: heights in {heights.ndim} dimensions, allowed: 1 or 2")
-    if min(heights.shape) < FEWEST_POINTS:
+    if min(heights.shape) < FEWEST_SAMPLES:
         shape = " x ".join(map(str, heights.shape[::-1]))
-        raise BadInput(f"{path}: {shape} points are too few, allowed: at least {FEWEST_POINTS} along each direction")
+        raise BadInput(f"{path}: {shape} samples are too few, allowed: at least {FEWEST_SAMPLES} along each direction")
 
 
 def settle_spacing(source, given, path):
-    """Distances of neighbouring points in the unit of the file, along x first."""
+    """Distances of neighbouring samples in the unit of the file, along x first."""
     spacing = source.spacing
     if spacing is not None and given is not None:
-        raise BadInput(f"{path}: the file states the spacing of its points, --spacing is for files that do not")
+        raise BadInput(f"{path}: the file states the spacing of its samples, --spacing is for files that do not")
     if spacing is None:
         if given is None:
-            raise BadInput(f"{path}: the file does not state the spacing of its points: give --spacing DX or DX,DY")
+            raise BadInput(f"{path}: the file does not state the spacing of its samples: give --spacing DX or DX,DY")
         if len(given) > source.heights.ndim:
             raise BadInput(f"{path}: --spacing has two numbers, and the file is a line")
         spacing = tuple(given) if len(given) == source.heights.ndim else (given[0],) * source.heights.ndim
     if not all(np.isfinite(step) and step > 0 for step in spacing):
-        raise BadInput(f"{path}: the spacing of the points is {', '.join(map(str, spacing))}, allowed: above 0")
+        raise BadInput(f"{path}: the spacing of the samples is {', '.join(map(str, spacing))}, allowed: above 0")
     return spacing

@@ -96,7 +96,7 @@ def line_of(x, z, form, units, path):
 
 
 def map_of(x, y, z, units, path):
-    """A map, from positions on a grid in any order; points that are not there are missing."""
+    """A map, from positions on a grid in any order; samples that are not there are missing."""
     check_positions(path, x, y)
     steps = [grid_step(distinct(values)) for values in (x, y)]
     places = [None if step is None else places_on(values, step) for values, step in zip((x, y), steps)]
@@ -105,7 +105,7 @@ def map_of(x, y, z, units, path):
     nx, ny = (int(place.max()) + 1 for place in places)
     # a scattered cloud would make an empty grid of any size
     if nx * ny > 100 * len(z):
-        raise BadInput(f"{path}: {len(z)} points are too few for the grid of {nx} x {ny} on which they stand")
+        raise BadInput(f"{path}: {len(z)} samples are too few for the grid of {nx} x {ny} on which they stand")
     flat = places[1] * nx + places[0]
     if len(np.unique(flat)) < len(flat):
         raise BadInput(f"{path}: a position occurs twice")

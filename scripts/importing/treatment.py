@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from .problems import BadInput
-from .source import FEWEST_POINTS, masked
+from .source import FEWEST_SAMPLES, masked
 
 # what can be removed: the words of the field, and those of SurfaceTopography
 TRENDS = {"none": None, "mean": "mean", "line": "rms-tilt", "plane": "rms-tilt", "curvature": "rms-curvature"}
@@ -30,29 +30,29 @@ def transpose(surface, path):
 
 
 def cut_out(surface, region, path):
-    """The points between positions [m], measured from the edge of the first cell."""
+    """The samples between positions [m], measured from the edge of the first cell."""
     if len(region) != 2 * surface.heights.ndim:
         raise BadInput(f"{path}: --region has {len(region)} numbers, a {'line' if surface.heights.ndim == 1 else 'map'} "
                        f"needs {2 * surface.heights.ndim}")
     slices = []
     for along, (first, last) in enumerate(zip(region[::2], region[1::2])):
-        middles = (np.arange(surface.points[along]) + 0.5) * surface.spacing[along]
+        middles = (np.arange(surface.samples[along]) + 0.5) * surface.spacing[along]
         inside = np.flatnonzero((middles >= first) & (middles < last))
-        if len(inside) < FEWEST_POINTS:
-            raise BadInput(f"{path}: --region keeps {len(inside)} points along {'xy'[along]}, allowed: at least {FEWEST_POINTS}")
+        if len(inside) < FEWEST_SAMPLES:
+            raise BadInput(f"{path}: --region keeps {len(inside)} samples along {'xy'[along]}, allowed: at least {FEWEST_SAMPLES}")
         slices.append(slice(inside[0], inside[-1] + 1))
     origin = tuple(part.start * step for part, step in zip(slices, surface.spacing))
     return dataclasses.replace(surface, heights=surface.heights[tuple(reversed(slices))], origin=origin)
 
 
-def missing_points(surface, most, path):
-    """Number of missing points; too many are refused."""
+def missing_samples(surface, most, path):
+    """Number of missing samples; too many are refused."""
     missing = int(np.ma.count_masked(surface.heights))
     if missing == surface.heights.size:
-        raise BadInput(f"{path}: all points are missing")
+        raise BadInput(f"{path}: all samples are missing")
     if missing > most * surface.heights.size:
         share = missing / surface.heights.size
-        raise BadInput(f"{path}: {missing} of {surface.heights.size} points are missing, a share of {share:.3g}; "
+        raise BadInput(f"{path}: {missing} of {surface.heights.size} samples are missing, a share of {share:.3g}; "
                        f"--most-missing allows {most:g}")
     return missing
 
@@ -71,7 +71,7 @@ def choose_trend(surface, wanted, path):
 
 
 def remove_trend(surface, trend, path):
-    """The surface without a trend, which is fitted to the points that are there, and the coefficients removed [m]."""
+    """The surface without a trend, which is fitted to the samples that are there, and the coefficients removed [m]."""
     if TRENDS[trend] is None:
         return surface, []
     detrended = topography_of(surface).detrend(TRENDS[trend])
@@ -82,7 +82,7 @@ def remove_trend(surface, trend, path):
 
 
 def fill_gaps(surface):
-    """The surface with missing points interpolated harmonically: each is the mean of its neighbours."""
+    """The surface with missing samples interpolated harmonically: each is the mean of its neighbours."""
     if not np.ma.is_masked(surface.heights):
         return surface
     filled = topography_of(surface).interpolate_undefined_data_with_harmonic_function()
@@ -90,15 +90,15 @@ def fill_gaps(surface):
 
 
 def average(surface, count, path):
-    """Means over blocks of so many points along each direction; points beyond the last whole block are left out."""
+    """Means over blocks of so many samples along each direction; samples beyond the last whole block are left out."""
     if count == 1:
         return surface
-    if surface.is_periodic and any(n % count for n in surface.points):
-        raise BadInput(f"{path}: --average {count} does not divide the {' x '.join(map(str, surface.points))} points of a period")
+    if surface.is_periodic and any(n % count for n in surface.samples):
+        raise BadInput(f"{path}: --average {count} does not divide the {' x '.join(map(str, surface.samples))} samples of a period")
     blocks = tuple(n // count for n in surface.heights.shape)
-    if min(blocks) < FEWEST_POINTS:
-        raise BadInput(f"{path}: --average {count} leaves {' x '.join(map(str, blocks[::-1]))} points, allowed: at least "
-                       f"{FEWEST_POINTS} along each direction")
+    if min(blocks) < FEWEST_SAMPLES:
+        raise BadInput(f"{path}: --average {count} leaves {' x '.join(map(str, blocks[::-1]))} samples, allowed: at least "
+                       f"{FEWEST_SAMPLES} along each direction")
     heights = surface.heights.data[tuple(slice(n * count) for n in blocks)]
     shape = tuple(number for n in blocks for number in (n, count))
     means = heights.reshape(shape).mean(axis=tuple(range(1, len(shape), 2)))

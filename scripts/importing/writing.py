@@ -71,8 +71,8 @@ def image_of_surface(surface, results, attributes):
         for key, value in attributes["file"].items():
             file.attrs[key] = value
         names = "xy"[:surface.heights.ndim]
-        for name, points, step, origin in zip(names, surface.points, surface.spacing, surface.origin):
-            middles = [origin + step * (i + 0.5) for i in range(points)]
+        for name, samples, step, origin in zip(names, surface.samples, surface.spacing, surface.origin):
+            middles = [origin + step * (i + 0.5) for i in range(samples)]
             add_axis(file, name, middles, "m", f"position along {name}, in the middle of a cell")
         z = add_dataset(file, "z", surface.heights.data, "m", "height of the rough body, summits positive", names[::-1])
         for key, value in attributes["heights"].items():
@@ -86,7 +86,7 @@ def image_of_surface(surface, results, attributes):
             add_dataset(file, spectrum.name, spectrum.density, spectrum.unit, spectrum.meaning, [spectrum.axis])
         middles, density = results.distribution
         add_axis(file, "height", middles, "m", "height")
-        add_dataset(file, "height_density", density, "1/m", "share of the points per interval of the height", ["height"])
+        add_dataset(file, "height_density", density, "1/m", "share of the samples per interval of the height", ["height"])
     return get_bytes()
 
 

@@ -24,7 +24,7 @@ class Formats(Imports):
         self.columns = np.stack([x.ravel(), y.ravel(), self.heights.ravel()], axis=1)
 
     def topography(self, **more):
-        """The heights as SurfaceTopography has them, in micrometres, with a missing point if wanted."""
+        """The heights as SurfaceTopography has them, in micrometres, with a missing sample if wanted."""
         return Topography(self.heights.T / 1000, (DX * NX, DY * NY), unit="µm", **more)
 
     def check(self, name, *arguments, heights=None, exact=True):
@@ -136,7 +136,7 @@ class Formats(Imports):
         self.call("a.h5", "--channel", "deep/z", "-o", "first.h5", "--detrend", "none")
         self.check("first.h5", "--channel", "z")
 
-    def test_missing_points(self):
+    def test_missing_samples(self):
         mask = np.zeros((NY, NX), bool)
         mask[2, 3] = True
         heights = np.ma.array(self.heights, mask=mask)
@@ -152,7 +152,7 @@ class Formats(Imports):
                               ("a.csv", UNITS + SPACING)):
             with self.subTest(name=name):
                 _, attributes = self.check(name, *options, heights=filled, exact=False)
-                self.assertEqual(attributes["missing_points"], 1)
+                self.assertEqual(attributes["missing_samples"], 1)
 
     def test_other_positions(self):
         """Positions that are not equidistant are interpolated, and the user is told."""
@@ -164,11 +164,11 @@ class Formats(Imports):
             self.assertIn("not equidistant", errors)
             with h5py.File("line.h5") as file:
                 np.testing.assert_allclose(file["z"][()], 3e-6 * np.arange(6), atol=1e-20)
-        # a gap in equal steps is a missing point
+        # a gap in equal steps is a missing sample
         np.savetxt("line.csv", np.stack([x := np.array([0.0, 1, 2, 4, 5, 6]), 3 * x], axis=1))
         z, attributes = self.read("line.csv", "--unit", "um", "--detrend", "none", "--most-missing", "0.2")
         np.testing.assert_allclose(z, 3e-6 * np.arange(7), atol=1e-20)
-        self.assertEqual(attributes["missing_points"], 1)
+        self.assertEqual(attributes["missing_samples"], 1)
 
 
 class Refused(Imports):
@@ -185,7 +185,7 @@ class Refused(Imports):
             (self.folder / name).write_bytes(data)
         for words, name in (
             ("there is no such file", "none.npy"), ("this is no file", "."), ("no array of real numbers", "cube.npy"),
-            ("no array of real numbers", "complex.npy"), ("4 x 3 points are too few", "small.npy"),
+            ("no array of real numbers", "complex.npy"), ("4 x 3 samples are too few", "small.npy"),
             ("by --channel: a, b", "two.npz"),
             ("no numpy file", "bad.npy"), ("none of the formats", "noise.bin"), ("none of the formats", "noise.hgt.bin"),
             ("no x3p file that can be read", "bad.x3p"), ("no nc file that can be read", "bad.nc"), ("bad.h5: ", "bad.h5"),

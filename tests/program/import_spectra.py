@@ -12,7 +12,7 @@ N = 64
 
 
 def waves(*pairs):
-    """Sum of cosines of amplitude [nm] and number over N points."""
+    """Sum of cosines of amplitude [nm] and number over N samples."""
     x = 2 * np.pi * np.arange(N) / N
     return sum(amplitude * np.cos(number * x) for amplitude, number in pairs)
 
@@ -47,7 +47,7 @@ class Analysis(Imports):
         self.assertLess(np.delete(density, (8, 9, 10)).max(), 1e-20 * density.max())
 
     def test_peak(self):
-        """One point of height h has the same power (h dx dy)^2/A in all modes of the plane."""
+        """One sample of height h has the same power (h dx dy)^2/A in all modes of the plane."""
         heights = np.zeros((12, 16))
         heights[5, 3] = 200
         q, density = self.spectrum(heights, "--periodic", number=2)

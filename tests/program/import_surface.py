@@ -48,16 +48,20 @@ class Treatment(Imports):
             np.testing.assert_allclose(found, flat, rtol=0, atol=1e-12 * 3e-6)
             self.assertAlmostEqual(found.mean() / 1e-9, 0, places=9)
             self.assertEqual(attributes["detrend"], trend)
+            # positions in parts of the lengths, from the first sample
+            u, v = x / 16, y / 12
+            terms = zip(attributes["detrend_coefficients"], (1, u, v, u**2, v**2, u * v))
+            np.testing.assert_allclose(found + sum(value * term for value, term in terms), (heights + tilt) / 1e9, atol=1e-12 * 3e-6)
         # the slopes are told, per length of the line or map
         np.save("a.npy", plane.astype(float) + np.where((x + y) % 2, 1, -1))
         output, _ = self.call("a.npy", *NM, "--force")
         self.assertIn("detrend          plane, slope 0.7 along x, -0.2 along y", output)
-        # missing points have no part in the tilt, and are filled behind it
+        # missing samples have no part in the tilt, and are filled behind it
         gap = plane.astype(float) + np.where((x + y) % 2, 1, -1)
         gap[4:6, 7:9] = np.nan
         np.save("a.npy", gap)
         z, attributes = self.read("a.npy", *NM)
-        self.assertEqual(attributes["missing_points"], 4)
+        self.assertEqual(attributes["missing_samples"], 4)
         np.testing.assert_allclose(np.delete(z.ravel(), np.flatnonzero(np.isnan(gap))),
                                    np.delete(np.where((x + y) % 2, 1e-9, -1e-9).ravel(), np.flatnonzero(np.isnan(gap))), atol=2e-14)
 
@@ -69,10 +73,10 @@ class Treatment(Imports):
         np.save("a.npy", gap)
         z, _ = self.read("a.npy", *NM, "--detrend", "none", "--most-missing", "0.1")
         np.testing.assert_allclose(z, plane / 1e9, atol=ROUND_OFF)
-        self.refuse("9 of 108 points are missing, a share of 0.0833; --most-missing allows 0.05", "a.npy", *NM)
+        self.refuse("9 of 108 samples are missing, a share of 0.0833; --most-missing allows 0.05", "a.npy", *NM)
 
     def test_gap_at_the_edge(self):
-        """The first point of a line has two neighbours if the line is a period, otherwise one; so has the first row of a map."""
+        """The first sample of a line has two neighbours if the line is a period, otherwise one; so has the first row of a map."""
         line = np.array([np.nan, 10, 20, 40, 80, 30])
         np.save("line.npy", line)
         np.save("map.npy", np.add.outer(line, [0.0, 1, 2, 3, 8]))
@@ -138,14 +142,14 @@ class Treatment(Imports):
             ("--spacing has two numbers", "line.npy", *NM[:3], "1,2"),
             ("invalid number value", "map.npy", *NM[:3], "1,2,3"), ("invalid number value", "map.npy", *NM, "--region", "0,1,2"),
             ("--region has 2 numbers, a map needs 4", "map.npy", *NM, "--region", "0,1e-6"),
-            ("keeps 3 points along x", "map.npy", *NM, "--region", "0,3e-7,0,1"),
+            ("keeps 3 samples along x", "map.npy", *NM, "--region", "0,3e-7,0,1"),
             ("--detrend line is for lines, this is a map", "map.npy", *NM, "--detrend", "line"),
             ("--detrend plane is for maps, this is a line", "line.npy", *NM, "--detrend", "plane"),
             ("a period has no plane to remove", "map.npy", *NM, "--periodic", "--detrend", "plane"),
             ("invalid choice", "map.npy", *NM, "--detrend", "tilt"), ("--average: given 0", "map.npy", *NM, "--average", "0"),
-            ("--average 4 leaves 3 x 2 points", "map.npy", *NM, "--average", "4"),
+            ("--average 4 leaves 3 x 2 samples", "map.npy", *NM, "--average", "4"),
             ("--average 5 does not divide", "map.npy", *NM, "--periodic", "--average", "5"),
-            ("--most-missing: given 1", "map.npy", *NM, "--most-missing", "1"), ("all points are missing", "empty.npy", *NM),
+            ("--most-missing: given 1", "map.npy", *NM, "--most-missing", "1"), ("all samples are missing", "empty.npy", *NM),
             ("nothing is left", "flat.npy", *NM), ("all heights are the same", "flat.npy", *NM, "--detrend", "none"),
             ("nothing is left of the heights without their plane", "plane.npy", *NM),
             ("the heights are too large or too small", "huge.npy", *NM),
@@ -211,7 +215,7 @@ class Files(Imports):
         self.assertIn("\\x1b[2J", output)
 
     def test_smallest(self):
-        """The fewest points that are allowed have moments and spectra, too."""
+        """The fewest samples that are allowed have moments and spectra, too."""
         for heights in (rough(4, 4), rough(4, 4)[0], rough(4, 60), rough(60, 4)):
             np.save("b.npy", heights)
             for options in ((), ("--periodic",)):
