@@ -9,7 +9,7 @@ import shlex
 def file_attributes(given, arguments, form):
     """Where the file comes from."""
     now = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
-    return {"Conventions": "CF-1.11", "title": given.file.name, "source_file": given.file.name, "source_format": form,
+    return {"title": given.file.name, "source_file": given.file.name, "source_format": form,
             "source_sha256": hashlib.sha256(given.file.read_bytes()).hexdigest(), "created": now,
             "history": f"{now} scripts/import_surface {shlex.join(map(str, arguments))}",
             "software": f"SurfaceTopography {importlib.metadata.version('SurfaceTopography')}"}
