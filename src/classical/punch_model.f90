@@ -2,15 +2,15 @@
 module adfric_classical_punch_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
-   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_classical_contact_conditions, only: largest_violation
    use adfric_classical_field_model, only: set_plane_stresses, maps_of
    use adfric_classical_model, only: halfspace_model_t
-   use adfric_classical_punch_profiles, only: polynomial_t, power_load, wedge_load, wedge_pressure, wedge_gap
+   use adfric_classical_punch_profiles, only: polynomial_t, power_load, wedge_load
+   use adfric_classical_punch_state, only: punch_state_t
    use adfric_classical_punch_stress, only: punch_stress
-   use adfric_classical_rigid_punch, only: punch_contact_t, solve_punch, solve_punch_of_width
+   use adfric_classical_rigid_punch, only: solve_punch, solve_punch_of_width
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, has_contact_modulus, &
       & check_contact_modulus
    use adfric_model_pointwise, only: point_state_t
@@ -45,22 +45,6 @@ module adfric_classical_punch_model
       procedure :: solve_point
       procedure :: fill_profiles
    end type punch_model_t
-
-   !> A punch on its contact: for the wedge `contact` holds the flat part only.
-   type, extends(point_state_t) :: punch_state_t
-      !> Shape of the punch.
-      type(polynomial_t) :: profile
-      !> Its contact.
-      type(punch_contact_t) :: contact
-      !> Slope of a wedge; 0 for other kinds.
-      real(dp) :: slope = 0
-      !> Half-width of the face; enormous without an end.
-      real(dp) :: face = huge(1.0_dp)
-   contains
-      procedure :: pressure
-      procedure :: level
-      procedure :: gap
-   end type punch_state_t
 
 contains
 
@@ -358,48 +342,5 @@ contains
       end do
       profiles(:, p_displacement) = -state%level(x)
    end subroutine get_surface
-
-   !> Pressure at x.
-   elemental real(dp) function pressure(self, x)
-      !> The punch on its solved contact.
-      class(punch_state_t), intent(in) :: self
-      !> Coordinate along the surface, from the middle of the punch [m].
-      real(dp), intent(in) :: x
-
-      pressure = self%contact%pressure(x)
-      if (self%slope > 0 .and. abs(x) <= self%contact%half_width) pressure = pressure &
-         & + wedge_pressure(self%contact%modulus, self%slope, self%contact%half_width, x)
-   end function pressure
-
-   !> How far the surface lies above its level under the middle of the punch.
-   elemental real(dp) function level(self, x)
-      !> The punch on its solved contact.
-      class(punch_state_t), intent(in) :: self
-      !> Coordinate along the surface, from the middle of the punch [m].
-      real(dp), intent(in) :: x
-
-      if (self%slope > 0) then
-         level = self%slope*abs(x) - wedge_gap(self%slope, self%contact%half_width, x)
-         if (abs(x) > self%contact%half_width) level = level + self%contact%rise(x)
-      else
-         level = self%profile%height(self%contact%half_width) + self%contact%rise(x)
-      end if
-   end function level
-
-   !> Gap at x, where there is a face.
-   elemental real(dp) function gap(self, x)
-      !> The punch on its solved contact.
-      class(punch_state_t), intent(in) :: self
-      !> Coordinate along the surface, from the middle of the punch [m].
-      real(dp), intent(in) :: x
-
-      if (abs(x) > self%face) then
-         gap = not_a_number()
-      else if (self%slope > 0) then
-         gap = wedge_gap(self%slope, self%contact%half_width, x)
-      else
-         gap = self%profile%height(x) - self%level(x)
-      end if
-   end function gap
 
 end module adfric_classical_punch_model
