@@ -85,11 +85,11 @@ contains
       logical, intent(in) :: is_3d
       real(dp), intent(in) :: tolerance
 
-      surface%is_3d = is_3d
+      surface%shape%is_3d = is_3d
       call new_foundation(surface%foundation, trial%u, trial%beta)
-      surface%stress = trial%stress
-      surface%range = trial%range
-      surface%edge = trial%edge
+      surface%adhesion%stress = trial%stress
+      surface%adhesion%range = trial%range
+      surface%adhesion%edge = trial%edge
       surface%branch = trial%branch
       surface%tolerance = tolerance
    end function new_surface

@@ -83,8 +83,8 @@ contains
                   x(:n, start) = start_of(c, start)
                end do
                write (table, '(i0, ",", i0, 9(",", es24.16e3), ",", f0.4, ",", i0, 12(",", es24.16e3))') regime, k, &
-                  s%foundation%u, s%foundation%v, s%foundation%storage, s%foundation%loss, s%mean, s%stress, s%range, s%jump, &
-                  c%edges%entry, our_time(regime), n, x
+                  s%foundation%u, s%foundation%v, s%foundation%storage, s%foundation%loss, s%mean, &
+                  s%adhesion%stress, s%adhesion%range, s%adhesion%jump, c%edges%entry, our_time(regime), n, x
             end associate
          end do
       end do

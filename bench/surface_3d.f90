@@ -14,7 +14,8 @@ program surface_3d
    use adfric_wavy_model, only: wavy_model_t, new_wavy_model
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: strip_t, steady_state_t
-   use adfric_wavy_surface, only: surface_t, totals_t, new_surface_strip, add_strip, share_at
+   use adfric_wavy_surface, only: surface_t, totals_t, new_surface_strip, add_strip
+   use adfric_wavy_wave_shape, only: share_at
    use adfric_wavy_variables
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    implicit none (type, external)
@@ -207,11 +208,11 @@ contains
       real(dp) :: times(n_repeats), start, share, theta
       integer :: r, panel, k
 
-      surface%is_3d = .true.
+      surface%shape%is_3d = .true.
       call new_foundation(surface%foundation, c%u, c%beta)
-      surface%stress = c%stress
-      surface%range = c%range
-      surface%edge = c%edge
+      surface%adhesion%stress = c%stress
+      surface%adhesion%range = c%range
+      surface%adhesion%edge = c%edge
       surface%branch = c%branch
       do r = 1, n_repeats
          totals = totals_t()

@@ -42,23 +42,23 @@ contains
 
       a = x(1)
       b = x(2)
-      associate (s => self%strip, u => self%strip%foundation%u, v => self%strip%foundation%v)
+      associate (s => self%strip, law => self%strip%adhesion, u => self%strip%foundation%u, v => self%strip%foundation%v)
          select case (self%regime)
          case (regime_adhesion_only)
-            residuals(1) = (level(s, b) + s%range - s%jump + s%stress)*exp(-(a + b)/v) - s%stress - level(s, -a) - s%range
-            residuals(2) = (level(s, -a) + s%range + s%jump)*exp(-(two_pi - a - b)/v) - level(s, b) - s%range
+            residuals(1) = (level(s, b) + law%range - law%jump + law%stress)*exp(-(a + b)/v) - law%stress - level(s, -a) - law%range
+            residuals(2) = (level(s, -a) + law%range + law%jump)*exp(-(two_pi - a - b)/v) - level(s, b) - law%range
          case (regime_adhesion_zones)
             a1 = x(3)
             b1 = b
             if (self%n == 4) b1 = x(4)
-            residuals(1) = pressure(s, -a) + s%stress + (self%entry - s%stress - pressure(s, b))*exp(-(a + b)/u)
-            residuals(2) = (level(s, -a) + s%stress)*exp(-(a1 - a)/v) - s%stress - level(s, -a1) - s%range
-            residuals(3) = (level(s, -a1) + s%range + s%jump)*exp(-(two_pi - a1 - b1)/v) - level(s, b1) - s%range
-            if (self%n == 4) residuals(4) = (level(s, b1) + s%range - s%jump + s%stress)*exp(-(b1 - b)/v) &
-               - s%stress - level(s, b)
+            residuals(1) = pressure(s, -a) + law%stress + (self%entry - law%stress - pressure(s, b))*exp(-(a + b)/u)
+            residuals(2) = (level(s, -a) + law%stress)*exp(-(a1 - a)/v) - law%stress - level(s, -a1) - law%range
+            residuals(3) = (level(s, -a1) + law%range + law%jump)*exp(-(two_pi - a1 - b1)/v) - level(s, b1) - law%range
+            if (self%n == 4) residuals(4) = (level(s, b1) + law%range - law%jump + law%stress)*exp(-(b1 - b)/v) &
+               - law%stress - level(s, b)
          case default
-            residuals(1) = pressure(s, -a) + s%stress - (s%stress + pressure(s, b))*exp(-(a + b)/u)
-            residuals(2) = (level(s, -a) + s%stress)*exp(-(two_pi - a - b)/v) - s%stress - level(s, b)
+            residuals(1) = pressure(s, -a) + law%stress - (law%stress + pressure(s, b))*exp(-(a + b)/u)
+            residuals(2) = (level(s, -a) + law%stress)*exp(-(two_pi - a - b)/v) - law%stress - level(s, b)
          end select
       end associate
    end subroutine get_residuals
@@ -100,7 +100,7 @@ contains
       real(dp) :: x(self%n), outer, inner
 
       associate (s => self%strip)
-         outer = acos(max(-0.95_dp, min(0.98_dp, -s%mean - s%range)))
+         outer = acos(max(-0.95_dp, min(0.98_dp, -s%mean - s%adhesion%range)))
          inner = acos(max(-0.9_dp, min(0.99_dp, -s%level)))
       end associate
       x = merge(outer, inner, self%regime == regime_adhesion_only)

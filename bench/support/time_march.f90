@@ -27,7 +27,7 @@ contains
       xi = state%shift + two_pi/2
       call get_column(strip, state, xi, w, p)
       zone = is_free
-      if (p < -strip%stress/2) zone = in_adhesion
+      if (p < -strip%adhesion%stress/2) zone = in_adhesion
       if (w <= strip%mean + cos(xi)) zone = in_contact
       load = 0
       friction = 0
@@ -51,24 +51,24 @@ contains
          if (zone == in_contact) then
             ! p + u dp/ds = w + v dw/ds
             p = (u*p + h*level + v*(level - w))/(u + h)
-            if (p > -strip%stress) then
+            if (p > -strip%adhesion%stress) then
                w = level
                return
             end if
             zone = in_adhesion
          end if
-         p = merge(-strip%stress, 0.0_dp, zone == in_adhesion)
+         p = merge(-strip%adhesion%stress, 0.0_dp, zone == in_adhesion)
          w = (v*w + h*p)/(v + h)
-         if (zone == in_adhesion .and. w - level > strip%range .and. strip%stress > 0) then
+         if (zone == in_adhesion .and. w - level > strip%adhesion%range .and. strip%adhesion%stress > 0) then
             zone = is_free
-            w = w + strip%jump
-         else if (zone == is_free .and. w - level <= strip%range .and. strip%stress > 0) then
+            w = w + strip%adhesion%jump
+         else if (zone == is_free .and. w - level <= strip%adhesion%range .and. strip%adhesion%stress > 0) then
             zone = in_adhesion
-            w = w - strip%jump
+            w = w - strip%adhesion%jump
          end if
          if (w > level) return
          zone = in_contact
-         p = strip%foundation%beta*(level - w) - strip%stress
+         p = strip%foundation%beta*(level - w) - strip%adhesion%stress
          w = level
       end associate
    end subroutine step_column

@@ -3,7 +3,8 @@ module trial_strips
    use adfric_base_kinds, only: dp
    use adfric_wavy_foundation, only: foundation_t, new_foundation
    use adfric_wavy_steady_state, only: branch_adhered, branch_approach
-   use adfric_wavy_strip, only: strip_t, new_strip, edge_continuous, edge_instantaneous
+   use adfric_wavy_adhesion, only: adhesion_t, edge_continuous, edge_instantaneous
+   use adfric_wavy_strip, only: strip_t, new_strip
    use random_dice, only: dice_t
    implicit none (type, external)
    private
@@ -48,7 +49,8 @@ contains
       type(foundation_t) :: foundation
 
       call new_foundation(foundation, trial%u, trial%beta)
-      call new_strip(strip, foundation, 0.5_dp, trial%penetration + change, trial%stress, trial%range, trial%edge)
+      call new_strip(strip, foundation, 0.5_dp, trial%penetration + change, &
+         adhesion_t(trial%stress, trial%range, trial%edge))
    end subroutine make_strip
 
    !> A trial as a namelist, to every digit.

@@ -18,7 +18,8 @@ module adfric_contact_strip
    use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_load, solve_penetration
    use adfric_wavy_foundation, only: new_foundation
    use adfric_wavy_steady_state, only: branch_adhered, branch_approach
-   use adfric_wavy_strip, only: edge_continuous, edge_instantaneous, regime_adhesion_only, regime_free
+   use adfric_wavy_adhesion, only: edge_continuous, edge_instantaneous
+   use adfric_wavy_strip, only: regime_adhesion_only, regime_free
    use adfric_wavy_surface, only: surface_t
    implicit none (type, external)
    private
@@ -147,9 +148,9 @@ contains
       logical, intent(in), optional :: is_approach
 
       call new_foundation(surface%foundation, phase, ratio)
-      surface%stress = stress
-      if (stress > 0) surface%range = range
-      if (present(is_instantaneous)) surface%edge = merge(edge_instantaneous, edge_continuous, is_instantaneous)
+      surface%adhesion%stress = stress
+      if (stress > 0) surface%adhesion%range = range
+      if (present(is_instantaneous)) surface%adhesion%edge = merge(edge_instantaneous, edge_continuous, is_instantaneous)
       if (present(is_approach)) surface%branch = merge(branch_approach, branch_adhered, is_approach)
    end function surface_of
 

@@ -7,6 +7,7 @@ module adfric_wavy_balance
    use adfric_base_constants, only: pi, two_pi
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_numerics_trigonometry, only: angle_minus_sine
+   use adfric_wavy_adhesion, only: edge_work
    use adfric_wavy_contact_zone, only: decay
    use adfric_wavy_edge_equations, only: get_edge_rates, get_adhesion_rate
    use adfric_wavy_strip, only: strip_t, profile, lifted_profile, steady_state_t, regime_adhesion_only, regime_discrete, &
@@ -105,21 +106,21 @@ contains
 
       call add_contact(strip, state, sums, balance)
       w = lifted_profile(strip, a)
-      call add_open_zone(strip, w, trailing, -strip%stress, sums)
+      call add_open_zone(strip, w, trailing, -strip%adhesion%stress, sums)
       if (state%regime == regime_adhesion_zones) then
          gap_sum = 2*sin(free/2)*sin(state%outer_shift)
-         balance%friction = balance%friction - strip%stress*gap_sum
-         balance%friction_scale = balance%friction_scale + abs(strip%stress*gap_sum)
-         w = profile(strip, a + trailing) + strip%range + strip%jump
+         balance%friction = balance%friction - strip%adhesion%stress*gap_sum
+         balance%friction_scale = balance%friction_scale + abs(strip%adhesion%stress*gap_sum)
+         w = profile(strip, a + trailing) + strip%adhesion%release_gap + strip%adhesion%jump
          call add_open_zone(strip, w, free, 0.0_dp, sums)
          call add_edge_loss(strip, state, w, balance)
          if (.not. state%entry > 0) then
-            w = lifted_profile(strip, b + state%leading) + strip%range - strip%jump
-            call add_open_zone(strip, w, state%leading, -strip%stress, sums)
+            w = lifted_profile(strip, b + state%leading) + strip%adhesion%attach_gap - strip%adhesion%jump
+            call add_open_zone(strip, w, state%leading, -strip%adhesion%stress, sums)
          end if
       end if
       call finish(strip, sums, balance)
-      if (.not. strip%stress > 0) balance%adhesion = 0
+      if (.not. strip%adhesion%stress > 0) balance%adhesion = 0
    end subroutine balance_contact
 
    !> Adhesion without contact: everywhere, or in one zone.
@@ -136,16 +137,16 @@ contains
       a = state%half_width - state%shift
       b = state%half_width + state%shift
       balance%adhesion = 2*state%half_width
-      balance%load = -strip%stress*balance%adhesion
+      balance%load = -strip%adhesion%stress*balance%adhesion
       balance%load_scale = abs(balance%load)
       if (balance%adhesion >= two_pi) return
       ! stress times F(b) - F(-a)
       change = -2*sin(state%half_width)*sin(state%shift)
-      balance%friction = strip%stress*change
+      balance%friction = strip%adhesion%stress*change
       balance%friction_scale = abs(balance%friction)
-      w = lifted_profile(strip, b) + strip%range - strip%jump
-      call add_open_zone(strip, w, balance%adhesion, -strip%stress, sums)
-      w = profile(strip, a) + strip%range + strip%jump
+      w = lifted_profile(strip, b) + strip%adhesion%attach_gap - strip%adhesion%jump
+      call add_open_zone(strip, w, balance%adhesion, -strip%adhesion%stress, sums)
+      w = profile(strip, a) + strip%adhesion%release_gap + strip%adhesion%jump
       call add_open_zone(strip, w, two_pi - balance%adhesion, 0.0_dp, sums)
       call add_edge_loss(strip, state, w, balance)
       call finish(strip, sums, balance)
@@ -181,8 +182,8 @@ contains
          test_versine = 2*cubic_1*(strip%level - even) + even*cubic_2 + u*state%entry*versine
          m_sin = (test_sin - u*m0 + u*test_versine)/(1 + u*u)
          m_versine = test_versine - u*m_sin
-         balance%load = m0 - strip%stress*(balance%contact + balance%adhesion)
-         balance%load_scale = abs(m0) + strip%stress*(balance%contact + balance%adhesion)
+         balance%load = m0 - strip%adhesion%stress*(balance%contact + balance%adhesion)
+         balance%load_scale = abs(m0) + strip%adhesion%stress*(balance%contact + balance%adhesion)
          balance%friction = s*(m0 - m_versine) + c*m_sin
          balance%friction_scale = abs(s*m0) + abs(c*m_sin)
          sums%displacement = 2*(width*strip%mean + sin_width*c)
@@ -281,20 +282,10 @@ contains
       real(dp), intent(in) :: released
       !> Receives the energy that the edges take.
       type(balance_t), intent(inout) :: balance
-      real(dp) :: attached, work
+      real(dp) :: attached
 
-      associate (f => strip%foundation)
-         if (state%entry > 0) then
-            work = strip%stress*strip%range - f%beta*strip%range**2/2 + strip%stress**2/(2*f%beta)
-         else if (strip%jump > 0) then
-            work = strip%stress**2/f%beta
-         else
-            ! q jumps with the pressure: [q^2](leading side) - [q^2](trailing side) at both edges
-            attached = profile(strip, state%half_width + state%shift + state%leading) + strip%range
-            work = strip%stress*(2*(released - attached))/(2*(f%beta - 1))
-         end if
-         balance%edge_loss = work
-      end associate
+      attached = profile(strip, state%half_width + state%shift + state%leading) + strip%adhesion%attach_gap
+      balance%edge_loss = edge_work(strip%adhesion, strip%foundation%beta, state%entry > 0, released - attached)
    end subroutine add_edge_loss
 
    !> Change of the integral of the pressure with the depth of the strip, on its branch.
@@ -308,7 +299,7 @@ contains
       slope = 0
       select case (state%regime)
       case (regime_adhesion_only)
-         if (state%half_width < pi) slope = -2*strip%stress*get_adhesion_rate(strip, state)
+         if (state%half_width < pi) slope = -2*strip%adhesion%stress*get_adhesion_rate(strip, state)
          return
       case (regime_adhesion_zones)
          rates = get_edge_rates(strip, state)
@@ -320,7 +311,7 @@ contains
       associate (v => strip%foundation%v, w => state%half_width, s => state%shift)
          by_width = 2*(strip%depth - 2*sin(w/2)**2 + cos(w)*(v*sin(s) - 2*sin(s/2)**2))
          by_shift = 2*sin(w)*(v*cos(s) - sin(s))
-         slope = 2*w + by_width*rates(1) + by_shift*rates(2) - strip%stress*(2*rates(1) + rates(3) + rates(4))
+         slope = 2*w + by_width*rates(1) + by_shift*rates(2) - strip%adhesion%stress*(2*rates(1) + rates(3) + rates(4))
       end associate
    end function get_load_slope
 

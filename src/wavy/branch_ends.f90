@@ -11,7 +11,8 @@ module adfric_wavy_branch_ends
    use adfric_wavy_edges, only: edge_rates_t, get_rates, get_multiplier, largest_share, is_admissible, is_admissible_adhesion
    use adfric_wavy_phases, only: phases_left
    use adfric_wavy_strip, only: strip_t, steady_state_t, lifted_profile, regime_adhesion_only, regime_adhesion_zones
-   use adfric_wavy_surface, only: surface_t, new_surface_strip, share_at, phase_of_share
+   use adfric_wavy_surface, only: surface_t, new_surface_strip
+   use adfric_wavy_wave_shape, only: share_at, phase_of_share
    implicit none (type, external)
    private
    public :: find_fold, find_touch
@@ -198,13 +199,13 @@ contains
 
    !> A state with the stress at entry of a strip.
    pure type(steady_state_t) function with_entry(strip, state) result(changed)
-      !> The strip, whose jump and range give the stress at entry.
+      !> The strip, whose adhesion has the stress at entry.
       type(strip_t), intent(in) :: strip
       !> State of another strip, or one whose entry is not known yet.
       type(steady_state_t), intent(in) :: state
 
       changed = state
-      if (strip%jump >= strip%range) changed%entry = strip%foundation%beta*(strip%jump - strip%range)
+      if (strip%adhesion%snaps) changed%entry = strip%adhesion%entry
    end function with_entry
 
    !> The condition that the multiplier is 1, freed of its denominators, which are next to nothing in slow sliding.
@@ -281,8 +282,8 @@ contains
          value = huge(1.0_dp)
          if (span < 0 .or. span >= 2*state%half_width) return
          lost = decay(span/v)
-         gap = strip%range - strip%jump
-         other_gap = other%range - other%jump
+         gap = strip%adhesion%attached_gap
+         other_gap = other%adhesion%attached_gap
          w = lifted_profile(strip, b) + gap
          value = gap - 2*sin(b - span/2)*sin(span/2) - w*lost
          row(:2) = -(sin(b) + w/v)*(1 - lost)

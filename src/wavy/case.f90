@@ -52,25 +52,25 @@ contains
       self%area_unit = self%period
 
       associate (surface => self%surface)
-         surface%is_3d = nint(values(v_kind)) == kind_3d
-         if (surface%is_3d) then
+         surface%shape%is_3d = nint(values(v_kind)) == kind_3d
+         if (surface%shape%is_3d) then
             self%load_unit = self%load_unit*self%period
             self%friction_unit = self%friction_unit*self%period
             self%area_unit = self%area_unit*self%period
          end if
          call new_foundation(surface%foundation, &
             & two_pi*(values(v_velocity)*values(v_relaxation_time)/self%period), values(v_retardation_ratio))
-         surface%edge = nint(values(v_edge))
+         surface%adhesion%edge = nint(values(v_edge))
          surface%branch = nint(values(v_branch))
-         if (nint(values(v_slope)) == slope_finite) surface%steepness = two_pi*self%height/self%period
+         if (nint(values(v_slope)) == slope_finite) surface%shape%steepness = two_pi*self%height/self%period
          surface%tolerance = values(v_relative_tolerance)
          surface%n_strips = nint(values(v_strips))
          if (is_set(values(v_stress))) then
             if (values(v_stress) > 0) then
-               surface%stress = values(v_stress)/self%pressure_unit
+               surface%adhesion%stress = values(v_stress)/self%pressure_unit
                range = values(v_range)
                if (.not. is_set(range)) range = values(v_surface_energy)/values(v_stress)
-               surface%range = range/self%height
+               surface%adhesion%range = range/self%height
             end if
          end if
       end associate
@@ -83,7 +83,7 @@ contains
       end if
       self%wants_pull_off = self%is_load_given
       if (is_set(values(v_pull_off))) self%wants_pull_off = values(v_pull_off) > 0
-      self%wants_pull_off = self%wants_pull_off .and. self%surface%stress > 0
+      self%wants_pull_off = self%wants_pull_off .and. self%surface%adhesion%stress > 0
    end subroutine resolve_case
 
 end module adfric_wavy_case

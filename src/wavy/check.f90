@@ -97,7 +97,7 @@ contains
          associate (s => resolved%surface)
             if (.not. s%foundation%v < largest) call add(v_velocity, &
                & 'times relaxation_time and retardation_ratio is too large for the period')
-            if (.not. max(s%stress, s%range) < largest) call add(v_stress, &
+            if (.not. max(s%adhesion%stress, s%adhesion%range) < largest) call add(v_stress, &
                & 'or its range is too large for this height and stiffness')
             if (.not. max(abs(resolved%load), abs(resolved%penetration)) < largest) call add(merge(v_load, &
                & v_penetration, resolved%is_load_given), 'is too large for this height and stiffness')

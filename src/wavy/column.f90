@@ -37,13 +37,13 @@ contains
       case (regime_adhesion_only)
          trailing = 2*state%half_width
          if (trailing >= two_pi) then
-            displacement = -strip%stress
-            pressure = -strip%stress
+            displacement = -strip%adhesion%stress
+            pressure = -strip%adhesion%stress
             return
          end if
          start = state%shift + state%half_width
          passed = modulo(start - xi, two_pi)
-         excess = lifted_profile(strip, start) + strip%range - strip%jump
+         excess = lifted_profile(strip, start) + strip%adhesion%attach_gap - strip%adhesion%jump
       case default
          ! phase passed since the contact began
          start = state%shift + state%half_width
@@ -92,11 +92,11 @@ contains
 
       associate (v => strip%foundation%v)
          if (passed <= trailing) then
-            pressure = -strip%stress
+            pressure = -strip%adhesion%stress
             displacement = pressure + excess*(1 - decay(passed/v))
             return
          end if
-         w = excess*(1 - decay(trailing/v)) - strip%stress + strip%jump
+         w = excess*(1 - decay(trailing/v)) - strip%adhesion%stress + strip%adhesion%jump
          free = two_pi - 2*state%half_width - trailing - state%leading
          if (state%regime == regime_adhesion_only) free = two_pi - trailing
          if (passed <= trailing + free) then
@@ -105,8 +105,8 @@ contains
             return
          end if
          edge = state%shift + state%half_width + state%leading
-         w = lifted_profile(strip, edge) + strip%range - strip%jump
-         pressure = -strip%stress
+         w = lifted_profile(strip, edge) + strip%adhesion%attach_gap - strip%adhesion%jump
+         pressure = -strip%adhesion%stress
          displacement = pressure + w*(1 - decay((passed - trailing - free)/v))
       end associate
    end subroutine get_open_column

@@ -11,8 +11,9 @@ module adfric_wavy_crosswise
    use adfric_wavy_panels, only: panel_t, division_t, divide_surface
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_saturated
-   use adfric_wavy_surface, only: negligible, surface_t, totals_t, new_surface_strip, share_at, add_strip, add_totals, &
+   use adfric_wavy_surface, only: negligible, surface_t, totals_t, new_surface_strip, add_strip, add_totals, &
       & add_load_slope, add_regime, is_same_surface
+   use adfric_wavy_wave_shape, only: share_at
    implicit none (type, external)
    private
    public :: memory_t, get_totals
@@ -71,7 +72,7 @@ contains
       memory%penetration = penetration
       memory%before = memory%crest
       memory%crest = crest
-      if (.not. surface%is_3d) then
+      if (.not. surface%shape%is_3d) then
          call add_strip(surface, strip, crest, 1.0_dp, 1.0_dp, totals)
          if (memory%needs_slope) call add_load_slope(strip, crest, 1.0_dp, totals)
          call add_regime(totals, crest%regime)
@@ -267,7 +268,7 @@ contains
       do k = 1, memory%division%n_panels
          panel = memory%division%panels(k)
          if (panel%regime == regime_free .or. panel%finish <= panel%start) cycle
-         if (panel%regime == regime_saturated .and. surface%steepness <= 0) then
+         if (panel%regime == regime_saturated .and. surface%shape%steepness <= 0) then
             call add_saturated_panel(surface, penetration, panel, totals)
             cycle
          end if

@@ -1,9 +1,9 @@
 !> The equations of the edges of contact and adhesion of one strip, and their derivatives.
 !>
 !> With \( a = \lambda - s, b = \lambda + s \) the contact is (-a, b) and adhesion reaches to -a1 and b1. The four
-!> conditions (GM 4.3) are that p returns to -stress at -a, that the gap is the range at -a1 and at b1, and that
-!> it closes at b. They are written in the lengths of the zones, not in the differences of phases, so that
-!> they keep their digits when a zone is short or the sliding fast.
+!> conditions (GM 4.3) are that p returns to -stress at -a, that the gap is that of release at -a1 and that of
+!> attachment at b1, and that it closes at b. They are written in the lengths of the zones, not in the differences of
+!> phases, so that they keep their digits when a zone is short or the sliding fast.
 module adfric_wavy_edge_equations
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
@@ -59,31 +59,31 @@ contains
          & e4_b => equations%e4_b, e4_m => equations%e4_m)
          call get_contact_equation(strip, state, sin_w, cos_w, sin_s, cos_s, e(1), e1_a, e1_b)
 
-         ! trailing adhesion: gap = range at its end
+         ! trailing adhesion: the gap of release at its end
          lost_t = decay(state%trailing/v)
          w_t = strip%depth - versine(sin_a, cos_a)
-         e(2) = -w_t*lost_t + 2*(sin_a*cos_t + cos_a*sin_t)*sin_t - strip%range
+         e(2) = -w_t*lost_t + 2*(sin_a*cos_t + cos_a*sin_t)*sin_t - strip%adhesion%release_gap
          e2_a = sin_a1 - sin_a*(1 - lost_t)
          e2_m = sin_a1 - w_t*(1 - lost_t)/v
 
-         ! free zone: gap = range at its end
+         ! free zone: the gap of attachment at its end
          lost_f = decay(free_length(state)/v)
-         w_f = strip%crest - versine(sin_a1, cos_a1) + strip%range + strip%jump
+         w_f = strip%crest - versine(sin_a1, cos_a1) + strip%adhesion%release_gap + strip%adhesion%jump
          e3_a = (w_f/v - sin_a1)*(1 - lost_f)
          e3_b = w_f*(1 - lost_f)/v + sin_b1
 
          ! leading adhesion: gap closed at its end. The sum of all gap conditions, in which the large terms
          ! cancel, is what keeps the displacement continuous in fast sliding
-         gap = strip%range - strip%jump
-         if (strip%jump >= strip%range) then
+         gap = strip%adhesion%attached_gap
+         if (strip%adhesion%snaps) then
             lost_l = 0
             e(3) = -w_t*lost_t - w_f*lost_f + inner - gap - e(2)
             e(4) = 0; e4_b = 0; e4_m = 1
          else
             lost_l = decay(state%leading/v)
             w_l = strip%depth - versine(sin_b1, cos_b1) + gap
-            e(3) = -w_f*lost_f + outer + strip%jump
-            e(4) = -w_t*lost_t - w_l*lost_l + inner - outer - strip%jump - e(2)
+            e(3) = -w_f*lost_f + outer + strip%adhesion%gap_change
+            e(4) = -w_t*lost_t - w_l*lost_l + inner - outer - strip%adhesion%gap_change - e(2)
             e4_b = sin_b - sin_b1*(1 - lost_l)
             e4_m = -(sin_b1 + w_l/v)*(1 - lost_l)
          end if
@@ -205,7 +205,7 @@ contains
       end if
    end function versine
 
-   !> The conditions that the gap is the range at both ends of an adhesion zone without contact.
+   !> The conditions that the gap is that of release and that of attachment at the ends of an adhesion zone without contact.
    pure subroutine get_adhesion_equations(strip, state, value, jacobian, by_depth)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
@@ -224,14 +224,14 @@ contains
          change = 2*sin(state%half_width)*sin(state%shift)
          ! adhesion from b to -a
          lost = decay(2*state%half_width/v)
-         w = lifted_profile(strip, b) + strip%range - strip%jump
-         value(1) = -w*lost - change - strip%jump
+         w = lifted_profile(strip, b) + strip%adhesion%attach_gap - strip%adhesion%jump
+         value(1) = -w*lost - change - strip%adhesion%gap_change
          jacobian(1, :) = [sin(a) - w*(1 - lost)/v, -(sin(b) + w/v)*(1 - lost)]
          by_depth(1) = -lost
          ! free from -a to b
          lost = decay((two_pi - 2*state%half_width)/v)
-         w = profile(strip, a) + strip%range + strip%jump
-         value(2) = -w*lost + change + strip%jump
+         w = profile(strip, a) + strip%adhesion%release_gap + strip%adhesion%jump
+         value(2) = -w*lost + change + strip%adhesion%gap_change
          jacobian(2, :) = [(w/v - sin(a))*(1 - lost), w*(1 - lost)/v + sin(b)]
          by_depth(2) = -lost
       end associate

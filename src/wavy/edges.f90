@@ -47,8 +47,8 @@ contains
       state%is_converged = .false.
       state%entry = 0
       if (strip%foundation%v > fastest) return
-      if (strip%jump >= strip%range) then
-         state%entry = strip%foundation%beta*(strip%jump - strip%range)
+      if (strip%adhesion%snaps) then
+         state%entry = strip%adhesion%entry
          state%leading = 0
       end if
       state%outer_shift = state%shift + (state%leading - state%trailing)/2
@@ -131,8 +131,8 @@ contains
          & .and. state%leading >= 0 .and. free_length(state) > 0
       if (.not. is_admissible) return
       margin = drive_round_off(strip)
-      is_admissible = drive(strip, -a) < margin .and. drive(strip, -a - state%trailing) < margin - strip%range &
-         & .and. drive(strip, b + state%leading) > strip%stress - strip%range - margin &
+      is_admissible = drive(strip, -a) < margin .and. drive(strip, -a - state%trailing) < margin - strip%adhesion%release_gap &
+         & .and. drive(strip, b + state%leading) > strip%adhesion%stress - strip%adhesion%attach_gap - margin &
          & .and. drive(strip, b) > state%entry - margin
    end function is_admissible
 
@@ -150,17 +150,17 @@ contains
       a = state%half_width - state%shift
       b = state%half_width + state%shift
       margin = drive_round_off(strip)
-      is_admissible_adhesion = state%is_converged .and. strip%range > strip%jump &
-         & .and. drive(strip, -a) < margin - strip%range &
-         & .and. drive(strip, b) > strip%stress - strip%range - margin
+      is_admissible_adhesion = state%is_converged .and. .not. strip%adhesion%snaps &
+         & .and. drive(strip, -a) < margin - strip%adhesion%release_gap &
+         & .and. drive(strip, b) > strip%adhesion%stress - strip%adhesion%attach_gap - margin
       if (.not. is_admissible_adhesion) return
       if (present(may_touch)) then
          if (may_touch) return
       end if
       span = phases_left(strip, b, 0.0_dp, .false.)
       if (span < 0 .or. span >= 2*state%half_width) return
-      is_admissible_adhesion = strip%range - strip%jump - 2*sin(b - span/2)*sin(span/2) &
-         & - (lifted_profile(strip, b) + strip%range - strip%jump)*decay(span/strip%foundation%v) > 0
+      is_admissible_adhesion = strip%adhesion%attached_gap - 2*sin(b - span/2)*sin(span/2) &
+         & - (lifted_profile(strip, b) + strip%adhesion%attach_gap - strip%adhesion%jump)*decay(span/strip%foundation%v) > 0
    end function is_admissible_adhesion
 
    !> Derivative of the return map at a steady state with adhesion and free zones.
@@ -193,13 +193,13 @@ contains
          b1 = b + state%leading
          rates%damping = two_pi/f%v
          if (state%regime == regime_adhesion_zones) rates%damping = rates%damping + 2*state%half_width*(1/f%u - 1/f%v)
-         rates%release = -drive(strip, -a1) - strip%range
-         rates%freed = rates%release + strip%stress - strip%jump
-         rates%attach = -drive(strip, b1) + strip%stress - strip%range
+         rates%release = -drive(strip, -a1) - strip%adhesion%release_gap
+         rates%freed = rates%release + strip%adhesion%stress - strip%adhesion%jump
+         rates%attach = -drive(strip, b1) + strip%adhesion%stress - strip%adhesion%attach_gap
          if (state%entry > 0) then
             rates%attached = -drive(strip, b) + state%entry
          else
-            rates%attached = -drive(strip, b1) - strip%range + strip%jump
+            rates%attached = -drive(strip, b1) - strip%adhesion%attach_gap + strip%adhesion%jump
          end if
       end associate
    end function get_rates

@@ -113,7 +113,7 @@ contains
       real(dp), intent(in) :: from_load, to_load
 
       leads_to = is_same_surface(from, to)
-      if (.not. leads_to .or. to%stress <= 0) return
+      if (.not. leads_to .or. to%adhesion%stress <= 0) return
       if (to%branch == branch_adhered) then
          leads_to = to_load <= from_load
       else
@@ -172,7 +172,7 @@ contains
       !> The state of the neighbour, and the one that was found.
       type(trial_t), intent(in) :: last, state
 
-      if (surface%stress <= 0) then
+      if (surface%adhesion%stress <= 0) then
          is_next = .true.
       else if (surface%branch == branch_adhered) then
          is_next = last%penetration - state%penetration <= get_reach(last, last%totals%slope_bound)
@@ -200,7 +200,7 @@ contains
       type(trial_t) :: low, high
       real(dp) :: start
 
-      if (surface%stress <= 0) then
+      if (surface%adhesion%stress <= 0) then
          call search_without_adhesion(surface, load, memory, state, outcome)
          return
       end if
@@ -215,7 +215,8 @@ contains
             if (outcome == search_found) call try_penetration(surface, start, load, memory, high)
          end if
          ! adhesion does not reach further down than its stress lifts the foundation
-         if (outcome == search_found) call find_first_state(surface, load, downwards, .false., -(surface%stress + surface%range), &
+         if (outcome == search_found) call find_first_state(surface, load, downwards, .false., &
+            & -(surface%adhesion%stress + surface%adhesion%range), &
             & memory, high, low, outcome)
       else
          if (neighbour%n > 0) then

@@ -46,7 +46,7 @@ contains
       a = state%half_width - state%shift
       b = state%half_width + state%shift
       if (state%regime == regime_adhesion_only) then
-         total = strip%stress*(rise(b) - rise(a))
+         total = strip%adhesion%stress*(rise(b) - rise(a))
          friction = total(1)
          small_slope = total(2)
          return
@@ -57,9 +57,9 @@ contains
       end if
       if (state%regime == regime_adhesion_zones) then
          trailing = state%trailing
-         total = strip%stress*(rise(b + state%leading) - rise(b) + rise(a) - rise(a + trailing))
+         total = strip%adhesion%stress*(rise(b + state%leading) - rise(b) + rise(a) - rise(a + trailing))
       else
-         total = strip%stress*(rise(a) - rise(b))
+         total = strip%adhesion%stress*(rise(a) - rise(b))
       end if
       ! pieces that grow from the leading edge, where the pressure changes over the length u
       start = 0

@@ -13,7 +13,8 @@ module adfric_wavy_interval
    use adfric_wavy_panels, only: panel_t
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: strip_t, steady_state_t
-   use adfric_wavy_surface, only: surface_t, totals_t, new_surface_strip, share_at, add_strip, add_totals, add_load_slope
+   use adfric_wavy_surface, only: surface_t, totals_t, new_surface_strip, add_strip, add_totals, add_load_slope
+   use adfric_wavy_wave_shape, only: share_at
    implicit none (type, external)
    private
    public :: interval_t, new_interval, raise_interval, split_interval, can_be_raised

@@ -276,7 +276,7 @@ contains
       !> The surface in reduced units; its stress and range lengthen the step.
       type(surface_t), intent(in) :: surface
 
-      step = longest_step*max(1.0_dp, surface%stress + surface%range)
+      step = longest_step*max(1.0_dp, surface%adhesion%stress + surface%adhesion%range)
    end function get_longest_step
 
 end module adfric_wavy_load_search

@@ -33,7 +33,7 @@ contains
       !> The load [h/K].
       real(dp), intent(in) :: load
 
-      highest = load + merge(mean_depth_3d, mean_depth_2d, surface%is_3d)
+      highest = load + merge(mean_depth_3d, mean_depth_2d, surface%shape%is_3d)
    end function highest
 
    !> Without adhesion the load is a convex function of the penetration: Newton's method from above passes nothing.
@@ -79,7 +79,7 @@ contains
       attached = surface
       attached%branch = branch_adhered
       ! more than any gap
-      attached%range = 4*(1 + surface%stress + surface%range + abs(load))
+      attached%adhesion%range = 4*(1 + surface%adhesion%stress + surface%adhesion%range + abs(load))
       call descend_convex(attached, load, load, high, outcome)
    end subroutine start_above
 
@@ -101,8 +101,8 @@ contains
 
       if (load > 0) then
          bare = surface
-         bare%stress = 0
-         bare%range = 0
+         bare%adhesion%stress = 0
+         bare%adhesion%range = 0
          call descend_convex(bare, load*(1 - below), load, low, outcome)
          start = low%penetration
          call try_penetration(surface, start, load, memory, low)
@@ -110,7 +110,7 @@ contains
          call start_above(surface, load, high, outcome)
          if (outcome /= search_found) return
          ! just inside the range, where adhesion draws the crest in
-         call try_penetration(surface, -surface%range*(1 - indistinct), load, memory, low)
+         call try_penetration(surface, -surface%adhesion%range*(1 - indistinct), load, memory, low)
          call find_entry(surface, load, high%penetration, memory, low, outcome)
       end if
    end subroutine start_below

@@ -101,7 +101,7 @@ contains
       !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
 
-      has_moving_edges = surface%is_3d .and. surface%n_strips == 0
+      has_moving_edges = surface%shape%is_3d .and. surface%n_strips == 0
    end function has_moving_edges
 
    !> How far from a trial the sign of its excess holds for certain [h]: downwards if it carries too much, upwards if it carries
@@ -125,7 +125,8 @@ contains
 
       fall = get_reach(trial, trial%totals%slope_bound)
       ! nothing that adheres pulls with more than the stress, and less of the surface adheres at smaller penetrations
-      if (surface%stress*(trial%totals%contact + trial%totals%adhesion) < trial%excess - trial%totals%load) fall = huge(fall)
+      if (surface%adhesion%stress*(trial%totals%contact + trial%totals%adhesion) < trial%excess - trial%totals%load) &
+         & fall = huge(fall)
    end function get_fall
 
    !> Does the load between two penetrations cross each level between its ends once, and none beyond the end that is further on
@@ -144,7 +145,7 @@ contains
       real(dp) :: width, reach
 
       is_plain = low%totals%is_converged .and. high%totals%is_converged
-      if (.not. is_plain .or. surface%stress <= 0 .or. low%totals%is_attached) return
+      if (.not. is_plain .or. surface%adhesion%stress <= 0 .or. low%totals%is_attached) return
       is_plain = low%totals%structure == high%totals%structure .and. far%totals%load_slope > 0
       if (.not. is_plain .or. .not. has_moving_edges(surface)) return
       width = high%penetration - low%penetration

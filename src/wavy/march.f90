@@ -2,8 +2,8 @@
 !>
 !> In every zone the closed form of GM holds, and each zone can end only in one interval of the phase, where the
 !> quantity that ends it is monotone: contact ends where the drive (see `strip`) is negative, a gap closes where
-!> it is positive, adhesion is lost where it is below -range, and is found again where it is above
-!> stress - range. So every event is a bracketed root, and none can be missed or taken twice.
+!> it is positive, adhesion is lost where it is below -release_gap, and is found again where it is above
+!> stress - attach_gap (see `adhesion`). So every event is a bracketed root, and none can be missed or taken twice.
 module adfric_wavy_march
    use adfric_base_kinds, only: dp
    use adfric_numerics_scalar_root, only: equation_t, find_root
@@ -12,7 +12,7 @@ module adfric_wavy_march
    use adfric_wavy_strip, only: strip_t, lifted_profile, drive, get_drive, drive_round_off
    implicit none (type, external)
    private
-   public :: column_t, advance, march_period, march_to_leading_edge, period_t, attach_lift
+   public :: column_t, advance, march_period, march_to_leading_edge, period_t
    public :: in_contact, in_adhesion, in_free
    public :: period_closed, period_never_released, period_never_attached
 
@@ -108,7 +108,7 @@ contains
       type(strip_t), intent(in) :: strip
       !> A column in an open zone, in adhesion or free.
       type(column_t), intent(in) :: column
-      !> Gap that is subtracted, 0 or the range [c].
+      !> Gap that is subtracted: 0, or that of attachment or release [c].
       real(dp), intent(in) :: bound
 
       curve%start = column%gap - bound
@@ -177,8 +177,8 @@ contains
       case (in_adhesion)
          call end_adhesion(strip, column, curve, bound, has_event, passed)
       case default
-         curve = gap_curve(strip, column, strip%range)
-         bound = strip%stress - strip%range
+         curve = gap_curve(strip, column, strip%adhesion%attach_gap)
+         bound = strip%adhesion%stress - strip%adhesion%attach_gap
          call follow(strip, curve, phases_left(strip, column%xi, bound, .false., column%has_begun), &
             & bound, .false., .false., has_event, passed)
       end select
@@ -190,8 +190,8 @@ contains
          column = column_t(in_adhesion, column%xi, lifted_profile(strip, column%xi), 0.0_dp, .true.)
       case (in_adhesion)
          if (bound > 0) then
-            column = column_t(in_free, column%xi, column%value - strip%stress + strip%jump, bound + strip%jump, &
-               & .true.)
+            column = column_t(in_free, column%xi, column%value - strip%adhesion%stress + strip%adhesion%jump, &
+               & strip%adhesion%released_gap, .true.)
          else
             column = column_t(in_contact, column%xi, 0.0_dp, 0.0_dp, .true.)
          end if
@@ -208,7 +208,7 @@ contains
       type(column_t), intent(in) :: column
       !> Gap less the gap at which the zone ends, as a function of the phase passed.
       type(zone_curve_t), intent(out) :: curve
-      !> Gap at which the zone ends: 0 or the range [c].
+      !> Gap at which the zone ends: 0 or that of release [c].
       real(dp), intent(out) :: bound
       !> Does the zone end within a period?
       logical, intent(out) :: has_event
@@ -220,33 +220,34 @@ contains
 
       ! it begins where contact ends or where freedom ends: outside the one interval or outside the other
       to_closure = phases_left(strip, column%xi, 0.0_dp, .false., column%has_begun .and. .not. column%gap > 0)
-      to_release = phases_left(strip, column%xi, -strip%range, .true., column%has_begun .and. column%gap > 0)
+      to_release = phases_left(strip, column%xi, -strip%adhesion%release_gap, .true., column%has_begun .and. column%gap > 0)
       may_close = to_closure < to_release
       do try = 1, 2
-         bound = merge(0.0_dp, strip%range, may_close)
+         bound = merge(0.0_dp, strip%adhesion%release_gap, may_close)
          curve = gap_curve(strip, column, bound)
-         call follow(strip, curve, merge(to_closure, to_release, may_close), merge(0.0_dp, -strip%range, may_close), &
-            & .not. may_close, .not. may_close, has_event, passed)
+         call follow(strip, curve, merge(to_closure, to_release, may_close), &
+            & merge(0.0_dp, -strip%adhesion%release_gap, may_close), .not. may_close, .not. may_close, has_event, passed)
          if (has_event) return
          may_close = .not. may_close
       end do
    end subroutine end_adhesion
 
-   !> A free column reaches the range of adhesion: the displacement may jump, and the surface may snap
+   !> A free column comes to the gap of attachment: the displacement may jump, and the surface may snap
    !> straight into contact.
    pure subroutine attach(strip, column)
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
-      !> In: a free column at the range. Out: the column in adhesion, or in contact.
+      !> In: a free column at the gap of attachment. Out: the column in adhesion, or in contact.
       type(column_t), intent(inout) :: column
-      real(dp) :: gap
 
-      gap = strip%range - strip%jump
-      if (gap > 0) then
-         column = column_t(in_adhesion, column%xi, lifted_profile(strip, column%xi) + gap, gap, .true.)
-      else
-         column = column_t(in_contact, column%xi, -strip%foundation%beta*gap, 0.0_dp, .true.)
-      end if
+      associate (adhesion => strip%adhesion)
+         if (adhesion%snaps) then
+            column = column_t(in_contact, column%xi, adhesion%entry, 0.0_dp, .true.)
+         else
+            column = column_t(in_adhesion, column%xi, lifted_profile(strip, column%xi) + adhesion%attached_gap, &
+               & adhesion%attached_gap, .true.)
+         end if
+      end associate
    end subroutine attach
 
    !> March from one passage of the leading edge of adhesion to the next.
@@ -267,7 +268,7 @@ contains
       period = period_t(start=xi_start)
       call get_drive(strip, xi_start, period%attach_drive, period%attach_slope)
       ! where the drive is lower, no column comes into the range of adhesion
-      if (.not. period%attach_drive > strip%stress - strip%range - drive_round_off(strip)) then
+      if (.not. period%attach_drive > strip%adhesion%stress - strip%adhesion%attach_gap - drive_round_off(strip)) then
          period%outcome = period_never_attached
          return
       end if
@@ -330,25 +331,12 @@ contains
       least = drive_round_off(strip)
       associate (p => period)
          length = p%leading + p%contact + p%trailing + p%free
-         freed = 1 + (strip%stress - strip%jump)/max(-p%release_drive - strip%range, least)
-         attach = drive(strip, p%start - length) + strip%range - strip%stress
+         freed = 1 + (strip%adhesion%stress - strip%adhesion%jump)/max(-p%release_drive - strip%adhesion%release_gap, least)
+         attach = drive(strip, p%start - length) + strip%adhesion%attach_gap - strip%adhesion%stress
          slope = exp(-min(length/strip%foundation%v, longest_decay))*p%kept*freed &
-            & *(p%attach_drive + strip%range - strip%stress + attach_lift(strip))/max(attach, least)
+            & *(p%attach_drive + strip%adhesion%attach_gap - strip%adhesion%stress + strip%adhesion%attach_lift)/max(attach, least)
       end associate
    end function get_slope
-
-   !> By how much the rate of the gap (times v) rises where adhesion takes hold; from the free zone straight into contact
-   !> where the displacement jumps by the range or more.
-   pure real(dp) function attach_lift(strip) result(lift)
-      !> The strip: its profile, adhesion and foundation, in reduced units.
-      type(strip_t), intent(in) :: strip
-
-      if (strip%jump < strip%range) then
-         lift = strip%stress - strip%jump
-      else
-         lift = (strip%foundation%beta - 1)*strip%range
-      end if
-   end function attach_lift
 
    !> March a column to the first leading edge of adhesion that it passes.
    pure subroutine march_to_leading_edge(strip, column, outcome)

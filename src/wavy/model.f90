@@ -250,9 +250,9 @@ contains
          leads_backwards = leads_to(two%surface, two%load, one%surface, one%load) &
             & .and. .not. leads_to(one%surface, one%load, two%surface, two%load)
       else
-         leads_backwards = one%surface%stress > 0 .and. is_same_surface(one%surface, two%surface)
+         leads_backwards = one%surface%adhesion%stress > 0 .and. is_same_surface(one%surface, two%surface)
          if (one%surface%branch == branch_adhered) then
-            leads_backwards = leads_backwards .and. two%surface%is_3d .and. two%penetration > one%penetration
+            leads_backwards = leads_backwards .and. two%surface%shape%is_3d .and. two%penetration > one%penetration
          else
             leads_backwards = leads_backwards .and. two%penetration < one%penetration
          end if
@@ -344,10 +344,11 @@ contains
             & of_stiffness)
          call add_derived(derived, 'pressure_unit', 'Pa', 'pressure unit, height times stiffness', point%pressure_unit, &
             & of_stiffness//' height')
-         call add_derived(derived, 'reduced_stress', '-', 'adhesion stress over the pressure unit', s%stress, &
+         call add_derived(derived, 'reduced_stress', '-', 'adhesion stress over the pressure unit', s%adhesion%stress, &
             & of_stiffness//' height stress')
-         if (s%stress > 0) call add_derived(derived, 'range', 'm', 'range of adhesion', s%range*point%height, of_range)
-         call add_derived(derived, 'reduced_range', '-', 'range of adhesion over height', s%range, of_range//' height')
+         if (s%adhesion%stress > 0) call add_derived(derived, 'range', 'm', 'range of adhesion', &
+            & s%adhesion%range*point%height, of_range)
+         call add_derived(derived, 'reduced_range', '-', 'range of adhesion over height', s%adhesion%range, of_range//' height')
       end associate
    end function derive_quantities
 

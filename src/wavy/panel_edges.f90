@@ -9,7 +9,8 @@ module adfric_wavy_panel_edges
       & get_range_margin, branch_adhered
    use adfric_wavy_strip, only: strip_t, steady_state_t, regime_saturated_adhesion, regime_adhesion_zones, &
       & regime_adhesion_only
-   use adfric_wavy_surface, only: surface_t, new_surface_strip, share_at
+   use adfric_wavy_surface, only: surface_t, new_surface_strip
+   use adfric_wavy_wave_shape, only: share_at
    implicit none (type, external)
    private
    public :: probe_t, edge_t, probe, locate_edge, locate_release, solve_end, look_beyond, sharp

@@ -11,7 +11,8 @@ module adfric_wavy_panels
    use adfric_wavy_steady_state, only: branch_adhered, branch_approach
    use adfric_wavy_strip, only: regime_free, regime_saturated, regime_saturated_adhesion, regime_adhesion_zones, &
       & regime_adhesion_only
-   use adfric_wavy_surface, only: surface_t, phase_of_share, is_same_surface
+   use adfric_wavy_surface, only: surface_t, is_same_surface
+   use adfric_wavy_wave_shape, only: phase_of_share
    implicit none (type, external)
    private
    public :: panel_t, division_t, divide_surface
@@ -107,13 +108,13 @@ contains
       real(dp) :: shares(n_known), lift, excess, theta
       integer :: k, j
 
-      lift = penetration - 1 + surface%stress
+      lift = penetration - 1 + surface%adhesion%stress
       excess = saturation_level(surface%foundation) - 1
       shares = -1
       ! saturation: lift + Y/2 = |G| Y/2; first contact: lift + Y = 0; range: D_y = -range
       if (excess > 0) shares(1) = 2*lift/excess
       shares(2) = -lift
-      if (surface%branch == branch_approach) shares(3) = 1 - penetration - surface%range
+      if (surface%branch == branch_approach) shares(3) = 1 - penetration - surface%adhesion%range
       edges = pi
       edges(1) = 0
       kinds = 0
@@ -153,7 +154,7 @@ contains
          may_track = penetration >= division%since
       end if
       ! without release the closed forms know every edge
-      may_track = (may_track .or. surface%stress <= 0) .and. is_same_surface(surface, division%surface)
+      may_track = (may_track .or. surface%adhesion%stress <= 0) .and. is_same_surface(surface, division%surface)
    end function may_track
 
    !> Follow the edges of a neighbouring surface to where they are now. It fails where an edge is not found nearby;
@@ -286,7 +287,7 @@ contains
 
       count = 1
       ! without release the closed forms know every edge
-      if (surface%stress > 0) count = n_looks
+      if (surface%adhesion%stress > 0) count = n_looks
       last = probe(surface, penetration, start + (finish - start)*place(1, count))
       call add_panel(division, start, last%state%regime, kind)
       do k = 2, count

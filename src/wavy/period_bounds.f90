@@ -14,7 +14,7 @@ module adfric_wavy_period_bounds
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_wavy_contact_zone, only: decay, longest_decay
-   use adfric_wavy_march, only: period_t, attach_lift, period_closed
+   use adfric_wavy_march, only: period_t, period_closed
    use adfric_wavy_strip, only: strip_t, profile, drive_round_off
    implicit none (type, external)
    private
@@ -105,16 +105,16 @@ contains
 
       round_off = drive_round_off(strip)
       base = exp(-min(two_pi/strip%foundation%v, longest_decay))
-      lift = attach_lift(strip)
-      jump = strip%stress - strip%jump
+      lift = strip%adhesion%attach_lift
+      jump = strip%adhesion%stress - strip%adhesion%jump
       call bound_drive(strip, late%attach_drive, late%attach_slope, early%attach_drive, early%attach_slope, low, high)
-      associate (bound => strip%stress - strip%range)
+      associate (bound => strip%adhesion%stress - strip%adhesion%attach_gap)
          fewest = base*early%kept*(1 + lift/max(high - bound + round_off, least))
          most = base*late%kept*(1 + lift/max(low - bound - round_off, least))
       end associate
       call bound_release(strip, late, early, low, high)
-      fewest = fewest*(1 + jump/max(-low - strip%range + round_off, least))
-      most = most*(1 + jump/max(-high - strip%range - round_off, least))
+      fewest = fewest*(1 + jump/max(-low - strip%adhesion%release_gap + round_off, least))
+      most = most*(1 + jump/max(-high - strip%adhesion%release_gap - round_off, least))
    end subroutine bound_multiplier
 
    !> Least and greatest drive where adhesion is lost. One that is not lost has passed the end of the interval where it
@@ -129,8 +129,8 @@ contains
       real(dp) :: first(2), last(2)
 
       ! what takes hold earlier is lost later, at a smaller phase
-      first = [-strip%range, 1.0_dp]
-      last = [-strip%range, -1.0_dp]
+      first = [-strip%adhesion%release_gap, 1.0_dp]
+      last = [-strip%adhesion%release_gap, -1.0_dp]
       if (late%is_released) first = [late%release_drive, late%release_slope]
       if (early%is_released) last = [early%release_drive, early%release_slope]
       call bound_drive(strip, last(1), last(2), first(1), first(2), low, high)
@@ -165,7 +165,7 @@ contains
       real(dp), intent(in) :: d
 
       rise = -2*sin(xi + d/2)*sin(d/2)*exp(-d/strip%foundation%v) &
-         & - (profile(strip, xi) + strip%range)*decay(d/strip%foundation%v)
+         & - (profile(strip, xi) + strip%adhesion%attach_gap)*decay(d/strip%foundation%v)
    end function rise_of_displacement
 
 end module adfric_wavy_period_bounds

@@ -8,7 +8,8 @@ module adfric_wavy_profiles
    use adfric_wavy_finite_slope, only: shear_of_pressure
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: strip_t, steady_state_t, profile
-   use adfric_wavy_surface, only: new_surface_strip, share_at
+   use adfric_wavy_surface, only: new_surface_strip
+   use adfric_wavy_wave_shape, only: share_at
    implicit none (type, external)
    private
    public :: get_profiles
@@ -75,7 +76,7 @@ contains
          xi = two_pi*x(i)/point%period
          call get_column(strip, state, xi, w, p)
          shear = p*slope*sin(xi)
-         if (point%surface%steepness > 0) shear = shear_of_pressure(p, xi, slope)
+         if (point%surface%shape%steepness > 0) shear = shear_of_pressure(p, xi, slope)
          profiles(i, 1) = p*pressure_unit
          profiles(i, 2) = shear*pressure_unit
          profiles(i, 3) = w*length_unit

@@ -76,10 +76,10 @@ contains
       adhered = surface
       adhered%branch = branch_adhered
       ! nothing pulls with more than the stress: if all adheres where the crest loses contact, that is the least load
-      call try_penetration(adhered, -surface%stress, 0.0_dp, memory, low)
-      self%is_converged = low%totals%is_converged .and. low%totals%load <= -surface%stress*(1 - round_off)
-      self%load = -surface%stress
-      self%penetration = -surface%stress
+      call try_penetration(adhered, -surface%adhesion%stress, 0.0_dp, memory, low)
+      self%is_converged = low%totals%is_converged .and. low%totals%load <= -surface%adhesion%stress*(1 - round_off)
+      self%load = -surface%adhesion%stress
+      self%penetration = -surface%adhesion%stress
       if (self%is_converged) return
       call solve_load(adhered, 0.0_dp, neighbour, memory, unloaded)
       if (unloaded%totals%n_strips == 0 .or. .not. unloaded%totals%is_converged) return
@@ -89,7 +89,7 @@ contains
          if (.not. turns(k)%least%totals%is_converged) return
          high%excess = high%totals%load - turns(k)%least%totals%load
          call find_first_state(adhered, turns(k)%least%totals%load, downwards, &
-            & high%totals%structure == turns(k)%least%totals%structure, -(surface%stress + surface%range), &
+            & high%totals%structure == turns(k)%least%totals%structure, -(surface%adhesion%stress + surface%adhesion%range), &
             & memory, high, low, outcome)
          if (outcome /= search_found) exit
          start = high
@@ -109,7 +109,7 @@ contains
 
       is_below_pull_off = self%is_known .and. self%is_converged
       ! a load as near as this is left to the search
-      if (is_below_pull_off) is_below_pull_off = load < self%load - max(distinct, surface%tolerance)*surface%stress
+      if (is_below_pull_off) is_below_pull_off = load < self%load - max(distinct, surface%tolerance)*surface%adhesion%stress
       if (is_below_pull_off) is_below_pull_off = is_identical_surface(surface, self%surface)
    end function is_below_pull_off
 
@@ -158,9 +158,9 @@ contains
 
       above = start
       here = start
-      short = short_step*(surface%stress + surface%range)
+      short = short_step*(surface%adhesion%stress + surface%adhesion%range)
       step = short
-      longest = longest_step*max(1.0_dp, surface%stress + surface%range)
+      longest = longest_step*max(1.0_dp, surface%adhesion%stress + surface%adhesion%range)
       do k = 1, max_steps
          call try_near(surface, here%penetration - step, here%penetration, 0.0_dp, memory, beyond)
          if (.not. beyond%totals%is_converged) exit
@@ -223,7 +223,7 @@ contains
          if (k > 1 .and. abs(next%totals%load_slope) >= abs(turn%totals%load_slope)) return
          penetration = next%penetration - next%totals%load_slope*((next%penetration - last%penetration)/change)
          last = next
-         if (next%totals%load <= turn%totals%load + round_off*surface%stress .and. &
+         if (next%totals%load <= turn%totals%load + round_off*surface%adhesion%stress .and. &
             & abs(next%totals%load_slope) < abs(turn%totals%load_slope)) turn = next
          if (.not. abs(penetration - turn%penetration) < 100*nearby*max(1.0_dp, abs(turn%penetration))) return
       end do
@@ -260,7 +260,7 @@ contains
          margin = indistinct*max(1.0_dp, abs(least%penetration))/4
          if (abs(least%penetration - middle) <= 2*margin - (high - low)/2) exit
          ! a smooth turn is so flat that its place matters less than its load
-         if (maxval(ends) - least%totals%load <= enough*surface%stress) exit
+         if (maxval(ends) - least%totals%load <= enough*surface%adhesion%stress) exit
          r = (least%penetration - second%penetration)*(least%totals%load - third%totals%load)
          q = (least%penetration - third%penetration)*(least%totals%load - second%totals%load)
          p = (least%penetration - third%penetration)*q - (least%penetration - second%penetration)*r

@@ -131,8 +131,8 @@ contains
       integer(i8) :: numbers(6), mixed
       integer :: k
 
-      numbers = transfer([surface%foundation%u, surface%foundation%beta, surface%stress, surface%range, surface%steepness, &
-         & surface%tolerance], numbers)
+      numbers = transfer([surface%foundation%u, surface%foundation%beta, surface%adhesion%stress, surface%adhesion%range, &
+         & surface%shape%steepness, surface%tolerance], numbers)
       mixed = 1
       do k = 1, size(numbers)
          mixed = modulo(mixed*factor + iand(numbers(k), half), prime)

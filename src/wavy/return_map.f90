@@ -71,7 +71,7 @@ contains
       !> Phase of a leading edge from which the way leads on [rad].
       real(dp), intent(in) :: xi
 
-      associate (bound => strip%stress - strip%range)
+      associate (bound => strip%adhesion%stress - strip%adhesion%attach_gap)
          if (direction < 0) then
             last = xi + phases_since(strip, xi, bound)*(1 - 4*epsilon(xi))
          else

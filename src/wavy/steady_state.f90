@@ -59,7 +59,7 @@ contains
 
       if (has_asserts) call assert(branch == branch_adhered .or. branch == branch_approach, &
          & 'find_steady_state: the branch is known')
-      if (strip%stress <= 0) then
+      if (strip%adhesion%stress <= 0) then
          call find_without_release(strip, state, guess)
          if (state%regime == regime_saturated_adhesion) state%regime = regime_discrete
          return
@@ -67,7 +67,7 @@ contains
       is_known = .false.
       if (present(is_regime_known)) is_known = is_regime_known
       ! adhesion everywhere is the same regime as adhesion in a zone, and another branch
-      if (branch == branch_adhered .and. strip%depth <= 0) is_known = is_known .and. strip%range < 2 - strip%depth
+      if (branch == branch_adhered .and. strip%depth <= 0) is_known = is_known .and. strip%adhesion%release_gap < 2 - strip%depth
       if (is_known .and. present(guess)) then
          call continue_state(strip, guess, state, is_found)
          if (is_found) return
@@ -120,7 +120,7 @@ contains
       if (branch == branch_approach) then
          state%regime = regime_free
          ! a crest that is just in range, but for round-off, draws nothing in
-         is_found = -strip%crest >= strip%range*(1 - 4*epsilon(1.0_dp))
+         is_found = -strip%crest >= strip%adhesion%attach_gap*(1 - 4*epsilon(1.0_dp))
       else
          call find_without_release(strip, state, guess)
          is_found = .not. state%is_converged
@@ -171,8 +171,8 @@ contains
          state%regime = regime_saturated
          state%half_width = pi
       else if (strip%depth <= 0) then
-         state%regime = merge(regime_adhesion_only, regime_free, strip%stress > 0)
-         state%half_width = merge(pi, 0.0_dp, strip%stress > 0)
+         state%regime = merge(regime_adhesion_only, regime_free, strip%adhesion%stress > 0)
+         state%half_width = merge(pi, 0.0_dp, strip%adhesion%stress > 0)
       else
          state%regime = regime_saturated_adhesion
          start = 0
@@ -192,16 +192,16 @@ contains
       type(steady_state_t), intent(in) :: state
       real(dp) :: opening, span
 
-      margin = strip%range
+      margin = strip%adhesion%release_gap
       select case (state%regime)
       case (regime_adhesion_only)
-         margin = strip%range - (2 - strip%depth)
+         margin = strip%adhesion%release_gap - (2 - strip%depth)
       case (regime_saturated_adhesion)
-         ! where the drive is below -range a gap of the range only grows, so the end of that interval decides
+         ! where the drive is below -release_gap a gap of this size only grows, so the end of that interval decides
          opening = state%shift - state%half_width
-         span = phases_left(strip, opening, -strip%range, .true.)
+         span = phases_left(strip, opening, -strip%adhesion%release_gap, .true.)
          if (span < 0 .or. span > two_pi - 2*state%half_width) return
-         margin = strip%range + lifted_profile(strip, opening)*decay(span/strip%foundation%v) &
+         margin = strip%adhesion%release_gap + lifted_profile(strip, opening)*decay(span/strip%foundation%v) &
             & + 2*sin(opening - span/2)*sin(span/2)
       case default
          continue
@@ -241,7 +241,7 @@ contains
          if (state%is_converged) state%is_converged = get_range_margin(strip, state) >= -drive_round_off(strip)
       else if (outcome /= period_closed) then
          state%regime = regime_free
-         state%is_converged = -strip%crest >= strip%range - drive_round_off(strip)
+         state%is_converged = -strip%crest >= strip%adhesion%attach_gap - drive_round_off(strip)
       else if (state%is_converged) then
          call read_edges(strip, xi, period, state)
       end if
@@ -298,11 +298,11 @@ contains
          xi = state%shift - state%half_width
          column = column_t(in_adhesion, xi, lifted_profile(strip, xi), 0.0_dp)
       case default
-         ! released where the gap -level - cos(xi) of a displacement -stress passes the range
-         crossing = -strip%level - strip%range
+         ! released where the gap -level - cos(xi) of a displacement -stress passes that of release
+         crossing = -strip%level - strip%adhesion%release_gap
          if (crossing >= 1) outcome = period_never_attached
          xi = -acos(max(-1.0_dp, min(1.0_dp, crossing)))
-         column = column_t(in_free, xi, strip%jump - strip%stress, strip%range + strip%jump, .true.)
+         column = column_t(in_free, xi, strip%adhesion%jump - strip%adhesion%stress, strip%adhesion%released_gap, .true.)
       end select
    end subroutine get_lowest_column
 
@@ -317,12 +317,12 @@ contains
       real(dp) :: w, periods
 
       outcome = period_never_released
-      w = max(strip%crest, 0.0_dp) + strip%jump
-      if (w - profile(strip, pi) <= strip%range) return
+      w = max(strip%crest, 0.0_dp) + strip%adhesion%jump
+      if (w - profile(strip, pi) <= strip%adhesion%attach_gap) return
       ! periods in which it passes the crest out of range
       periods = 0
-      if (w > strip%crest + strip%range) then
-         periods = strip%foundation%v/two_pi*log(w/max(strip%crest + strip%range, tiny(w)))
+      if (w > strip%crest + strip%adhesion%attach_gap) then
+         periods = strip%foundation%v/two_pi*log(w/max(strip%crest + strip%adhesion%attach_gap, tiny(w)))
       end if
       w = w*(1 - decay(max(0.0_dp, real(floor(min(periods, 1.0e9_dp)) - 1, dp))*two_pi/strip%foundation%v))
       outcome = period_closed

@@ -6,13 +6,13 @@
 module adfric_wavy_strip
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts
+   use adfric_wavy_adhesion, only: adhesion_t, strip_adhesion_t, new_strip_adhesion
    use adfric_wavy_foundation, only: foundation_t
    implicit none (type, external)
    private
    public :: strip_t, new_strip, steady_state_t, drive, get_drive, drive_round_off, profile, lifted_profile
    public :: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion
    public :: regime_adhesion_zones, regime_saturated, regime_meanings
-   public :: edge_continuous, edge_instantaneous
 
    !> Regimes of one strip (GM section 4), as they stand in the results file.
    integer, parameter :: regime_free = 0, regime_adhesion_only = 1, regime_discrete = 2
@@ -21,24 +21,16 @@ module adfric_wavy_strip
    character(*), parameter :: regime_meanings = 'free adhesion_without_contact discrete_contact &
       &discrete_contact_saturated_adhesion discrete_contact_adhesion_zones saturated_contact'
 
-   !> What the displacement does where the adhesion stress starts or ends: stays (GM), or jumps by
-   !> K/beta times the jump of stress (GM 4 read across the jump).
-   integer, parameter :: edge_continuous = 1, edge_instantaneous = 2
-
    !> A strip in reduced form.
    type :: strip_t
       !> Foundation under the strip, at its velocity.
       type(foundation_t) :: foundation
       !> Penetration of the crest, and mean level of the profile (1 less), positive into the foundation [c].
       real(dp) :: crest = -1, mean = -2
-      !> Adhesion stress [c/K], >= 0.
-      real(dp) :: stress = 0
+      !> Adhesion: its stress [c/K], its gaps and its jump [c].
+      type(strip_adhesion_t) :: adhesion
       !> Crest and mean level above a foundation that adhesion has lifted, crest + stress and mean + stress [c].
       real(dp) :: depth = -1, level = -2
-      !> Range of adhesion [c], > 0; not used where the stress is 0.
-      real(dp) :: range = 0
-      !> Jump of the displacement where the adhesion stress ends [c], 0 for continuous edges.
-      real(dp) :: jump = 0
    end type strip_t
 
    !> A steady state: contact (shift - half_width, shift + half_width), adhesion on `trailing` behind
@@ -66,7 +58,7 @@ module adfric_wavy_strip
 contains
 
    !> Bring a strip into reduced form.
-   elemental subroutine new_strip(self, foundation, amplitude, penetration, stress, range, edge)
+   elemental subroutine new_strip(self, foundation, amplitude, penetration, adhesion)
       !> The strip in units of its amplitude.
       type(strip_t), intent(out) :: self
       !> The foundation at its sliding velocity; the strip keeps a copy.
@@ -75,25 +67,16 @@ contains
       real(dp), intent(in) :: amplitude
       !> Penetration D_y of the crest of the strip [h].
       real(dp), intent(in) :: penetration
-      !> Adhesion stress p0 [h/K], >= 0.
-      real(dp), intent(in) :: stress
-      !> Range of adhesion [h].
-      real(dp), intent(in) :: range
-      !> What the displacement does at the edges of adhesion, one of `edge_...`.
-      integer, intent(in) :: edge
+      !> Adhesion of the surface, its stress in h/K and its range in h.
+      type(adhesion_t), intent(in) :: adhesion
 
       if (has_asserts) call assert(amplitude > 0, 'new_strip: the strip has a height')
-      if (has_asserts) call assert(stress >= 0 .and. range >= 0, 'new_strip: stress >= 0, range >= 0')
-      if (has_asserts) call assert(edge == edge_continuous .or. edge == edge_instantaneous, 'new_strip: the edge rule is known')
       self%foundation = foundation
       self%crest = penetration/amplitude
       self%mean = self%crest - 1
-      self%stress = stress/amplitude
-      self%depth = (penetration + stress)/amplitude
+      self%depth = (penetration + adhesion%stress)/amplitude
       self%level = self%depth - 1
-      self%range = range/amplitude
-      ! an elastic foundation (beta = 1) has w = K p at all times, so its displacement must jump
-      if (edge == edge_instantaneous .or. foundation%beta <= 1) self%jump = self%stress/foundation%beta
+      call new_strip_adhesion(self%adhesion, adhesion, amplitude, foundation%beta)
    end subroutine new_strip
 
    !> Level F of the profile [c], to full precision near the crest.
@@ -150,7 +133,8 @@ contains
       !> The strip: its profile, adhesion and foundation, in reduced units.
       type(strip_t), intent(in) :: strip
 
-      drive_round_off = 16*epsilon(1.0_dp)*(1 + abs(strip%level) + strip%stress + strip%range + strip%foundation%v)
+      drive_round_off = 16*epsilon(1.0_dp) &
+         & *(1 + abs(strip%level) + strip%adhesion%stress + strip%adhesion%range + strip%foundation%v)
    end function drive_round_off
 
 end module adfric_wavy_strip

@@ -1,22 +1,23 @@
 !> The wavy surface as a set of strips, and what the strips add up to.
 !>
 !> Reduced units: lengths along the surface in periods l, heights in h, pressure in h/K.
-!> The strip at distance y from the crest line has the share Y = (1 + cos ky)/2 of the height:
-!> h_y = h Y, D_y = D - h (1 - Y) (GM 9, 10). A 2-D surface is the one strip Y = 1.
+!> Which strips a surface has, `wave_shape` says.
 module adfric_wavy_surface
    use adfric_base_kinds, only: dp, i8
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: two_pi
+   use adfric_wavy_adhesion, only: adhesion_t
    use adfric_wavy_balance, only: balance_t, get_balance, get_load_slope, get_slope_bound
    use adfric_wavy_finite_slope, only: get_finite_slope_friction
    use adfric_wavy_foundation, only: foundation_t
    use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, edge_continuous, regime_free, &
+   use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, regime_free, &
       & regime_adhesion_only, regime_adhesion_zones, regime_saturated, regime_saturated_adhesion
+   use adfric_wavy_wave_shape, only: wave_shape_t, strip_amplitude, strip_penetration, strip_steepness
    implicit none (type, external)
    private
    public :: negligible, share_of_scale, surface_t, totals_t, new_surface_strip, add_strip, add_totals, add_load_slope, add_regime
-   public :: is_same_surface, is_identical_surface, share_at, phase_of_share, get_relative_error
+   public :: is_same_surface, is_identical_surface, get_relative_error
 
    !> A balance that is violated by this share of its terms has not been solved.
    real(dp), parameter :: unbalanced = 1.0e-3_dp
@@ -32,18 +33,14 @@ module adfric_wavy_surface
 
    !> A wavy surface on its foundation.
    type :: surface_t
-      !> Does the surface vary in both directions?
-      logical :: is_3d = .false.
+      !> Shape of the surface, with lengths in h.
+      type(wave_shape_t) :: shape
       !> Foundation under the surface, at its velocity.
       type(foundation_t) :: foundation
-      !> Adhesion stress [h/K]; 0 without adhesion.
-      real(dp) :: stress = 0
-      !> Range of adhesion [h].
-      real(dp) :: range = 0
-      !> What the displacement does at the edges of adhesion, one of `edge_...`, and the branch, one of `branch_...`.
-      integer :: edge = edge_continuous, branch = branch_adhered
-      !> k h of tau = p sin(arctan f'), or 0 for tau = p f'.
-      real(dp) :: steepness = 0
+      !> Adhesion, its stress in h/K and its range in h.
+      type(adhesion_t) :: adhesion
+      !> The branch, one of `branch_...`.
+      integer :: branch = branch_adhered
       !> Strips on half a period of a 3-D surface (GM's 2N strips); 0: as many as the tolerance needs.
       integer :: n_strips = 0
       !> Relative tolerance of a 3-D surface.
@@ -82,10 +79,10 @@ contains
       !> Two surfaces in reduced units; their tolerances are not compared.
       type(surface_t), intent(in) :: one, two
 
-      is_same_surface = (one%is_3d .eqv. two%is_3d) .and. one%edge == two%edge .and. one%branch == two%branch &
-         & .and. one%n_strips == two%n_strips .and. is_same(one%foundation%u, two%foundation%u) &
-         & .and. is_same(one%foundation%beta, two%foundation%beta) .and. is_same(one%stress, two%stress) &
-         & .and. is_same(one%range, two%range) .and. is_same(one%steepness, two%steepness)
+      is_same_surface = (one%shape%is_3d .eqv. two%shape%is_3d) .and. one%adhesion%edge == two%adhesion%edge &
+         & .and. one%branch == two%branch .and. one%n_strips == two%n_strips .and. is_same(one%foundation%u, two%foundation%u) &
+         & .and. is_same(one%foundation%beta, two%foundation%beta) .and. is_same(one%adhesion%stress, two%adhesion%stress) &
+         & .and. is_same(one%adhesion%range, two%adhesion%range) .and. is_same(one%shape%steepness, two%shape%steepness)
    end function is_same_surface
 
    !> Are two surfaces the same to the last bit, and are to be solved to the same tolerance?
@@ -95,8 +92,8 @@ contains
 
       is_identical_surface = is_same_surface(one, two) .and. .not. ( &
          & abs(one%foundation%u - two%foundation%u) > 0 .or. abs(one%foundation%beta - two%foundation%beta) > 0 &
-         & .or. abs(one%stress - two%stress) > 0 .or. abs(one%range - two%range) > 0 &
-         & .or. abs(one%steepness - two%steepness) > 0 .or. abs(one%tolerance - two%tolerance) > 0)
+         & .or. abs(one%adhesion%stress - two%adhesion%stress) > 0 .or. abs(one%adhesion%range - two%adhesion%range) > 0 &
+         & .or. abs(one%shape%steepness - two%shape%steepness) > 0 .or. abs(one%tolerance - two%tolerance) > 0)
    end function is_identical_surface
 
    !> Are two numbers the same but for round-off of their units?
@@ -106,23 +103,6 @@ contains
 
       is_same = abs(one - two) <= 4*epsilon(one)*max(abs(one), abs(two))
    end function is_same
-
-   !> Share of the height at a crosswise phase.
-   elemental real(dp) function share_at(theta)
-      !> Crosswise phase k y [rad], 0 on the crest line and pi in the valley.
-      real(dp), intent(in) :: theta
-
-      share_at = cos(theta/2)**2
-   end function share_at
-
-   !> Crosswise phase at which the height has a share.
-   elemental real(dp) function phase_of_share(share)
-      !> Share Y of the height, in [0, 1].
-      real(dp), intent(in) :: share
-
-      if (has_asserts) call assert(share >= 0 .and. share <= 1, 'phase_of_share: 0 <= share <= 1')
-      phase_of_share = 2*acos(sqrt(share))
-   end function phase_of_share
 
    !> The strip with the share Y of the height, at a penetration of the surface.
    elemental subroutine new_surface_strip(surface, penetration, share, strip)
@@ -136,8 +116,8 @@ contains
       type(strip_t), intent(out) :: strip
 
       if (has_asserts) call assert(share > 0 .and. share <= 1, 'new_surface_strip: 0 < share <= 1')
-      call new_strip(strip, surface%foundation, share/2, penetration - (1 - share), &
-         & surface%stress, surface%range, surface%edge)
+      call new_strip(strip, surface%foundation, strip_amplitude(share), strip_penetration(penetration, share), &
+         & surface%adhesion)
    end subroutine new_surface_strip
 
    !> Add a strip of a width to the totals.
@@ -176,8 +156,8 @@ contains
          & + second*(balance%friction - balance%dissipation - balance%edge_loss)
       totals%friction_scale = totals%friction_scale + second*balance%friction_scale
       friction = balance%friction
-      if (surface%steepness > 0) then
-         call get_finite_slope_friction(strip, state, surface%steepness*share/2, friction, small_slope)
+      if (surface%shape%steepness > 0) then
+         call get_finite_slope_friction(strip, state, strip_steepness(surface%shape, share), friction, small_slope)
          ! the same rule for the friction that is known in closed form tells its error
          totals%slope_error = totals%slope_error + second*abs(small_slope - balance%friction)
       end if

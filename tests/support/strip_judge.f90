@@ -31,7 +31,7 @@ contains
       integer :: k
 
       associate (f => strip%foundation)
-         brute = brute_strip_t(f%u, f%beta, strip%mean, strip%stress, strip%range, strip%jump > 0)
+         brute = brute_strip_t(f%u, f%beta, strip%mean, strip%adhesion%stress, strip%adhesion%range, strip%adhesion%jump > 0)
          ! where the drive is least the strip is open, if it is open anywhere
          section = atan(f%v) + 3.141592653589793_dp
       end associate
@@ -62,8 +62,8 @@ contains
 
       call get_column(strip, state, xi, w, p)
       gap = w - (strip%mean + cos(xi))
-      if (gap <= 4*epsilon(gap)*(1 + abs(strip%mean))) gap = min(-tiny(gap), -(p + strip%stress))
-      column = column_of_gap(brute, xi, gap, p < -strip%stress/2)
+      if (gap <= 4*epsilon(gap)*(1 + abs(strip%mean))) gap = min(-tiny(gap), -(p + strip%adhesion%stress))
+      column = column_of_gap(brute, xi, gap, p < -strip%adhesion%stress/2)
    end function column_of_state
 
    !> Does a period bring the column back, the better the finer the steps?

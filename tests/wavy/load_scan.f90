@@ -39,9 +39,9 @@ contains
       integer :: k
 
       self%surface = surface
-      highest = 1.2_dp + 0.3_dp*surface%stress
-      lowest = -surface%range
-      if (surface%branch == branch_adhered) lowest = lowest - surface%stress
+      highest = 1.2_dp + 0.3_dp*surface%adhesion%stress
+      lowest = -surface%adhesion%range
+      if (surface%branch == branch_adhered) lowest = lowest - surface%adhesion%stress
       self%step = (highest - lowest)/n
       allocate (self%penetration(0:n), self%load(0:n))
       do k = 0, n
@@ -120,7 +120,7 @@ contains
          k = 1 + mod(k, n - 1)
          if (side*(self%load(k) - self%load(k - 1)) < 0 .and. side*(self%load(k) - self%load(k + 1)) < 0) exit
       end do
-      load = self%load(k) + side*dice%between_log(1.0e-4_dp, 5.0e-2_dp)*self%surface%stress
+      load = self%load(k) + side*dice%between_log(1.0e-4_dp, 5.0e-2_dp)*self%surface%adhesion%stress
    end function draw_load
 
 end module load_scan

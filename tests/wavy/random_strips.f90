@@ -76,11 +76,11 @@ contains
       type(trial_strip_t) :: trial
 
       call draw_strip(dice, number, trial)
-      surface%is_3d = .true.
+      surface%shape%is_3d = .true.
       call new_foundation(surface%foundation, trial%u, trial%beta)
-      surface%stress = trial%stress
-      surface%range = trial%range
-      surface%edge = trial%edge
+      surface%adhesion%stress = trial%stress
+      surface%adhesion%range = trial%range
+      surface%adhesion%edge = trial%edge
       surface%branch = trial%branch
       penetration = trial%penetration
    end subroutine draw_surface

@@ -2,10 +2,11 @@
 module unit_strips
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
+   use adfric_wavy_adhesion, only: adhesion_t, edge_continuous, edge_instantaneous
    use adfric_wavy_balance, only: balance_t, get_balance
    use adfric_wavy_foundation, only: foundation_t, new_foundation
    use adfric_wavy_steady_state, only: find_steady_state, branch_adhered, branch_approach
-   use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, edge_continuous, edge_instantaneous, &
+   use adfric_wavy_strip, only: strip_t, new_strip, steady_state_t, &
       regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion, regime_adhesion_zones, &
       regime_saturated
    implicit none (type, external)
@@ -46,7 +47,8 @@ contains
       type(foundation_t) :: foundation
 
       call new_foundation(foundation, trial%u, trial%beta)
-      call new_strip(strip, foundation, 0.5_dp, trial%penetration, trial%stress, trial%range, trial%edge)
+      call new_strip(strip, foundation, 0.5_dp, trial%penetration, &
+         adhesion_t(trial%stress, trial%range, trial%edge))
    end subroutine new_trial_strip
 
    !> Solve a strip.
