@@ -4,12 +4,11 @@
 program strip_methods
    use, intrinsic :: iso_c_binding, only: c_funptr
    use adfric_base_kinds, only: dp
-   use adfric_numerics_gsl_bindings, only: gsl_set_error_handler_off
    use adfric_system_clock, only: wall_clock
    use adfric_wavy_balance, only: balance_t, get_balance
    use adfric_wavy_steady_state, only: find_steady_state
    use adfric_wavy_strip, only: steady_state_t, regime_saturated
-   use gsl_multiroot, only: solver_t, new_solver, free_solver, solve_edges
+   use gsl_multiroot, only: solver_t, new_solver, free_solver, solve_edges, gsl_set_error_handler_off
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use plain_edges, only: get_residuals
    use strip_cases, only: case_t, snap, names, elsewhere, from_lengths, from_rest, start_names, collect_cases, start_of, error_of, &

@@ -6,7 +6,7 @@ module gsl_multiroot
    use plain_edges, only: edges_t, get_residuals
    implicit none (type, external)
    private
-   public :: solver_t, new_solver, free_solver, solve_edges
+   public :: solver_t, new_solver, free_solver, solve_edges, gsl_set_error_handler_off
 
    integer(c_int), parameter :: success = 0, go_on = -2
    integer, parameter :: max_iterations = 200
@@ -31,6 +31,12 @@ module gsl_multiroot
    end type gsl_vector_t
 
    interface
+      !> The solver reports what it cannot do by a status; GSL's own handler would end the program.
+      type(c_funptr) function gsl_set_error_handler_off() bind(c)
+         import :: c_funptr
+         implicit none (type, external)
+      end function gsl_set_error_handler_off
+
       type(c_ptr) function new_gsl_hybrids(n) bind(c)
          import :: c_ptr, c_size_t
          implicit none (type, external)
