@@ -10,6 +10,9 @@
 !> results are those of its file, to the bit. Nothing here stops the caller, prints, or changes handlers of signals and errors. A
 !> simulation is for one thread at a time; different ones may be used by many threads at once. It is not to be copied: a copy is
 !> closed.
+!>
+!> All but the solution of the points is done by one thread at a time (`critical (adfric_api)`), since gfortran keeps the lengths of
+!> texts that functions give back in one place for all threads.
 module adfric_api
    use adfric, only: known_models, new_model
    use adfric_api_solution, only: solve_by_threads
@@ -70,12 +73,14 @@ contains
       type(error_t), allocatable, intent(out) :: error
       class(model_t), allocatable :: opened
 
+      !$omp critical (adfric_api)
       call new_model(opened, trim(model), error)
       if (allocated(error)) then
          error%message = '&job model: '//say_unknown_model(trim(model), known_models)
-         return
+      else
+         call open_state(self%state, opened)
       end if
-      call open_state(self%state, opened)
+      !$omp end critical (adfric_api)
    end subroutine open_simulation
 
    !> Close a simulation, and give back its memory. It may be opened again.
@@ -83,7 +88,9 @@ contains
       !> The simulation, open or closed.
       class(simulation_t), intent(inout) :: self
 
+      !$omp critical (adfric_api)
       call self%state%close()
+      !$omp end critical (adfric_api)
    end subroutine close_simulation
 
    !> Names of all models.
@@ -92,9 +99,11 @@ contains
       integer :: i
 
       allocate (names(count_words(known_models)))
+      !$omp critical (adfric_api)
       do i = 1, size(names)
          names(i) = get_word(known_models, i)
       end do
+      !$omp end critical (adfric_api)
    end function list_models
 
    !> Set a variable that is a number. It is not swept any more.
@@ -108,7 +117,9 @@ contains
       !> Not allocated if the value is set.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%give(name, value, error)
+      !$omp end critical (adfric_api)
    end subroutine set_real
 
    !> Set a variable that is a number, by an integer.
@@ -122,7 +133,9 @@ contains
       !> Not allocated if the value is set.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%give(name, value, error)
+      !$omp end critical (adfric_api)
    end subroutine set_integer
 
    !> Set a variable that is true or false.
@@ -136,7 +149,9 @@ contains
       !> Not allocated if the value is set.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%give(name, value, error)
+      !$omp end critical (adfric_api)
    end subroutine set_logical
 
    !> Set a variable that is one of several words.
@@ -150,7 +165,9 @@ contains
       !> Not allocated if the value is set.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%give(name, value, error)
+      !$omp end critical (adfric_api)
    end subroutine set_word
 
    !> Set a variable that is a dataset of one dimension, in place of the name of a file.
@@ -164,7 +181,9 @@ contains
       !> Not allocated if the values are set.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%give_dataset(name, reshape(values, [size(values), 1]), 1, error)
+      !$omp end critical (adfric_api)
    end subroutine set_line
 
    !> Set a variable that is a dataset of two dimensions, in place of the name of a file.
@@ -178,7 +197,9 @@ contains
       !> Not allocated if the values are set.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%give_dataset(name, values, 2, error)
+      !$omp end critical (adfric_api)
    end subroutine set_map
 
    !> Give a variable its default value again, or none. It is not swept any more.
@@ -190,7 +211,9 @@ contains
       !> Allocated if there is no such variable.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%take_back(name, error)
+      !$omp end critical (adfric_api)
    end subroutine unset
 
    !> Sweep a variable. Several sweeps make the outer product of their values; the variable that is swept last varies fastest. A
@@ -205,7 +228,9 @@ contains
       !> Not allocated if the variable is swept.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%sweep([name], reshape(values, [size(values), 1]), error)
+      !$omp end critical (adfric_api)
    end subroutine sweep_one
 
    !> Sweep several variables together: each row of the values is a point, or one for each combination with other sweeps.
@@ -219,7 +244,9 @@ contains
       !> Not allocated if the variables are swept.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%sweep(names, values, error)
+      !$omp end critical (adfric_api)
    end subroutine sweep_together
 
    !> Number of points: 1 where nothing is swept, 0 where the simulation is closed.
@@ -240,8 +267,10 @@ contains
       !> Number of threads, >= 1; as many as OpenMP gives if absent. The results do not depend on it.
       integer, intent(in), optional :: n_threads
 
+      !$omp critical (adfric_api)
       call self%state%check_open(error)
       if (.not. allocated(error)) call self%state%check_case(error)
+      !$omp end critical (adfric_api)
       if (.not. allocated(error)) call solve_by_threads(self%state%run, self%state%found, error, n_threads)
    end subroutine solve
 
@@ -259,15 +288,17 @@ contains
       type(profile_axis_t), allocatable :: axes(:)
       integer :: axis
 
+      !$omp critical (adfric_api)
       call self%state%check_solved(error)
-      if (allocated(error)) return
-      axis = find_axis(self%state%run%model, name)
+      axis = 0
+      if (.not. allocated(error)) axis = find_axis(self%state%run%model, name)
       if (axis > 0) then
          call self%state%run%model%get_profile_axes(self%state%run%plan%base, axes)
          values = axes(axis)%coordinates
-      else
+      else if (.not. allocated(error)) then
          call find_result(self%state%run%model, self%state%found, name, values, error)
       end if
+      !$omp end critical (adfric_api)
    end subroutine get_real
 
    !> Get a result of every point that is one of several states, such as the status, as the number of the state.
@@ -281,8 +312,10 @@ contains
       !> Allocated if there is no such result, it has no states, or nothing is solved.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%check_solved(error)
       if (.not. allocated(error)) call find_result(self%state%run%model, self%state%found, name, values, error)
+      !$omp end critical (adfric_api)
    end subroutine get_integer
 
    !> Get a profile of a point. Profiles are kept where they were asked for: `set('profiles', .true.)` before `solve`.
@@ -299,8 +332,10 @@ contains
       !> Allocated if there is no such profile or point, or profiles were not asked for.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%check_solved(error)
       if (.not. allocated(error)) call find_profile(self%state%run%model, self%state%found, name, point, values, error)
+      !$omp end critical (adfric_api)
    end subroutine get_profile
 
    !> Say what a variable, a result, a profile or an axis is. Units that depend on other variables are right once these are set.
@@ -320,11 +355,12 @@ contains
 
       character(:), allocatable :: words
 
+      !$omp critical (adfric_api)
       call self%state%check_open(error)
-      if (allocated(error)) return
-      call describe_name(self%state%run%model, self%state%input, name, unit, long_name, words, error)
+      if (.not. allocated(error)) call describe_name(self%state%run%model, self%state%input, name, unit, long_name, words, error)
+      !$omp end critical (adfric_api)
       ! gfortran loses the length of an optional text that is handed on
-      if (present(meanings)) meanings = words
+      if (present(meanings) .and. allocated(words)) meanings = words
    end subroutine describe
 
    !> List names of the model.
@@ -338,8 +374,10 @@ contains
       !> Allocated if there is no such list.
       type(error_t), allocatable, intent(out) :: error
 
+      !$omp critical (adfric_api)
       call self%state%check_open(error)
       if (.not. allocated(error)) call list_of(self%state%run%model, what, names, error)
+      !$omp end critical (adfric_api)
    end subroutine list
 
    !> A copy is closed: what a model keeps for its points belongs to one simulation.

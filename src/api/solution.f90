@@ -32,7 +32,9 @@ contains
       n = n_before
       if (present(n_threads)) n = n_threads
       if (n < 1) then
+         !$omp critical (adfric_api)
          call set_error(error, input_failure, 'n_threads: out of range, given '//show_count(n)//', allowed: an integer >= 1')
+         !$omp end critical (adfric_api)
          return
       end if
       ! a caller within a parallel region of its own has the threads that OpenMP leaves it
@@ -58,8 +60,10 @@ contains
       type(run_summary_t) :: summary
 
       allocate (found)
+      !$omp critical (adfric_api)
       call check_memory(run, 1, error)
       if (.not. allocated(error)) call new_memory_sink(found, run, error)
+      !$omp end critical (adfric_api)
       if (allocated(error)) return
       call run%model%prepare()
       call run_sweep(run, found, silent, summary, error)

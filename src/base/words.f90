@@ -2,7 +2,7 @@
 module adfric_base_words
    implicit none (type, external)
    private
-   public :: count_words, get_word, has_word, pad
+   public :: count_words, get_word, find_word, has_word, pad
 
 contains
 
@@ -30,6 +30,19 @@ contains
       !> Which word of the list, from 1.
       integer, intent(in) :: number
       character(:), allocatable :: word
+
+      call find_word(list, number, word)
+   end function get_word
+
+   !> Find a word. Threads use this one: gfortran keeps the length of what a function like `get_word` gives back in one place for all
+   !> threads.
+   pure subroutine find_word(list, number, word)
+      !> Words, separated by one blank or more.
+      character(*), intent(in) :: list
+      !> Which word of the list, from 1.
+      integer, intent(in) :: number
+      !> Receives the word; empty if there are fewer.
+      character(:), allocatable, intent(out) :: word
       integer :: k
 
       word = trim(adjustl(list))
@@ -37,7 +50,7 @@ contains
          word = adjustl(word(index(word//' ', ' '):))
       end do
       word = word(:index(word//' ', ' ') - 1)
-   end function get_word
+   end subroutine find_word
 
    !> A text with blanks to a width, and at least one.
    pure function pad(text, width) result(padded)

@@ -53,8 +53,8 @@ contains
       !> The new model; receives its tables.
       type(punch_model_t), intent(out) :: self
       type(variable_t) :: v(v_points)
-      character(1) :: degree, power
-      character(:), allocatable :: unit
+      character(*), parameter :: units(4) = ['1/m  ', '1/m^3', '1/m^5', '1/m^7']
+      character(1) :: degree
       integer :: i
 
       v(v_kind) = choice(group='punch', name='kind', meaning='profile', choices='flat wedge cylinder polynomial')
@@ -64,10 +64,7 @@ contains
       v(v_radius) = positive(group='punch', name='radius', unit='m', meaning='of a cylinder z = x^2/2R')
       do i = 1, 4
          write (degree, '(i1)') 2*i
-         write (power, '(i1)') 2*i - 1
-         unit = '1/m^'//power
-         if (i == 1) unit = '1/m'
-         v(v_coefficient_2 + i - 1) = number(group='punch', name='coefficient_'//degree, unit=unit, &
+         v(v_coefficient_2 + i - 1) = number(group='punch', name='coefficient_'//degree, unit=trim(units(i)), &
             & meaning='c of c x^'//degree//' in a polynomial profile', default=0.0_dp, lower=0.0_dp, upper=largest_coefficient)
       end do
       call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &

@@ -5,7 +5,6 @@ module adfric_periodic_model
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: get_word
    use adfric_material_contact_modulus, only: check_contact_modulus, derive_contact_modulus
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_pointwise, only: pointwise_model_t, point_state_t
@@ -194,7 +193,7 @@ contains
       call self%get_cells(values, surface)
       do along = 1, 2
          n = surface%n_cells(along)
-         call set_coordinate(axes(3 - along), get_word(self%profile_axes, 3 - along), &
+         call set_coordinate(axes(3 - along), merge('x', 'y', along == 1), &
             & [(surface%period(along)*(i - 0.5_dp)/(n*merge(2, 1, surface%is_quarter)), i=1, n)])
       end do
    end subroutine get_profile_axes

@@ -5,7 +5,6 @@ module adfric_wavy_model
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: get_word
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_model, only: model_t
    use adfric_model_rows, only: set_coordinate
@@ -123,7 +122,7 @@ contains
 
    !> The profile axes y and x: one period about the crest.
    subroutine get_profile_axes(self, values, axes)
-      !> The model, for the names of its axes.
+      !> The model; nothing of it is read here.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -131,9 +130,11 @@ contains
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
 
       allocate (axes(2))
-      call set_coordinate(axes(1), get_word(self%profile_axes, 1), &
+      call set_coordinate(axes(1), 'y', &
          & about_crest(values(v_period), merge(nint(values(v_n_y)), 1, nint(values(v_kind)) == kind_3d)))
-      call set_coordinate(axes(2), get_word(self%profile_axes, 2), about_crest(values(v_period), nint(values(v_n_x))))
+      call set_coordinate(axes(2), 'x', about_crest(values(v_period), nint(values(v_n_x))))
+      associate (unused => self)
+      end associate
    end subroutine get_profile_axes
 
    !> Coordinates over one period, as far on one side of the crest as on the other, to the last digit.
