@@ -202,10 +202,10 @@ contains
       type(result_t) :: found
 
       if (place > size(model%results)) then
-         results = results_of_every_run()
+         allocate (results, source=results_of_every_run())
          found = results(place - size(model%results))
       else if (is_complete) then
-         results = model%describe_results(input%values)
+         allocate (results, source=model%describe_results(input%values))
          found = results(place)
       else
          found = model%results(place)
