@@ -86,26 +86,27 @@ contains
       integer, intent(in) :: i
       !> Name of the input file; empty if there is none.
       character(*), intent(in) :: file
-      character(:), allocatable :: line
+      character(:), allocatable :: line, text
       character(12) :: number
 
       associate (item => self%items(i))
-         line = ''
-         if (len(file) > 0) line = file//':'
-         if (len(item%group) > 0) line = line//' &'//item%group
+         text = ''
+         if (len(file) > 0) text = file//':'
+         if (len(item%group) > 0) text = text//' &'//item%group
          if (item%index > 0) then
             write (number, '(i0)') item%index
-            line = line//'['//trim(number)//']'
+            text = text//'['//trim(number)//']'
          end if
-         if (len(item%variable) > 0) line = line//' '//item%variable
-         if (len(item%group) + len(item%variable) > 0) line = line//':'
-         line = line//' '//item%text
+         if (len(item%variable) > 0) text = text//' '//item%variable
+         if (len(item%group) + len(item%variable) > 0) text = text//':'
+         text = text//' '//item%text
          if (item%line > 0) then
             write (number, '(i0)') item%line
-            line = line//' (line '//trim(number)//')'
+            text = text//' (line '//trim(number)//')'
          end if
       end associate
-      if (len(file) == 0) line = line(2:)
+      ! the blank before the group separates it from the name of a file
+      line = text(merge(2, 1, len(file) == 0):)
    end function line_of
 
 end module adfric_base_problems

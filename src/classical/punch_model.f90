@@ -262,18 +262,18 @@ contains
       integer, intent(out) :: status
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
-      type(punch_state_t) :: found
+      type(punch_state_t), allocatable :: found
       real(dp) :: x(n_places), mean
       integer :: i
 
       status = status_no_equilibrium
       error_estimate = 0
       if (.not. is_possible(values)) return
+      allocate (found)
       call solve_state(values, found)
       status = merge(status_solved, status_not_converged, found%contact%is_converged)
       error_estimate = max(epsilon(mean), found%contact%load_error)
       if (status /= status_solved) return
-      state = found
       associate (contact => found%contact)
          mean = contact%load/(2*contact%half_width)
          results([r_load, r_contact_half_width, r_mean_pressure]) = [contact%load, contact%half_width, mean]
@@ -283,6 +283,7 @@ contains
          x = pack(x, x < found%face, spread(x(1), 1, n_places))
          results(r_violation) = largest_violation(found%pressure(x), found%gap(x), mean, mean*contact%half_width/contact%modulus)
       end associate
+      call move_alloc(found, state)
       associate (unused => self, unused_counts => counts)
       end associate
    end subroutine solve_point

@@ -2,12 +2,12 @@
 module adfric_model_rows
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: count_words, get_word
-   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, kind_real, kind_integer, &
+   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, count_t, kind_real, kind_integer, &
       & kind_logical, kind_choice, kind_dataset
    implicit none (type, external)
    private
    public :: positive, above_zero, number, any_number, whole_number, poisson_ratio, choice, switch, dataset, set_output_axis
-   public :: set_coordinate, result_row, contact_profiles
+   public :: set_coordinate, result_row, count_row, contact_profiles
 
    !> Sizes beyond these are those of a slip in the units.
    real(dp), parameter :: largest_unit = 1.0e30_dp, smallest_unit = 1.0e-30_dp
@@ -252,6 +252,18 @@ contains
       if (present(is_main)) row%is_main = is_main
       if (present(flag_meanings)) row%flag_meanings = flag_meanings
    end function result_row
+
+   !> A row of the counts.
+   function count_row(name, long_name) result(row)
+      !> Name of the attribute that has the mean over the points.
+      character(*), intent(in) :: name
+      !> What is counted, for `adfric help`.
+      character(*), intent(in) :: long_name
+      type(count_t) :: row
+
+      row%name = name
+      row%long_name = long_name
+   end function count_row
 
    !> A row of the variables, without default and bounds.
    function row_of(kind, group, name, unit, meaning) result(variable)

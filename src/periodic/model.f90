@@ -9,9 +9,9 @@ module adfric_periodic_model
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_pointwise, only: pointwise_model_t, point_state_t
    use adfric_model_check, only: require, require_one
-   use adfric_model_rows, only: contact_profiles, set_coordinate
+   use adfric_model_rows, only: contact_profiles, count_row, set_coordinate
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
-   use adfric_model_table, only: variable_t, count_t, profile_axis_t
+   use adfric_model_table, only: variable_t, profile_axis_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, &
       & find_full_pressure
    use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
@@ -145,7 +145,8 @@ contains
       call set_periodic_variables(self%variables(self%n_own + 1:))
       self%results = get_periodic_results()
       self%profiles = contact_profiles()
-      self%counts = [count_t(name='iterations_per_point', long_name='iterations on the finest grid')]
+      allocate (self%counts(1))
+      self%counts(1) = count_row(name='iterations_per_point', long_name='iterations on the finest grid')
       self%profile_axes = 'y x'
       self%largest_block = most_neighbours
    end subroutine set_tables

@@ -10,7 +10,8 @@ module adfric_sphere_model
    use adfric_model_pointwise, only: pointwise_model_t, point_state_t
    use adfric_model_check, only: refuse_swept
    use adfric_model_status, only: status_solved
-   use adfric_model_table, only: result_t, profile_t, profile_axis_t, count_t
+   use adfric_model_rows, only: count_row
+   use adfric_model_table, only: result_t, profile_t, profile_axis_t
    use adfric_sphere_case, only: sphere_case_t, resolve_case
    use adfric_sphere_check, only: check_sphere_values
    use adfric_sphere_contact, only: theory_maugis_dugdale, theory_dmt
@@ -56,7 +57,8 @@ contains
       self%results = get_sphere_results(.false.)
       self%profiles = get_sphere_profiles(.false.)
       self%profile_axes = 'r'
-      self%counts = [count_t(name='share_of_limit_theories', long_name='points that a limit theory solves')]
+      allocate (self%counts(1))
+      self%counts(1) = count_row(name='share_of_limit_theories', long_name='points that a limit theory solves')
    end subroutine new_sphere_model
 
    !> See `model_t`.

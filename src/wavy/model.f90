@@ -7,9 +7,9 @@ module adfric_wavy_model
    use adfric_base_unset, only: is_set
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_model, only: model_t
-   use adfric_model_rows, only: set_coordinate
+   use adfric_model_rows, only: count_row, set_coordinate
    use adfric_model_status, only: status_solved, status_no_equilibrium
-   use adfric_model_table, only: result_t, profile_axis_t, count_t
+   use adfric_model_table, only: result_t, profile_axis_t
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
@@ -63,8 +63,9 @@ contains
       self%results = get_wavy_results()
       self%profiles = get_wavy_profiles()
       self%profile_axes = 'y x'
-      self%counts = [count_t(name='strips_per_point', long_name='strips that were solved'), &
-         & count_t(name='closed_form_strips_per_point', long_name='strips that were solved in closed form')]
+      allocate (self%counts(2))
+      self%counts(1) = count_row(name='strips_per_point', long_name='strips that were solved')
+      self%counts(2) = count_row(name='closed_form_strips_per_point', long_name='strips that were solved in closed form')
    end subroutine new_wavy_model
 
    !> Add to `problems` what is contradictory or impossible in the values together.

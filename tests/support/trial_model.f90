@@ -12,7 +12,8 @@ module trial_model
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_model, only: model_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
-   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, count_t, kind_real, kind_integer, kind_logical, &
+   use adfric_model_rows, only: count_row
+   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, kind_real, kind_integer, kind_logical, &
       & kind_choice
    implicit none (type, external)
    private
@@ -56,7 +57,8 @@ contains
       self%summary = 'a block that slides on a table'
       self%references = 'Nobody, Nowhere 1 (2001) 1'
       self%profile_axes = 'y x'
-      self%counts = [count_t(name='steps_per_point', long_name='steps of the block')]
+      allocate (self%counts(1))
+      self%counts(1) = count_row(name='steps_per_point', long_name='steps of the block')
       allocate (self%variables(n_variables))
       associate (variables => self%variables)
          call set(variables(kind_place), 'surface', 'kind', kind_choice, '', 1.0_dp)
