@@ -3,7 +3,7 @@ module adfric_classical_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: count_words, find_word, get_word
+   use adfric_base_words, only: count_words, get_word
    use adfric_material_contact_modulus, only: derive_contact_modulus
    use adfric_model_model, only: derived_t
    use adfric_model_pointwise, only: pointwise_model_t
@@ -150,14 +150,12 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives the axes, the slowest first.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
-      character(:), allocatable :: name
       integer :: k, at
 
       allocate (axes(count_words(self%profile_axes)))
       do k = 1, size(axes)
          at = self%output + 3*k - 2
-         call find_word(self%profile_axes, k, name)
-         call set_coordinate(axes(k), name, even_steps(values(at:at + 2)))
+         call set_coordinate(axes(k), self%profile_axes, k, even_steps(values(at:at + 2)))
       end do
    end subroutine get_profile_axes
 

@@ -7,7 +7,7 @@ module adfric_command_line
    implicit none (type, external)
    private
    public :: command_t, argument_t, get_arguments, parse_arguments
-   public :: known_commands, known_options
+   public :: known_commands
 
    !> What the program can do.
    character(*), parameter :: known_commands = 'run merge check help'

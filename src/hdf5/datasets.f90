@@ -3,7 +3,7 @@
 !> Shapes, starts and counts are in C order, the slowest dimension first, as h5py shows them; a shape of size 0 is
 !> a scalar.
 module adfric_hdf5_datasets
-   use, intrinsic :: iso_c_binding, only: c_loc
+   use, intrinsic :: iso_c_binding, only: c_associated, c_loc, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int8
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_value, ieee_quiet_nan
    use hdf5, only: hid_t, hsize_t, h5screate_f, h5screate_simple_f, h5sselect_hyperslab_f, h5dcreate_f, h5dwrite_f, &
@@ -104,16 +104,9 @@ contains
       !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
       real(dp), target :: fill
-      integer(hid_t) :: list
 
       fill = ieee_value(fill, ieee_quiet_nan)
-      call create_list(calls, list)
-      if (calls%is_good()) then
-         call h5pset_fill_value_f(list, H5T_NATIVE_DOUBLE, c_loc(fill), calls%status)
-         call calls%check()
-      end if
-      call create_dataset(calls, file, name, H5T_IEEE_F64LE, space, list, dataset)
-      call calls%close_id(list)
+      call create_dataset(calls, file, name, H5T_IEEE_F64LE, space, H5T_NATIVE_DOUBLE, c_loc(fill), dataset)
    end subroutine create_real_dataset
 
    !> Create a dataset of states, all `no_state`.
@@ -129,16 +122,9 @@ contains
       !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
       integer(int8), target :: fill
-      integer(hid_t) :: list
 
       fill = no_state
-      call create_list(calls, list)
-      if (calls%is_good()) then
-         call h5pset_fill_value_f(list, h5kind_to_type(int8, H5_INTEGER_KIND), c_loc(fill), calls%status)
-         call calls%check()
-      end if
-      call create_dataset(calls, file, name, H5T_STD_I8LE, space, list, dataset)
-      call calls%close_id(list)
+      call create_dataset(calls, file, name, H5T_STD_I8LE, space, h5kind_to_type(int8, H5_INTEGER_KIND), c_loc(fill), dataset)
    end subroutine create_state_dataset
 
    !> Create a dataset of integers, all 0.
@@ -153,11 +139,8 @@ contains
       integer(hid_t), intent(in) :: space
       !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
-      integer(hid_t) :: list
 
-      call create_list(calls, list)
-      call create_dataset(calls, file, name, H5T_STD_I64LE, space, list, dataset)
-      call calls%close_id(list)
+      call create_dataset(calls, file, name, H5T_STD_I64LE, space, H5T_STD_I64LE, c_null_ptr, dataset)
    end subroutine create_integer_dataset
 
    !> Create a list of properties: contiguous, laid out and filled at once.
@@ -182,8 +165,8 @@ contains
       call calls%check()
    end subroutine create_list
 
-   !> Create a dataset.
-   subroutine create_dataset(calls, file, name, file_type, space, list, dataset)
+   !> Create a dataset: contiguous, laid out and filled at once.
+   subroutine create_dataset(calls, file, name, file_type, space, fill_type, fill, dataset)
       !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open file.
@@ -194,15 +177,25 @@ contains
       integer(hid_t), intent(in) :: file_type
       !> Space of the dataset's shape.
       integer(hid_t), intent(in) :: space
-      !> List of properties with which the dataset is created.
-      integer(hid_t), intent(in) :: list
+      !> HDF5 type of the value that fills the dataset.
+      integer(hid_t), intent(in) :: fill_type
+      !> Address of the value that fills the dataset; null: that of HDF5, which is 0.
+      type(c_ptr), intent(in) :: fill
       !> Id of the dataset, to be closed by the caller; `no_id` if a call has failed.
       integer(hid_t), intent(out) :: dataset
+      integer(hid_t) :: list
 
       dataset = no_id
-      if (.not. calls%is_good()) return
-      call h5dcreate_f(file, name, file_type, space, dataset, calls%status, dcpl_id=list)
-      call calls%check()
+      call create_list(calls, list)
+      if (calls%is_good() .and. c_associated(fill)) then
+         call h5pset_fill_value_f(list, fill_type, fill, calls%status)
+         call calls%check()
+      end if
+      if (calls%is_good()) then
+         call h5dcreate_f(file, name, file_type, space, dataset, calls%status, dcpl_id=list)
+         call calls%check()
+      end if
+      call calls%close_id(list)
    end subroutine create_dataset
 
    !> Write real numbers.
@@ -218,9 +211,7 @@ contains
       !> Numbers in the order of the file, the last dimension fastest.
       real(dp), intent(in), contiguous, target :: values(:)
 
-      if (.not. calls%is_good()) return
-      call h5dwrite_f(dataset, H5T_NATIVE_DOUBLE, c_loc(values), calls%status, memory_space, file_space)
-      call calls%check()
+      call write_from(calls, dataset, H5T_NATIVE_DOUBLE, memory_space, file_space, c_loc(values))
    end subroutine write_reals
 
    !> Write states.
@@ -236,10 +227,7 @@ contains
       !> States in the order of the file, the last dimension fastest.
       integer(int8), intent(in), contiguous, target :: values(:)
 
-      if (.not. calls%is_good()) return
-      call h5dwrite_f(dataset, h5kind_to_type(int8, H5_INTEGER_KIND), c_loc(values), calls%status, &
-         memory_space, file_space)
-      call calls%check()
+      call write_from(calls, dataset, h5kind_to_type(int8, H5_INTEGER_KIND), memory_space, file_space, c_loc(values))
    end subroutine write_states
 
    !> Write integers.
@@ -255,10 +243,28 @@ contains
       !> Integers in the order of the file, the last dimension fastest.
       integer(i8), intent(in), contiguous, target :: values(:)
 
-      if (.not. calls%is_good()) return
-      call h5dwrite_f(dataset, h5kind_to_type(i8, H5_INTEGER_KIND), c_loc(values), calls%status, memory_space, file_space)
-      call calls%check()
+      call write_from(calls, dataset, h5kind_to_type(i8, H5_INTEGER_KIND), memory_space, file_space, c_loc(values))
    end subroutine write_integers
+
+   !> Write values of any type.
+   subroutine write_from(calls, dataset, memory_type, memory_space, file_space, address)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
+      integer(hid_t), intent(in) :: dataset
+      !> HDF5 type of the values in the memory.
+      integer(hid_t), intent(in) :: memory_type
+      !> Space of as many values as are written.
+      integer(hid_t), intent(in) :: memory_space
+      !> Space of the dataset's shape, with the part selected.
+      integer(hid_t), intent(in) :: file_space
+      !> Address of the values.
+      type(c_ptr), intent(in) :: address
+
+      if (.not. calls%is_good()) return
+      call h5dwrite_f(dataset, memory_type, address, calls%status, memory_space, file_space)
+      call calls%check()
+   end subroutine write_from
 
    !> Close a dataset, even if its last writing fails.
    subroutine close_dataset(calls, dataset)

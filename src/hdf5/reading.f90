@@ -244,12 +244,8 @@ contains
       integer(hid_t), intent(in) :: file_space
       !> Numbers in the order of the file, the last dimension fastest; left as they are if a call has failed.
       real(dp), intent(inout), contiguous, target :: values(:)
-      type(c_ptr) :: address
 
-      if (.not. calls%is_good()) return
-      address = c_loc(values)
-      call h5dread_f(dataset, H5T_NATIVE_DOUBLE, address, calls%status, memory_space, file_space)
-      call calls%check()
+      call read_at(calls, dataset, H5T_NATIVE_DOUBLE, memory_space, file_space, c_loc(values))
    end subroutine read_reals
 
    !> Read states.
@@ -264,12 +260,8 @@ contains
       integer(hid_t), intent(in) :: file_space
       !> States in the order of the file, the last dimension fastest; left as they are if a call has failed.
       integer(int8), intent(inout), contiguous, target :: values(:)
-      type(c_ptr) :: address
 
-      if (.not. calls%is_good()) return
-      address = c_loc(values)
-      call h5dread_f(dataset, h5kind_to_type(int8, H5_INTEGER_KIND), address, calls%status, memory_space, file_space)
-      call calls%check()
+      call read_at(calls, dataset, h5kind_to_type(int8, H5_INTEGER_KIND), memory_space, file_space, c_loc(values))
    end subroutine read_states
 
    !> Read integers.
@@ -284,13 +276,31 @@ contains
       integer(hid_t), intent(in) :: file_space
       !> Integers in the order of the file, the last dimension fastest; left as they are if a call has failed.
       integer(i8), intent(inout), contiguous, target :: values(:)
-      type(c_ptr) :: address
+
+      call read_at(calls, dataset, h5kind_to_type(i8, H5_INTEGER_KIND), memory_space, file_space, c_loc(values))
+   end subroutine read_integers
+
+   !> Read values of any type.
+   subroutine read_at(calls, dataset, memory_type, memory_space, file_space, address)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open dataset.
+      integer(hid_t), intent(in) :: dataset
+      !> HDF5 type of the values in the memory.
+      integer(hid_t), intent(in) :: memory_type
+      !> Space of as many values as are read.
+      integer(hid_t), intent(in) :: memory_space
+      !> Space of the dataset's shape, with the part selected.
+      integer(hid_t), intent(in) :: file_space
+      !> Address of room for the values; left as it is if a call has failed.
+      type(c_ptr), intent(in) :: address
+      type(c_ptr) :: copy
 
       if (.not. calls%is_good()) return
-      address = c_loc(values)
-      call h5dread_f(dataset, h5kind_to_type(i8, H5_INTEGER_KIND), address, calls%status, memory_space, file_space)
+      copy = address
+      call h5dread_f(dataset, memory_type, copy, calls%status, memory_space, file_space)
       call calls%check()
-   end subroutine read_integers
+   end subroutine read_at
 
    !> Where the values of a dataset stand in the file: first byte, from 0, and how many; none if they have no place of their own.
    subroutine get_extent(calls, dataset, first, n_bytes)

@@ -11,7 +11,7 @@ module adfric_hdf5_virtual
    use adfric_hdf5_datasets, only: no_state, to_fortran
    implicit none (type, external)
    private
-   public :: select_nothing, add_box, create_virtual_list, add_source, create_virtual_dataset, as_format
+   public :: select_nothing, add_box, create_virtual_list, add_source, create_virtual_dataset
 
 contains
 

@@ -1,7 +1,7 @@
 !> Rows of the tables of models. They are written by keyword, so that a table says what each of its numbers is.
 module adfric_model_rows
    use adfric_base_kinds, only: dp
-   use adfric_base_words, only: count_words, get_word
+   use adfric_base_words, only: count_words, find_word, get_word
    use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, count_t, kind_real, kind_integer, &
       & kind_logical, kind_choice, kind_dataset
    implicit none (type, external)
@@ -209,17 +209,19 @@ contains
    end subroutine set_output_axis
 
    !> Set a profile axis that is a coordinate.
-   subroutine set_coordinate(axis, name, coordinates)
+   subroutine set_coordinate(axis, names, place, coordinates)
       !> Receives name, unit and coordinates.
       type(profile_axis_t), intent(inout) :: axis
-      !> Name of the coordinate, such as 'x'.
-      character(*), intent(in) :: name
+      !> Names of all profile axes of the model, such as 'y x'.
+      character(*), intent(in) :: names
+      !> Place of the axis among them, from 1.
+      integer, intent(in) :: place
       !> Coordinates along the axis [m].
       real(dp), intent(in) :: coordinates(:)
 
-      axis%name = name
+      call find_word(names, place, axis%name)
       axis%unit = 'm'
-      axis%long_name = 'coordinate '//name//' of the profiles'
+      axis%long_name = 'coordinate '//axis%name//' of the profiles'
       axis%coordinates = coordinates
    end subroutine set_coordinate
 

@@ -21,7 +21,7 @@ module adfric_periodic_contact
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
-   public :: contact_state_t, solve_contact, start_contact, update_pressure, residual_of
+   public :: contact_state_t, solve_contact, start_contact, residual_of
 
    integer, parameter :: max_rounds = 300
    !> How far the pressure of the open cells is reduced while the region still changes.

@@ -194,7 +194,7 @@ contains
       call self%get_cells(values, surface)
       do along = 1, 2
          n = surface%n_cells(along)
-         call set_coordinate(axes(3 - along), merge('x', 'y', along == 1), &
+         call set_coordinate(axes(3 - along), self%profile_axes, 3 - along, &
             & [(surface%period(along)*(i - 0.5_dp)/(n*merge(2, 1, surface%is_quarter)), i=1, n)])
       end do
    end subroutine get_profile_axes

@@ -123,7 +123,7 @@ contains
 
    !> The profile axes y and x: one period about the crest.
    subroutine get_profile_axes(self, values, axes)
-      !> The model; nothing of it is read here.
+      !> The model, for the names of its axes.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -131,11 +131,9 @@ contains
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
 
       allocate (axes(2))
-      call set_coordinate(axes(1), 'y', &
+      call set_coordinate(axes(1), self%profile_axes, 1, &
          & about_crest(values(v_period), merge(nint(values(v_n_y)), 1, nint(values(v_kind)) == kind_3d)))
-      call set_coordinate(axes(2), 'x', about_crest(values(v_period), nint(values(v_n_x))))
-      associate (unused => self)
-      end associate
+      call set_coordinate(axes(2), self%profile_axes, 2, about_crest(values(v_period), nint(values(v_n_x))))
    end subroutine get_profile_axes
 
    !> Coordinates over one period, as far on one side of the crest as on the other, to the last digit.
