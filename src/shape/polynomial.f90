@@ -63,21 +63,60 @@ contains
    pure subroutine get_turning_places(c, places, n_places)
       !> Coefficients, from that of theta^0, of degree 1 or more.
       real(dp), intent(in) :: c(0:)
-      !> Receives the places, rising, in `places(1:n_places)`; one less than the degree is enough.
+      !> Receives the places, rising, in `places(1:n_places)`; shape `(2)` or, if that is more, one less than the degree.
       real(dp), intent(out) :: places(:)
       !> Receives the number of places.
       integer, intent(out) :: n_places
-      real(dp) :: derivative(0:ubound(c, 1)), ends(ubound(c, 1) + 1)
-      integer :: order
+      real(dp) :: derivative(0:max(2, ubound(c, 1))), ends(ubound(c, 1) + 1)
+      integer :: degree, order
 
+      degree = ubound(c, 1)
+      derivative = 0
+      call differentiate(c, max(1, degree - 2), derivative(:min(2, degree - 1)))
+      call get_quadratic_roots(derivative(:2), places, n_places)
       ! between two neighbouring roots of its derivative a polynomial has one root at most
-      n_places = 0
-      do order = ubound(c, 1) - 1, 1, -1
-         call differentiate(c, order, derivative(:ubound(c, 1) - order))
+      do order = degree - 3, 1, -1
+         call differentiate(c, order, derivative(:degree - order))
          ends(:n_places + 2) = [0.0_dp, places(:n_places), 1.0_dp]
-         call get_roots_between(derivative(:ubound(c, 1) - order), ends(:n_places + 2), places, n_places)
+         call get_roots_between(derivative(:degree - order), ends(:n_places + 2), places, n_places)
       end do
    end subroutine get_turning_places
+
+   !> Roots of a polynomial of degree 2 or less in 0..1.
+   pure subroutine get_quadratic_roots(c, roots, n_roots)
+      !> Coefficients of theta^0 to theta^2.
+      real(dp), intent(in) :: c(0:)
+      !> Receives the roots, rising, in `roots(1:n_roots)`.
+      real(dp), intent(inout) :: roots(:)
+      !> Receives the number of roots.
+      integer, intent(out) :: n_roots
+      real(dp) :: discriminant, q
+
+      n_roots = 0
+      discriminant = c(1)**2 - 4*c(0)*c(2)
+      if (discriminant < 0) return
+      ! the roots are c0/q and q/c2, both without a difference of nearly equal numbers
+      q = -(c(1) + sign(sqrt(discriminant), c(1)))/2
+      call keep_quotient(c(0), q, roots, n_roots)
+      call keep_quotient(q, c(2), roots, n_roots)
+      if (n_roots == 2) roots(:2) = [minval(roots(:2)), maxval(roots(:2))]
+   end subroutine get_quadratic_roots
+
+   !> Add a quotient to a list if it is in 0..1.
+   pure subroutine keep_quotient(numerator, denominator, list, n_list)
+      !> The quotient is `numerator/denominator`.
+      real(dp), intent(in) :: numerator, denominator
+      !> In and out: the list, in `list(1:n_list)`.
+      real(dp), intent(inout) :: list(:)
+      !> In and out: the length of the list.
+      integer, intent(inout) :: n_list
+
+      ! the quotient is not asked for where it could overflow; 0/0 belongs to a polynomial that vanishes, and is no root
+      if (abs(numerator) > abs(denominator) .or. .not. abs(denominator) > 0) return
+      if (numerator/denominator < 0) return
+      n_list = n_list + 1
+      list(n_list) = numerator/denominator
+   end subroutine keep_quotient
 
    !> A derivative of a polynomial.
    pure subroutine differentiate(c, order, derivative)
