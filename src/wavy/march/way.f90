@@ -1,0 +1,540 @@
+!> The way of a column along one period of heights, with what does not depend on the state of the column.
+!>
+!> In contact the arms are linear in the heights, so contact is endless contact and a disturbance that decays. Endless contact, its
+!> sums, and bounds over blocks of pieces are found here once for heights and velocity; they hold at every penetration, load,
+!> adhesion and branch. A march then visits the pieces in which something may happen, and no others.
+!>
+!> Time is in periods, and runs along the pieces of the heights; theta is its share in a piece. An arm is fast if it relaxes in less
+!> than a piece; of the others the lengths of the dashpots are kept as what they have grown by since the period began, so that
+!> slow arms lose no digits.
+module adfric_wavy_march_way
+   use adfric_base_kinds, only: dp
+   use adfric_numerics_phi_functions, only: get_phi_functions, get_exponential_moments
+   use adfric_shape_height_line, only: height_line_t
+   use adfric_wavy_march_solid, only: solid_t
+   implicit none (type, external)
+   private
+   public :: way_t, new_way, height_at, steepness_at, stretches_at, pressure_sum_at, small_block, large_block
+
+   !> Pieces of a small block, at whose head endless contact is kept, and small blocks of a large one.
+   integer, parameter :: small_block = 8, large_block = 8
+   !> Most terms of the series of a slow arm within a piece.
+   integer, parameter :: most_terms = 20
+
+   !> A way.
+   type :: way_t
+      !> The column.
+      type(solid_t) :: solid
+      !> Number of pieces of a period, the degree of their polynomials, and the time that one takes.
+      integer :: n = 0, degree = 1
+      real(dp) :: step = 1
+      !> Polynomials of the heights; shape `(0:degree, n)`.
+      real(dp), allocatable :: coefficients(:, :)
+      !> Mean height.
+      real(dp) :: mean = 0
+      !> Steps over the times of the arms and of the Kelvin elements; shape `(n_arms)`.
+      real(dp), allocatable :: ratio(:), open_ratio(:)
+      !> Is the arm slow? Shape `(n_arms)`.
+      logical, allocatable :: is_slow(:)
+      !> What is left of a disturbance after a piece, a small and a large block, of arms and of Kelvin elements; shape `(n_arms, 3)`.
+      real(dp), allocatable :: decay(:, :), open_decay(:, :)
+      !> Lengths of dashpots where the period begins, in endless contact, and of slow arms only; shape `(n_arms)`.
+      real(dp), allocatable :: first_length(:)
+      !> Endless contact at the heads of small blocks: stretches of fast arms, growths of slow ones; shape `(n_arms, n_blocks)`.
+      real(dp), allocatable :: head(:, :)
+      !> Weights of the coefficients in a step of an arm; shape `(n_arms, degree)`.
+      real(dp), allocatable :: forcing(:, :)
+      !> Integrals of the endless pressure over time and over heights up to each place; shape `(0:n)`.
+      real(dp), allocatable :: pressure_sum(:), work_sum(:)
+      !> Bounds over a piece: least endless pressure, least and greatest height; shape `(n)`.
+      real(dp), allocatable :: least_pressure(:), lowest(:), highest(:)
+      !> The same over small and over large blocks.
+      real(dp), allocatable :: small_pressure(:), small_lowest(:), small_highest(:)
+      real(dp), allocatable :: large_pressure(:), large_lowest(:), large_highest(:)
+      !> Least pressure of endless contact that is certain.
+      real(dp) :: pressure_bound = 0
+   end type way_t
+
+contains
+
+   !> Prepare the way of a column.
+   pure subroutine new_way(self, line, solid)
+      !> Receives the way.
+      type(way_t), intent(out) :: self
+      !> Heights along the period, the highest at or near the beginning.
+      type(height_line_t), intent(in) :: line
+      !> The column at its velocity.
+      type(solid_t), intent(in) :: solid
+      integer :: m
+
+      self%solid = solid
+      self%degree = line%degree
+      self%n = size(line%coefficients, 2)
+      self%step = 1/real(self%n, dp)
+      allocate (self%coefficients(0:self%degree, self%n), source=line%coefficients)
+      do m = 0, self%degree
+         self%mean = self%mean + sum(self%coefficients(m, :))/((m + 1)*real(self%n, dp))
+      end do
+      call set_rates(self)
+      call bound_heights(self)
+      call find_endless_contact(self)
+      call bound_blocks(self)
+   end subroutine new_way
+
+   !> Ratios of times, and what is left of disturbances.
+   pure subroutine set_rates(self)
+      !> The way, whose column and number of pieces are known.
+      type(way_t), intent(inout) :: self
+      real(dp) :: lengths(3), phi(self%degree + 1), factorial
+      integer :: i, k, m
+
+      associate (s => self%solid)
+         allocate (self%ratio(s%n), self%open_ratio(s%n), self%is_slow(s%n), self%forcing(s%n, self%degree))
+         allocate (self%decay(s%n, 3), self%open_decay(s%n, 3))
+         lengths = [1, small_block, small_block*large_block]
+         self%ratio = self%step/s%time
+         self%open_ratio = self%step/s%retardation
+         self%is_slow = self%ratio < 1
+         do k = 1, 3
+            self%decay(:, k) = decay_of(lengths(k)*self%ratio)
+            self%open_decay(:, k) = decay_of(lengths(k)*self%open_ratio)
+         end do
+         do i = 1, s%n
+            call get_phi_functions(self%ratio(i), phi)
+            factorial = 1
+            do m = 1, self%degree
+               factorial = factorial*m
+               self%forcing(i, m) = factorial*merge(self%ratio(i)*phi(m + 1), phi(m), self%is_slow(i))
+            end do
+         end do
+      end associate
+   end subroutine set_rates
+
+   !> What is left after a time; 0 where it would be no normal number.
+   elemental real(dp) function decay_of(x)
+      !> The time over that of relaxation, >= 0.
+      real(dp), intent(in) :: x
+      real(dp), parameter :: longest = 700
+
+      decay_of = 0
+      if (x < longest) decay_of = exp(-x)
+   end function decay_of
+
+   !> Bounds of the heights of each piece, by the coefficients of its Bernstein form.
+   pure subroutine bound_heights(self)
+      !> The way, whose polynomials are known.
+      type(way_t), intent(inout) :: self
+      real(dp) :: bernstein(0:self%degree)
+      integer :: j
+
+      allocate (self%lowest(self%n), self%highest(self%n))
+      do j = 1, self%n
+         bernstein = to_bernstein(self%coefficients(:, j))
+         self%lowest(j) = minval(bernstein)
+         self%highest(j) = maxval(bernstein)
+      end do
+   end subroutine bound_heights
+
+   !> Coefficients of the Bernstein form on 0 .. 1: a polynomial lies within them.
+   pure function to_bernstein(c) result(b)
+      !> Coefficients of the powers; shape `(0:degree)`.
+      real(dp), intent(in) :: c(0:)
+      real(dp) :: b(0:ubound(c, 1))
+      integer :: i, m, n
+
+      ! b_i = sum over m <= i of binomial(i, m)/binomial(n, m) c_m, by differences
+      n = ubound(c, 1)
+      b = c
+      do m = 1, n
+         b(m) = c(m)
+         do i = 1, m
+            b(m) = b(m)*i/real(n - m + i, dp)
+         end do
+      end do
+      do m = n, 1, -1
+         do i = m, n
+            b(i) = b(i) + b(i - 1)
+         end do
+      end do
+   end function to_bernstein
+
+   !> Find endless contact: the periodic state, its sums, and bounds of its pressure in each piece.
+   pure subroutine find_endless_contact(self)
+      !> The way; receives heads, sums and bounds.
+      type(way_t), intent(inout) :: self
+      real(dp) :: state(self%solid%n), first(self%solid%n), total(self%degree), work(self%degree, self%degree)
+      real(dp) :: moments(self%solid%n, self%degree), mean_of(self%solid%n)
+      integer :: j
+
+      allocate (self%head(self%solid%n, (self%n + small_block - 1)/small_block))
+      allocate (self%pressure_sum(0:self%n), self%work_sum(0:self%n), self%least_pressure(self%n))
+      allocate (self%first_length(self%solid%n), source=0.0_dp)
+      call set_weights(self, total, work, moments, mean_of)
+      ! once from nothing, which tells the periodic state
+      state = 0
+      do j = 1, self%n
+         call step_arms(self, j, state)
+      end do
+      first = 0
+      where (self%is_slow)
+         self%first_length = -state/expm1_of(-1/self%solid%time)
+      elsewhere
+         first = -state/expm1_of(-1/self%solid%time)
+      end where
+      state = first
+      self%pressure_sum(0) = 0
+      self%work_sum(0) = 0
+      do j = 1, self%n
+         if (mod(j - 1, small_block) == 0) self%head(:, (j - 1)/small_block + 1) = state
+         call add_piece(self, j, state, total, work, moments, mean_of)
+         call step_arms(self, j, state)
+      end do
+   end subroutine find_endless_contact
+
+   !> exp(x) - 1 for x <= 0, to full relative precision.
+   elemental real(dp) function expm1_of(x)
+      !> Exponent, <= 0.
+      real(dp), intent(in) :: x
+      real(dp) :: y, term
+      integer :: k
+
+      if (x < -0.5_dp) then
+         expm1_of = decay_of(-x) - 1
+         return
+      end if
+      y = 0
+      term = 1
+      do k = 1, 16
+         term = term*x/k
+         y = y + term
+      end do
+      expm1_of = y
+   end function expm1_of
+
+   !> One piece of endless contact: stretches of fast arms, growths of slow ones.
+   pure subroutine step_arms(self, j, state)
+      !> The way.
+      type(way_t), intent(in) :: self
+      !> Number of the piece.
+      integer, intent(in) :: j
+      !> In: the arms where the piece begins. Out: where it ends; shape `(n_arms)`.
+      real(dp), intent(inout) :: state(:)
+      real(dp) :: forced
+      integer :: i, m
+
+      associate (c => self%coefficients)
+         do i = 1, self%solid%n
+            forced = 0
+            do m = self%degree, 1, -1
+               forced = forced + self%forcing(i, m)*c(m, j)
+            end do
+            if (self%is_slow(i)) then
+               state(i) = state(i) + (1 - self%decay(i, 1))*(c(0, j) - self%first_length(i) - state(i)) + forced
+            else
+               state(i) = self%decay(i, 1)*state(i) + forced
+            end if
+         end do
+      end associate
+   end subroutine step_arms
+
+   !> Weights of the integrals over a piece.
+   pure subroutine set_weights(self, total, work, moments, mean_of)
+      !> The way.
+      type(way_t), intent(in) :: self
+      !> Integral over theta of all forced stretches times stiffness, by coefficient; shape `(degree)`.
+      real(dp), intent(out) :: total(:)
+      !> Their integral over heights, by two coefficients; shape `(degree, degree)`.
+      real(dp), intent(out) :: work(:, :)
+      !> m times the moments m - 1 of the decay, times stiffness; shape `(n_arms, degree)`.
+      real(dp), intent(out) :: moments(:, :)
+      !> Mean of the decay over a piece, times stiffness; shape `(n_arms)`.
+      real(dp), intent(out) :: mean_of(:)
+      real(dp) :: phi(2*self%degree + 1), chi(0:self%degree), factorial
+      integer :: i, l, m
+
+      total = 0
+      work = 0
+      do i = 1, self%solid%n
+         associate (k => self%solid%stiffness(i), z => self%ratio(i))
+            call get_phi_functions(z, phi)
+            call get_exponential_moments(z, chi)
+            mean_of(i) = k*phi(1)
+            factorial = 1
+            do m = 1, self%degree
+               factorial = factorial*m
+               total(m) = total(m) + k*factorial*phi(m + 1)
+               moments(i, m) = k*m*chi(m - 1)
+               do l = 1, self%degree
+                  work(m, l) = work(m, l) + k*get_double_moment(z, l, m)
+               end do
+            end do
+         end associate
+      end do
+   end subroutine set_weights
+
+   !> The integral of l s^(l-1) m t^(m-1) exp(-z (t - s)) over 0 <= s <= t <= 1.
+   pure real(dp) function get_double_moment(z, l, m) result(integral)
+      !> Step over relaxation time, >= 0.
+      real(dp), intent(in) :: z
+      !> The powers, >= 1.
+      integer, intent(in) :: l, m
+      integer, parameter :: n_terms = 60
+      real(dp) :: inner, term
+      integer :: k
+
+      if (z <= 2) then
+         ! the inner integral is l! t^l sum over k of (-z t)^k/(l + k)!
+         term = 1
+         integral = 0
+         do k = 0, n_terms
+            integral = integral + term*m/real(m + l + k, dp)
+            term = -term*z/(l + k + 1)
+         end do
+         return
+      end if
+      ! the inner integral I_l(t) obeys I_l = (l t^(l-1) - l I_(l-1))/z for l > 1, I_1 = (1 - exp(-z t))/z
+      integral = (1 - m*first_moment(z, m - 1))/z
+      do k = 2, l
+         inner = k*m/real(m + k - 1, dp)
+         integral = (inner - k*integral)/z
+      end do
+   end function get_double_moment
+
+   !> The integral of s^j exp(-z s) over 0 .. 1.
+   pure real(dp) function first_moment(z, j)
+      !> Exponent, >= 0, and power, >= 0.
+      real(dp), intent(in) :: z
+      integer, intent(in) :: j
+      real(dp) :: chi(0:j)
+
+      call get_exponential_moments(z, chi)
+      first_moment = chi(j)
+   end function first_moment
+
+   !> Add a piece of endless contact to the sums, and bound its pressure.
+   pure subroutine add_piece(self, j, state, total, work, moments, mean_of)
+      !> The way; receives sums and bound of the piece.
+      type(way_t), intent(inout) :: self
+      !> Number of the piece.
+      integer, intent(in) :: j
+      !> The arms where the piece begins, as `step_arms` has them; shape `(n_arms)`.
+      real(dp), intent(in) :: state(:)
+      !> Weights, see `set_weights`.
+      real(dp), intent(in) :: total(:), work(:, :), moments(:, :), mean_of(:)
+      real(dp) :: stretch(self%solid%n), pressure, energy, slopes(0:self%degree - 1), bound
+      integer :: i, m
+
+      associate (c => self%coefficients(:, j), low => self%lowest(j), high => self%highest(j))
+         stretch = state
+         where (self%is_slow) stretch = self%coefficients(0, j) - self%first_length - state
+         pressure = sum(mean_of*stretch)
+         energy = 0
+         do m = 1, self%degree
+            ! c starts at 1 here
+            energy = energy + c(m + 1)*(sum(moments(:, m)*stretch) + sum(work(m, :)*c(2:)))
+            pressure = pressure + total(m)*c(m + 1)
+            slopes(m - 1) = m*c(m + 1)
+         end do
+         do m = 0, self%degree
+            pressure = pressure + c(m + 1)/(m + 1)
+         end do
+         slopes = to_bernstein(slopes)
+         energy = energy + sum(c(2:))*(c(1) + sum(c)) /2
+         self%pressure_sum(j) = self%pressure_sum(j - 1) + pressure*self%step
+         self%work_sum(j) = self%work_sum(j - 1) + energy
+         bound = low
+         do i = 1, self%solid%n
+            if (self%is_slow(i)) then
+               ! the dashpot follows the heights, of which the highest draws it fastest
+               bound = bound + self%solid%stiffness(i)*(low - self%coefficients(0, j) + stretch(i) &
+                  & - max(0.0_dp, self%ratio(i)*(high - self%coefficients(0, j) + stretch(i))))
+            else
+               bound = bound + self%solid%stiffness(i)*min(stretch(i), minval(slopes)/self%ratio(i))
+            end if
+         end do
+         self%least_pressure(j) = bound
+      end associate
+   end subroutine add_piece
+
+   !> Bounds over blocks of pieces.
+   pure subroutine bound_blocks(self)
+      !> The way, whose bounds over pieces are known.
+      type(way_t), intent(inout) :: self
+
+      call gather(self%least_pressure, small_block, .true., self%small_pressure)
+      call gather(self%lowest, small_block, .true., self%small_lowest)
+      call gather(self%highest, small_block, .false., self%small_highest)
+      call gather(self%small_pressure, large_block, .true., self%large_pressure)
+      call gather(self%small_lowest, large_block, .true., self%large_lowest)
+      call gather(self%small_highest, large_block, .false., self%large_highest)
+      self%pressure_bound = minval(self%large_pressure)
+   end subroutine bound_blocks
+
+   !> Least or greatest values of groups.
+   pure subroutine gather(values, length, is_least, groups)
+      !> Values in their order.
+      real(dp), intent(in) :: values(:)
+      !> Values of a group.
+      integer, intent(in) :: length
+      !> The least? Else the greatest.
+      logical, intent(in) :: is_least
+      !> Receives one value of each group; the last group may have fewer.
+      real(dp), allocatable, intent(out) :: groups(:)
+      integer :: k, last
+
+      allocate (groups((size(values) + length - 1)/length))
+      do k = 1, size(groups)
+         last = min(size(values), k*length)
+         if (is_least) then
+            groups(k) = minval(values((k - 1)*length + 1:last))
+         else
+            groups(k) = maxval(values((k - 1)*length + 1:last))
+         end if
+      end do
+   end subroutine gather
+
+   !> Height at a place.
+   pure real(dp) function height_at(self, j, theta) result(height)
+      !> The way.
+      type(way_t), intent(in) :: self
+      !> Piece, and share of it that is passed, 0 to 1.
+      integer, intent(in) :: j
+      real(dp), intent(in) :: theta
+      integer :: m
+
+      height = 0
+      do m = self%degree, 0, -1
+         height = height*theta + self%coefficients(m, j)
+      end do
+   end function height_at
+
+   !> Derivative of the height with respect to theta.
+   pure real(dp) function steepness_at(self, j, theta) result(slope)
+      !> The way.
+      type(way_t), intent(in) :: self
+      !> Piece, and share of it that is passed, 0 to 1.
+      integer, intent(in) :: j
+      real(dp), intent(in) :: theta
+      integer :: m
+
+      slope = 0
+      do m = self%degree, 1, -1
+         slope = slope*theta + m*self%coefficients(m, j)
+      end do
+   end function steepness_at
+
+   !> Endless contact at a place: the stretches of all arms, the growths of slow ones, and the integral of the pressure over time
+   !> since the piece began.
+   pure subroutine stretches_at(self, j, theta, stretch, growth)
+      !> The way.
+      type(way_t), intent(in) :: self
+      !> Piece, and share of it that is passed, 0 to 1.
+      integer, intent(in) :: j
+      real(dp), intent(in) :: theta
+      !> Receives r_i; shape `(n_arms)`.
+      real(dp), intent(out) :: stretch(:)
+      !> Receives what the dashpots have grown by since the period began, of slow arms, 0 of others; shape `(n_arms)`.
+      real(dp), intent(out) :: growth(:)
+      real(dp) :: state(self%solid%n), height
+      integer :: i, block
+
+      block = (j - 1)/small_block
+      state = self%head(:, block + 1)
+      do i = block*small_block + 1, j - 1
+         call step_arms(self, i, state)
+      end do
+      if (theta > 0) then
+         do i = 1, self%solid%n
+            if (self%is_slow(i)) then
+               state(i) = state(i) + grown_length(self%coefficients(:, j), self%ratio(i), self%first_length(i) + state(i), theta)
+            else
+               state(i) = relaxed_stretch(self%coefficients(:, j), self%ratio(i), state(i), theta)
+            end if
+         end do
+      end if
+      height = height_at(self, j, theta)
+      stretch = state
+      growth = 0
+      where (self%is_slow)
+         stretch = height - self%first_length - state
+         growth = state
+      end where
+   end subroutine stretches_at
+
+   !> What a slow dashpot grows by within a piece, by its power series.
+   pure real(dp) function grown_length(c, z, start, theta) result(growth)
+      !> Coefficients of the heights; shape `(0:degree)`.
+      real(dp), intent(in) :: c(0:)
+      !> Step over relaxation time, < 1.
+      real(dp), intent(in) :: z
+      !> Length where the piece begins.
+      real(dp), intent(in) :: start
+      !> Share of the piece that is passed.
+      real(dp), intent(in) :: theta
+      real(dp) :: term, power
+      integer :: m
+
+      ! e = sum of e_m theta^m, e_(m+1) = z (c_m - e_m)/(m + 1)
+      term = z*(c(0) - start)
+      power = theta
+      growth = term*power
+      do m = 1, most_terms
+         if (m <= ubound(c, 1)) then
+            term = z*(c(m) - term)/(m + 1)
+         else
+            term = -z*term/(m + 1)
+         end if
+         power = power*theta
+         growth = growth + term*power
+      end do
+   end function grown_length
+
+   !> The stretch of a fast arm within a piece: a polynomial, and what decays.
+   pure real(dp) function relaxed_stretch(c, z, start, theta) result(stretch)
+      !> Coefficients of the heights; shape `(0:degree)`.
+      real(dp), intent(in) :: c(0:)
+      !> Step over relaxation time, >= 1.
+      real(dp), intent(in) :: z
+      !> Stretch where the piece begins.
+      real(dp), intent(in) :: start
+      !> Share of the piece that is passed.
+      real(dp), intent(in) :: theta
+      real(dp) :: b
+      integer :: m
+
+      ! z b_m = (m + 1) (c_(m+1) - b_(m+1))
+      b = 0
+      stretch = 0
+      do m = ubound(c, 1) - 1, 0, -1
+         b = (m + 1)*(c(m + 1) - b)/z
+         stretch = stretch*theta + b
+      end do
+      stretch = stretch + (start - b)*decay_of(z*theta)
+   end function relaxed_stretch
+
+   !> Integral of the pressure of endless contact at no penetration over time, from the beginning of the period.
+   pure real(dp) function pressure_sum_at(self, j, theta, stretch, growth) result(total)
+      !> The way.
+      type(way_t), intent(in) :: self
+      !> Piece, and share of it that is passed, 0 to 1.
+      integer, intent(in) :: j
+      real(dp), intent(in) :: theta
+      !> Stretches and growths there, see `stretches_at`; shape `(n_arms)`.
+      real(dp), intent(in) :: stretch(:), growth(:)
+      real(dp) :: at_head(self%solid%n), grown(self%solid%n), lengths(self%solid%n), height
+      integer :: m
+
+      total = self%pressure_sum(j - 1)
+      if (.not. theta > 0) return
+      call stretches_at(self, j, 0.0_dp, at_head, grown)
+      height = 0
+      do m = self%degree, 0, -1
+         height = height*theta + self%coefficients(m, j)/(m + 1)
+      end do
+      ! the integral of r_i is tau_i times the growth of e_i
+      lengths = (height_at(self, j, theta) - self%coefficients(0, j)) - (stretch - at_head)
+      where (self%is_slow) lengths = growth - grown
+      total = total + height*theta*self%step + sum(self%solid%stiffness*self%solid%time*lengths)
+   end function pressure_sum_at
+
+end module adfric_wavy_march_way
