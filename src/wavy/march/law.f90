@@ -14,6 +14,8 @@ module adfric_wavy_march_law
    type :: march_law_t
       !> Adhesion stress p0, >= 0.
       real(dp) :: stress = 0
+      !> Range of adhesion d0, > 0 where there is a stress.
+      real(dp) :: range = 0
       !> Contact ends where the pressure falls to minus this.
       real(dp) :: strength = 0
       !> Gap at which adhesion takes hold of a free column, and that at which an adhering one is lost.
@@ -48,6 +50,7 @@ contains
 
       if (.not. stress > 0) return
       self%stress = stress
+      self%range = range
       self%strength = stress
       self%has_zones = .true.
       self%attach_gap = range

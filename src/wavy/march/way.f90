@@ -14,7 +14,8 @@ module adfric_wavy_march_way
    use adfric_wavy_march_solid, only: solid_t
    implicit none (type, external)
    private
-   public :: way_t, new_way, height_at, steepness_at, stretches_at, pressure_sum_at, small_block, large_block
+   public :: way_t, new_way, height_at, steepness_at, stretches_at, pressure_sum_at, decay_of, expm1_of, &
+      & get_double_moment, small_block, large_block
 
    !> Pieces of a small block, at whose head endless contact is kept, and small blocks of a large one.
    integer, parameter :: small_block = 8, large_block = 8
@@ -42,8 +43,12 @@ module adfric_wavy_march_way
       real(dp), allocatable :: first_length(:)
       !> Endless contact at the heads of small blocks: stretches of fast arms, growths of slow ones; shape `(n_arms, n_blocks)`.
       real(dp), allocatable :: head(:, :)
+      !> What a slow dashpot grows by in a piece, over what it lacks of the height at the beginning; 0 of fast arms; shape `(n_arms)`.
+      real(dp), allocatable :: gain(:)
       !> Weights of the coefficients in a step of an arm; shape `(n_arms, degree)`.
       real(dp), allocatable :: forcing(:, :)
+      !> m times the moments m - 1 of the decay in a piece, times stiffness; shape `(n_arms, degree)`.
+      real(dp), allocatable :: moments(:, :)
       !> Integrals of the endless pressure over time and over heights up to each place; shape `(0:n)`.
       real(dp), allocatable :: pressure_sum(:), work_sum(:)
       !> Bounds over a piece: least endless pressure, least and greatest height; shape `(n)`.
@@ -89,7 +94,8 @@ contains
       integer :: i, k, m
 
       associate (s => self%solid)
-         allocate (self%ratio(s%n), self%open_ratio(s%n), self%is_slow(s%n), self%forcing(s%n, self%degree))
+         allocate (self%ratio(s%n), self%open_ratio(s%n), self%is_slow(s%n), self%gain(s%n), &
+            & self%forcing(s%n, self%degree))
          allocate (self%decay(s%n, 3), self%open_decay(s%n, 3))
          lengths = [1, small_block, small_block*large_block]
          self%ratio = self%step/s%time
@@ -101,6 +107,7 @@ contains
          end do
          do i = 1, s%n
             call get_phi_functions(self%ratio(i), phi)
+            self%gain(i) = merge(self%ratio(i)*phi(1), 0.0_dp, self%is_slow(i))
             factorial = 1
             do m = 1, self%degree
                factorial = factorial*m
@@ -163,13 +170,14 @@ contains
       !> The way; receives heads, sums and bounds.
       type(way_t), intent(inout) :: self
       real(dp) :: state(self%solid%n), first(self%solid%n), total(self%degree), work(self%degree, self%degree)
-      real(dp) :: moments(self%solid%n, self%degree), mean_of(self%solid%n)
+      real(dp) :: mean_of(self%solid%n)
       integer :: j
 
       allocate (self%head(self%solid%n, (self%n + small_block - 1)/small_block))
       allocate (self%pressure_sum(0:self%n), self%work_sum(0:self%n), self%least_pressure(self%n))
       allocate (self%first_length(self%solid%n), source=0.0_dp)
-      call set_weights(self, total, work, moments, mean_of)
+      allocate (self%moments(self%solid%n, self%degree))
+      call set_weights(self, total, work, self%moments, mean_of)
       ! once from nothing, which tells the periodic state
       state = 0
       do j = 1, self%n
@@ -186,7 +194,7 @@ contains
       self%work_sum(0) = 0
       do j = 1, self%n
          if (mod(j - 1, small_block) == 0) self%head(:, (j - 1)/small_block + 1) = state
-         call add_piece(self, j, state, total, work, moments, mean_of)
+         call add_piece(self, j, state, total, work, mean_of)
          call step_arms(self, j, state)
       end do
    end subroutine find_endless_contact
@@ -219,22 +227,12 @@ contains
       integer, intent(in) :: j
       !> In: the arms where the piece begins. Out: where it ends; shape `(n_arms)`.
       real(dp), intent(inout) :: state(:)
-      real(dp) :: forced
-      integer :: i, m
+      integer :: m
 
-      associate (c => self%coefficients)
-         do i = 1, self%solid%n
-            forced = 0
-            do m = self%degree, 1, -1
-               forced = forced + self%forcing(i, m)*c(m, j)
-            end do
-            if (self%is_slow(i)) then
-               state(i) = state(i) + (1 - self%decay(i, 1))*(c(0, j) - self%first_length(i) - state(i)) + forced
-            else
-               state(i) = self%decay(i, 1)*state(i) + forced
-            end if
-         end do
-      end associate
+      state = self%decay(:, 1)*state + self%gain*(self%coefficients(0, j) - self%first_length)
+      do m = 1, self%degree
+         state = state + self%forcing(:, m)*self%coefficients(m, j)
+      end do
    end subroutine step_arms
 
    !> Weights of the integrals over a piece.
@@ -312,7 +310,7 @@ contains
    end function first_moment
 
    !> Add a piece of endless contact to the sums, and bound its pressure.
-   pure subroutine add_piece(self, j, state, total, work, moments, mean_of)
+   pure subroutine add_piece(self, j, state, total, work, mean_of)
       !> The way; receives sums and bound of the piece.
       type(way_t), intent(inout) :: self
       !> Number of the piece.
@@ -320,7 +318,7 @@ contains
       !> The arms where the piece begins, as `step_arms` has them; shape `(n_arms)`.
       real(dp), intent(in) :: state(:)
       !> Weights, see `set_weights`.
-      real(dp), intent(in) :: total(:), work(:, :), moments(:, :), mean_of(:)
+      real(dp), intent(in) :: total(:), work(:, :), mean_of(:)
       real(dp) :: stretch(self%solid%n), pressure, energy, slopes(0:self%degree - 1), bound
       integer :: i, m
 
@@ -331,7 +329,7 @@ contains
          energy = 0
          do m = 1, self%degree
             ! c starts at 1 here
-            energy = energy + c(m + 1)*(sum(moments(:, m)*stretch) + sum(work(m, :)*c(2:)))
+            energy = energy + c(m + 1)*(sum(self%moments(:, m)*stretch) + sum(work(m, :)*c(2:)))
             pressure = pressure + total(m)*c(m + 1)
             slopes(m - 1) = m*c(m + 1)
          end do

@@ -1,0 +1,113 @@
+!> What ends a zone, within one piece of the heights, and the first place where it does.
+!>
+!> The curve is a polynomial in theta and a sum of decays. A step towards its first zero uses a bound of its second derivative on the
+!> rest of the piece, so that it cannot pass a zero: with h'' >= -B, h is positive before the zero of h + h' s - B s^2/2.
+module adfric_wavy_march_zone_curve
+   use adfric_base_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: zone_curve_t, find_first_zero, highest_power
+
+   !> Highest power of theta.
+   integer, parameter :: highest_power = 21
+   !> Most steps towards a zero.
+   integer, parameter :: most_steps = 400
+   !> The least step in theta, which is lost in round-off no more.
+   real(dp), parameter :: least_step = 4.0e-16_dp
+
+   !> A curve h(theta), positive where the zone lasts.
+   type :: zone_curve_t
+      !> Number of decays, and the last power with a coefficient.
+      integer :: n = 0, last = 0
+      !> Coefficients of the powers of theta.
+      real(dp) :: power(0:highest_power) = 0
+      !> Theta where the decays have their amplitudes.
+      real(dp) :: anchor = 0
+      !> Amplitudes and rates of the decays; shape `(n)`.
+      real(dp), allocatable :: amplitude(:), rate(:)
+   end type zone_curve_t
+
+contains
+
+   !> Value and slope at a place, and a bound of minus the second derivative from there to the end of the piece.
+   pure subroutine evaluate(self, theta, value, slope, bound)
+      !> The curve.
+      type(zone_curve_t), intent(in) :: self
+      !> Place, from the anchor to 1.
+      real(dp), intent(in) :: theta
+      !> Receives value and derivative.
+      real(dp), intent(out) :: value, slope
+      !> Receives the bound, >= 0.
+      real(dp), intent(out) :: bound
+      real(dp) :: left
+      integer :: i, m
+
+      value = 0
+      slope = 0
+      bound = 0
+      do m = self%last, 1, -1
+         value = value*theta + self%power(m)
+         slope = slope*theta + m*self%power(m)
+      end do
+      value = value*theta + self%power(0)
+      do m = 2, self%last
+         ! a power with a positive coefficient bends upwards
+         if (self%power(m) < 0) bound = bound - m*(m - 1)*self%power(m)
+      end do
+      do i = 1, self%n
+         left = self%rate(i)*(theta - self%anchor)
+         if (left > 700) cycle
+         left = self%amplitude(i)*exp(-left)
+         value = value + left
+         slope = slope - self%rate(i)*left
+         if (left < 0) bound = bound - self%rate(i)**2*left
+      end do
+   end subroutine evaluate
+
+   !> Find the first place in a piece where the curve falls to zero.
+   pure subroutine find_first_zero(self, tolerance, has_begun, theta, has_zero, is_found)
+      !> The curve.
+      type(zone_curve_t), intent(in) :: self
+      !> Value that is as good as zero, > 0.
+      real(dp), intent(in) :: tolerance
+      !> Has the zone just begun, so that the curve may rise from zero?
+      logical, intent(in) :: has_begun
+      !> In: where the zone or the piece begins. Out: the zero, if there is one.
+      real(dp), intent(inout) :: theta
+      !> Is there a zero in the piece?
+      logical, intent(out) :: has_zero
+      !> Has the search ended? Else it was given up.
+      logical, intent(out) :: is_found
+      real(dp) :: value, slope, bound, step, root
+      integer :: k
+
+      is_found = .true.
+      has_zero = .false.
+      do k = 1, most_steps
+         call evaluate(self, theta, value, slope, bound)
+         if (value <= tolerance) then
+            has_zero = k > 1 .or. .not. has_begun
+            if (has_zero) return
+            value = max(value, 0.0_dp)
+            if (slope <= 0) then
+               ! it touches where it begins: the zone is as short as can be
+               theta = theta + least_step
+               if (theta >= 1) return
+               has_zero = .true.
+               return
+            end if
+         end if
+         root = sqrt(slope**2 + 2*bound*value)
+         if (slope >= 0) then
+            if (.not. bound > 0) return
+            step = (slope + root)/bound
+         else
+            step = 2*value/(root - slope)
+         end if
+         theta = theta + max(step, least_step)
+         if (theta >= 1) return
+      end do
+      is_found = .false.
+   end subroutine find_first_zero
+
+end module adfric_wavy_march_zone_curve
