@@ -13,7 +13,7 @@ module adfric_wavy_march_steady_march
    use adfric_wavy_march_way, only: way_t, decay_of, expm1_of
    implicit none (type, external)
    private
-   public :: steady_march_t, take_step, find_adhered, find_first_adhered, find_approach, start_from_endless_contact, start_from_free
+   public :: steady_march_t, take_step, find_adhered, find_approach, start_from_below, start_from_free, move
 
    !> Steps that are smaller than this share of lengths are round-off.
    real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
@@ -62,18 +62,21 @@ contains
       self%state%is_attached = .true.
    end subroutine start_from_endless_contact
 
-   !> A state below all that are steady: attached everywhere.
-   pure subroutine start_from_adhesion(self, way, law)
+   !> A state below all that are steady: in endless contact or, where that is lower, attached everywhere. Both are states that a
+   !> period raises, and so is the higher one of both for each arm.
+   pure subroutine start_from_below(self, way, law, depth)
       !> Receives the state.
       type(steady_march_t), intent(inout) :: self
       !> The way.
       type(way_t), intent(in) :: way
       !> The law of adhesion.
       type(march_law_t), intent(in) :: law
+      !> Penetration.
+      real(dp), intent(in) :: depth
 
-      self%state%length = spread(-law%stress - law%shift - beyond, 1, way%solid%n)
-      self%state%is_attached = .true.
-   end subroutine start_from_adhesion
+      call start_from_endless_contact(self, way, law, depth)
+      if (law%stress > 0) self%state%length = max(self%state%length, -law%stress - law%shift - beyond)
+   end subroutine start_from_below
 
    !> A state above all that are steady: free.
    pure subroutine start_from_free(self, way, depth)
@@ -109,43 +112,25 @@ contains
       self%has_failed = .true.
    end subroutine find_adhered
 
-   !> The least steady state from no other one.
-   pure subroutine find_first_adhered(self, way, law, depth)
-      !> Receives the steady state.
-      type(steady_march_t), intent(inout) :: self
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
-      real(dp), intent(in) :: depth
-
-      ! w cannot be below the heights, so endless contact is the least state if it can be
-      call start_from_endless_contact(self, way, law, depth)
-      call take_step(self, way, law, depth)
-      if (self%period%n_zones == 1 .and. self%period%zones(1)%kind == in_contact) return
-      if (law%stress > 0) call start_from_adhesion(self, way, law)
-      call find_adhered(self, way, law, depth)
-   end subroutine find_first_adhered
-
    !> The greatest steady state, from the state that stands in `self`, which lies above it.
-   pure subroutine find_approach(self, way, law, depth)
+   pure subroutine find_approach(self, least, way, law, depth)
       !> In: where to start. Out: the steady state.
       type(steady_march_t), intent(inout) :: self
+      !> In: a state below all that are steady. Out: the least steady state.
+      type(steady_march_t), intent(inout) :: least
       !> The way.
       type(way_t), intent(in) :: way
       !> The law of adhesion.
       type(march_law_t), intent(in) :: law
       !> Penetration.
       real(dp), intent(in) :: depth
-      type(steady_march_t) :: least
       integer :: k
 
       self%is_steady = .false.
-      call find_first_adhered(least, way, law, depth)
+      call find_adhered(least, way, law, depth)
       self%has_failed = least%has_failed
+      if (self%has_failed) return
       do k = 1, most_periods
-         if (self%is_steady .or. self%has_failed) return
          call take_step(self, way, law, depth, least%period)
          if (self%is_steady .or. self%has_failed) return
          call move(self)
@@ -183,9 +168,18 @@ contains
       self%has_failed = self%has_failed .or. .not. is_solved .or. .not. all(abs(steps) <= huge(1.0_dp))
       if (self%has_failed) return
       call get_displacement_sums(way, self%period, steps, sums)
-      self%load = self%period%load
+      ! the load of a steady state is the integral of its displacement; of another one it is not that of its pressure
+      self%load = self%period%load - sum(way%solid%stiffness*way%solid%time*self%period%growth)
       if (.not. (changes_flag .or. present(least))) self%load = self%load + sums(1)
       self%load_slope = sums(2)
+      if (present(least)) then
+         ! the load of the greatest state changes with its own zones
+         call get_steps(way, self%period, self%period%growth, steps, is_solved)
+         call get_displacement_sums(way, self%period, steps, sums)
+         self%load_slope = sums(2)
+         call get_steps(way, least, self%period%growth, steps, is_solved)
+         if (changes_flag) steps(:, 1) = self%period%growth
+      end if
       self%step = steps(:, 1)
       self%response = steps(:, 2)
       lengths = 1 + abs(depth) + law%stress + law%shift
