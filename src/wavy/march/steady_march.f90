@@ -30,8 +30,8 @@ module adfric_wavy_march_steady_march
       type(period_t) :: period
       !> The step from that state; shape `(n_arms)`.
       real(dp), allocatable :: step(:)
-      !> The largest component of the step, and what round-off makes of it.
-      real(dp) :: largest_step = huge(1.0_dp), least_step = 0
+      !> The largest component of the step.
+      real(dp) :: largest_step = huge(1.0_dp)
       !> Load of the period with its step, and its change with the penetration while zones are as they are.
       real(dp) :: load = 0, load_slope = 0
       !> Change of the state with the penetration while zones are as they are; shape `(n_arms)`.
@@ -124,22 +124,31 @@ contains
       type(march_law_t), intent(in) :: law
       !> Penetration.
       real(dp), intent(in) :: depth
+      real(dp) :: steps(way%solid%n, way%solid%n + 1), sums(2)
       integer :: k
+      logical :: is_solved
 
       self%is_steady = .false.
       call find_adhered(least, way, law, depth)
-      self%has_failed = least%has_failed
-      if (self%has_failed) return
+      call get_steps(way, least%period, steps, is_solved)
+      self%has_failed = least%has_failed .or. .not. is_solved
       do k = 1, most_periods
-         call take_step(self, way, law, depth, least%period)
-         if (self%is_steady .or. self%has_failed) return
+         if (self%has_failed) return
+         call march(self, way, law, depth)
+         if (.not. changes_flag(self, law)) self%step = matmul(steps(:, :way%solid%n), self%period%growth)
+         call judge_step(self, law, depth)
+         if (self%is_steady) exit
          call move(self)
       end do
-      self%has_failed = .true.
+      self%has_failed = self%has_failed .or. .not. self%is_steady
+      ! the load of the greatest state changes with its own zones
+      call get_steps(way, self%period, steps, is_solved)
+      call get_displacement_sums(way, self%period, 0*self%step, steps(:, way%solid%n + 1), sums)
+      self%load_slope = sums(2)
    end subroutine find_approach
 
-   !> March a period and find the step that follows from it.
-   pure subroutine take_step(self, way, law, depth, least)
+   !> March a period and find the step that follows from it, and how the load changes.
+   pure subroutine take_step(self, way, law, depth)
       !> The state; receives period and step.
       type(steady_march_t), intent(inout) :: self
       !> The way.
@@ -148,45 +157,63 @@ contains
       type(march_law_t), intent(in) :: law
       !> Penetration.
       real(dp), intent(in) :: depth
-      !> A period from the least steady state, whose response is taken instead of that of the period itself.
-      type(period_t), intent(in), optional :: least
-      real(dp), allocatable :: steps(:, :)
-      real(dp) :: sums(2), lengths
-      logical :: is_solved, changes_flag
+      real(dp) :: steps(way%solid%n, 2), sums(2)
+      logical :: is_solved
+
+      call march(self, way, law, depth)
+      if (self%has_failed) return
+      call get_steps(way, self%period, steps, is_solved, self%period%growth)
+      if (.not. changes_flag(self, law)) self%step = steps(:, 1)
+      self%response = steps(:, 2)
+      self%has_failed = .not. is_solved .or. .not. all(abs(steps) <= huge(1.0_dp))
+      if (self%has_failed) return
+      call get_displacement_sums(way, self%period, self%step, self%response, sums)
+      if (.not. changes_flag(self, law)) self%load = self%load + sums(1)
+      self%load_slope = sums(2)
+      call judge_step(self, law, depth)
+   end subroutine take_step
+
+   !> March a period; until a better step is known, what it adds is the step.
+   pure subroutine march(self, way, law, depth)
+      !> The state; receives period, step and load.
+      type(steady_march_t), intent(inout) :: self
+      !> The way.
+      type(way_t), intent(in) :: way
+      !> The law of adhesion.
+      type(march_law_t), intent(in) :: law
+      !> Penetration.
+      real(dp), intent(in) :: depth
 
       call march_period(way, law, depth, self%state, self%period)
       self%n_periods = self%n_periods + 1
       self%has_failed = .not. self%period%is_complete
-      changes_flag = law%stress > 0 .and. (self%period%is_attached .neqv. self%state%is_attached)
-      allocate (steps(way%solid%n, 2))
-      if (present(least)) then
-         call get_steps(way, least, self%period%growth, steps, is_solved)
-      else
-         call get_steps(way, self%period, self%period%growth, steps, is_solved)
-      end if
-      if (changes_flag) steps(:, 1) = self%period%growth
-      self%has_failed = self%has_failed .or. .not. is_solved .or. .not. all(abs(steps) <= huge(1.0_dp))
-      if (self%has_failed) return
-      call get_displacement_sums(way, self%period, steps, sums)
+      self%step = self%period%growth
       ! the load of a steady state is the integral of its displacement; of another one it is not that of its pressure
       self%load = self%period%load - sum(way%solid%stiffness*way%solid%time*self%period%growth)
-      if (.not. (changes_flag .or. present(least))) self%load = self%load + sums(1)
-      self%load_slope = sums(2)
-      if (present(least)) then
-         ! the load of the greatest state changes with its own zones
-         call get_steps(way, self%period, self%period%growth, steps, is_solved)
-         call get_displacement_sums(way, self%period, steps, sums)
-         self%load_slope = sums(2)
-         call get_steps(way, least, self%period%growth, steps, is_solved)
-         if (changes_flag) steps(:, 1) = self%period%growth
-      end if
-      self%step = steps(:, 1)
-      self%response = steps(:, 2)
-      lengths = 1 + abs(depth) + law%stress + law%shift
-      self%largest_step = maxval([0.0_dp, abs(steps(:, 1))])
-      self%least_step = round_off*lengths
-      self%is_steady = self%largest_step <= self%least_step .and. .not. changes_flag
-   end subroutine take_step
+   end subroutine march
+
+   !> Does the last period attach or detach the column?
+   pure logical function changes_flag(self, law)
+      !> The state with its period.
+      type(steady_march_t), intent(in) :: self
+      !> The law of adhesion.
+      type(march_law_t), intent(in) :: law
+
+      changes_flag = law%stress > 0 .and. (self%period%is_attached .neqv. self%state%is_attached)
+   end function changes_flag
+
+   !> Is the state steady to round-off?
+   pure subroutine judge_step(self, law, depth)
+      !> The state with its step.
+      type(steady_march_t), intent(inout) :: self
+      !> The law of adhesion.
+      type(march_law_t), intent(in) :: law
+      !> Penetration.
+      real(dp), intent(in) :: depth
+
+      self%largest_step = maxval([0.0_dp, abs(self%step)])
+      self%is_steady = self%largest_step <= round_off*(1 + abs(depth) + law%stress + law%shift) .and. .not. changes_flag(self, law)
+   end subroutine judge_step
 
    !> Take the step.
    pure subroutine move(self)
@@ -197,18 +224,19 @@ contains
       self%state%is_attached = self%period%is_attached
    end subroutine move
 
-   !> Steps (I - J0)^-1 of a growth, and of what a unit of penetration adds in contact.
-   pure subroutine get_steps(way, period, growth, steps, is_solved)
+   !> Steps (I - J0)^-1 of growths, and of what a unit of penetration adds in contact.
+   pure subroutine get_steps(way, period, steps, is_solved, growth)
       !> The way.
       type(way_t), intent(in) :: way
       !> The period, of which the zones are taken.
       type(period_t), intent(in) :: period
-      !> Growth F(e) - e; shape `(n_arms)`.
-      real(dp), intent(in) :: growth(:)
-      !> Receives the step of the growth, and the response to the penetration; shape `(n_arms, 2)`.
+      !> Receives the step of the growth, or of a unit of growth of each arm, and at the end the response to the penetration; shape
+      !> `(n_arms, n_steps)`.
       real(dp), intent(out) :: steps(:, :)
       !> Was the system solved?
       logical, intent(out) :: is_solved
+      !> Growth F(e) - e; shape `(n_arms)`.
+      real(dp), intent(in), optional :: growth(:)
       ! the columns are I, whose growth is J0 - I, and the response to a unit of penetration
       real(dp) :: vectors(way%solid%n, way%solid%n + 1), grown(way%solid%n, way%solid%n + 1)
       integer :: pivots(way%solid%n), i, info
@@ -219,11 +247,12 @@ contains
       do i = 1, way%solid%n
          vectors(i, i) = 1
       end do
+      steps = vectors(:, :size(steps, 2))
+      if (present(growth)) steps(:, 1) = growth
       call pass_zones(way, period, vectors, grown)
-      steps(:, 1) = growth
-      steps(:, 2) = grown(:, way%solid%n + 1)
+      steps(:, size(steps, 2)) = grown(:, way%solid%n + 1)
       grown = -grown
-      call dgesv(way%solid%n, 2, grown, way%solid%n, pivots, steps, way%solid%n, info)
+      call dgesv(way%solid%n, size(steps, 2), grown, way%solid%n, pivots, steps, way%solid%n, info)
       is_solved = info == 0
    end subroutine get_steps
 
@@ -252,11 +281,13 @@ contains
                elements(:, last) = elements(:, last) - lost
             else
                lost = expm1_of(-duration/s%retardation)
-               elements = matmul(s%elements_of_lengths, vectors)
+               call multiply(s%n, last, s%elements_of_lengths, vectors, .false., elements)
                do i = 1, last
                   elements(:, i) = lost*elements(:, i)
                end do
-               elements = matmul(s%lengths_of_elements, elements)
+               call multiply(s%n, last, s%lengths_of_elements, elements, .true., grown)
+               call multiply(s%n, last, s%lengths_of_elements, elements, .true., vectors)
+               cycle
             end if
             grown = grown + elements
             vectors = vectors + elements
@@ -264,21 +295,44 @@ contains
       end do
    end subroutine pass_zones
 
+   !> Multiply a square matrix by vectors.
+   pure subroutine multiply(n, n_vectors, matrix, vectors, is_added, products)
+      !> Number of components, and of vectors.
+      integer, intent(in) :: n, n_vectors
+      !> The matrix.
+      real(dp), intent(in) :: matrix(n, n)
+      !> The vectors.
+      real(dp), intent(in) :: vectors(n, n_vectors)
+      !> Are the products added to what stands in `products`?
+      logical, intent(in) :: is_added
+      !> Receives the products.
+      real(dp), intent(inout) :: products(n, n_vectors)
+      integer :: i, k
+
+      do i = 1, n_vectors
+         if (.not. is_added) products(:, i) = 0
+         do k = 1, n
+            products(:, i) = products(:, i) + vectors(k, i)*matrix(:, k)
+         end do
+      end do
+   end subroutine multiply
+
    !> Integrals over the period of the displacements that two disturbances of the lengths make; the second has a unit of penetration
    !> with it.
-   pure subroutine get_displacement_sums(way, period, disturbances, sums)
+   pure subroutine get_displacement_sums(way, period, step, response, sums)
       !> The way.
       type(way_t), intent(in) :: way
       !> The period.
       type(period_t), intent(in) :: period
-      !> Disturbances where the period begins; shape `(n_arms, 2)`.
-      real(dp), intent(in) :: disturbances(:, :)
+      !> Disturbances where the period begins; shape `(n_arms)`.
+      real(dp), intent(in) :: step(:), response(:)
       !> Receives the integrals.
       real(dp), intent(out) :: sums(2)
       real(dp) :: vectors(way%solid%n, 2), elements(way%solid%n, 2), lost(way%solid%n)
       integer :: i, zone
 
-      vectors = disturbances
+      vectors(:, 1) = step
+      vectors(:, 2) = response
       sums = 0
       do zone = 1, period%n_zones
          associate (duration => period%zones(zone)%duration, s => way%solid)

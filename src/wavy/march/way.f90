@@ -9,6 +9,7 @@
 !> slow arms lose no digits.
 module adfric_wavy_march_way
    use adfric_base_kinds, only: dp
+   use adfric_numerics_libm, only: expm1
    use adfric_numerics_phi_functions, only: get_phi_functions, get_exponential_moments
    use adfric_shape_height_line, only: height_line_t
    use adfric_wavy_march_solid, only: solid_t
@@ -203,20 +204,9 @@ contains
    elemental real(dp) function expm1_of(x)
       !> Exponent, <= 0.
       real(dp), intent(in) :: x
-      real(dp) :: y, term
-      integer :: k
 
-      if (x < -0.5_dp) then
-         expm1_of = decay_of(-x) - 1
-         return
-      end if
-      y = 0
-      term = 1
-      do k = 1, 16
-         term = term*x/k
-         y = y + term
-      end do
-      expm1_of = y
+      expm1_of = -1
+      if (x > -40) expm1_of = expm1(x)
    end function expm1_of
 
    !> One piece of endless contact: stretches of fast arms, growths of slow ones.
