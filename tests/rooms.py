@@ -27,10 +27,10 @@ USE = re.compile(r"^\s*use\b(?:\s*,\s*(?:non_)?intrinsic\s*)?(?:\s*::)?\s*(\w+)"
 
 
 def files_of(root):
-    """The sources and their rooms."""
+    """The sources and their rooms; a folder in a room is a part of it."""
     for folder in ("src", "drivers"):
         for path in sorted((root / folder).rglob("*.f90*")):
-            yield path, ("drivers" if folder == "drivers" else path.parent.relative_to(root / "src").as_posix().strip("."))
+            yield path, ("drivers" if folder == "drivers" else "".join(path.relative_to(root / "src").parts[:-1][:1]))
 
 
 def room_of(module):

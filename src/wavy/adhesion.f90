@@ -10,11 +10,11 @@ module adfric_wavy_adhesion
    use adfric_base_asserts, only: assert, has_asserts
    implicit none (type, external)
    private
-   public :: adhesion_t, strip_adhesion_t, new_strip_adhesion, edge_work, edge_continuous, edge_instantaneous
+   public :: adhesion_t, strip_adhesion_t, new_strip_adhesion, edge_work, edge_continuous, edge_instantaneous, edge_front
 
    !> What the displacement does where the adhesion stress starts or ends: stays (GM), or jumps by
    !> K/beta times the jump of stress (GM 4 read across the jump).
-   integer, parameter :: edge_continuous = 1, edge_instantaneous = 2
+   integer, parameter :: edge_continuous = 1, edge_instantaneous = 2, edge_front = 3
 
    !> The adhesion of a surface, in the units of the surface (see `surface_t`).
    type :: adhesion_t

@@ -6,6 +6,7 @@
 module adfric_wavy_march_period
    use adfric_base_kinds, only: dp
    use adfric_wavy_march_law, only: march_law_t
+   use adfric_wavy_march_solid, only: product_of
    use adfric_wavy_march_way, only: way_t, decay_of, expm1_of, height_at, stretches_at, pressure_sum_at
    use adfric_wavy_march_zone_end, only: place_t, end_contact, end_open_zone, period_over, zone_closes
    implicit none (type, external)
@@ -156,9 +157,9 @@ contains
       case (in_contact)
          current = height - (state%length + law%shift)
       case (in_adhesion)
-         current = matmul(way%solid%elements_of_lengths, state%length + law%shift + law%stress)
+         current = product_of(way%solid%elements_of_lengths, state%length + law%shift + law%stress)
       case default
-         current = matmul(way%solid%elements_of_lengths, state%length)
+         current = product_of(way%solid%elements_of_lengths, state%length)
       end select
    end subroutine begin
 
@@ -263,7 +264,7 @@ contains
       call close_period(way, zone)
       call measure(way, zone)
       lost = expm1_of(-zone%duration/way%solid%retardation)
-      period%growth = period%growth + matmul(way%solid%lengths_of_elements, current*lost)
+      period%growth = period%growth + product_of(way%solid%lengths_of_elements, current*lost)
       current = current*decay_of(zone%duration/way%solid%retardation)
       zone%load = pressure*zone%duration
       zone%ending = event
@@ -315,11 +316,11 @@ contains
             ! the dashpots keep their lengths, and w follows from them and from the pressure
             current = current - (depth + zone%last_height + sum(s%stiffness*current) + law%strength)/s%glassy
             if (.not. law%has_zones) current = current + law%strength/s%glassy
-            current = matmul(s%elements_of_stretches, current)
+            current = product_of(s%elements_of_stretches, current)
             kind = merge(in_adhesion, in_free, law%has_zones)
          case (in_adhesion)
             if (zone%ending == zone_closes) then
-               current = matmul(s%stretches_of_elements, current)
+               current = product_of(s%stretches_of_elements, current)
                kind = in_contact
             else
                current = current - s%compliance*(law%stress + law%shift)
@@ -331,7 +332,7 @@ contains
                kind = in_adhesion
             else
                is_snap = law%stress > 0
-               current = matmul(s%stretches_of_elements, current) - law%attach_gap
+               current = product_of(s%stretches_of_elements, current) - law%attach_gap
                kind = in_contact
             end if
          end select

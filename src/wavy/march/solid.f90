@@ -12,7 +12,7 @@ module adfric_wavy_march_solid
    use adfric_material_retardation, only: retardation_t, new_retardation
    implicit none (type, external)
    private
-   public :: solid_t, new_solid
+   public :: solid_t, new_solid, multiply, product_of
 
    !> Arms that relax in a smaller share of a period cannot be told from each other.
    real(dp), parameter :: slowest = 1.0e-15_dp
@@ -72,5 +72,42 @@ contains
          self%retardation = lambda
       end associate
    end subroutine new_solid
+
+   !> Multiply a square matrix by vectors.
+   pure subroutine multiply(n, n_vectors, matrix, vectors, is_added, products)
+      !> Number of components, and of vectors.
+      integer, intent(in) :: n, n_vectors
+      !> The matrix.
+      real(dp), intent(in) :: matrix(n, n)
+      !> The vectors.
+      real(dp), intent(in) :: vectors(n, n_vectors)
+      !> Are the products added to what stands in `products`?
+      logical, intent(in) :: is_added
+      !> Receives the products.
+      real(dp), intent(inout) :: products(n, n_vectors)
+      integer :: i, k
+
+      do i = 1, n_vectors
+         if (.not. is_added) products(:, i) = 0
+         do k = 1, n
+            products(:, i) = products(:, i) + vectors(k, i)*matrix(:, k)
+         end do
+      end do
+   end subroutine multiply
+
+   !> A matrix times a vector.
+   pure function product_of(matrix, vector) result(product)
+      !> The matrix; shape `(n, n)`.
+      real(dp), intent(in) :: matrix(:, :)
+      !> The vector; shape `(n)`.
+      real(dp), intent(in) :: vector(:)
+      real(dp) :: product(size(vector))
+      integer :: k
+
+      product = 0
+      do k = 1, size(vector)
+         product = product + vector(k)*matrix(:, k)
+      end do
+   end function product_of
 
 end module adfric_wavy_march_solid

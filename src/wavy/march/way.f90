@@ -27,8 +27,9 @@ module adfric_wavy_march_way
    type :: way_t
       !> The column.
       type(solid_t) :: solid
-      !> Number of pieces of a period, the degree of their polynomials, and the time that one takes.
+      !> Number of pieces of a period, and the degree of their polynomials.
       integer :: n = 0, degree = 1
+      !> Time that a piece takes.
       real(dp) :: step = 1
       !> Polynomials of the heights; shape `(0:degree, n)`.
       real(dp), allocatable :: coefficients(:, :)
@@ -54,8 +55,9 @@ module adfric_wavy_march_way
       real(dp), allocatable :: pressure_sum(:), work_sum(:)
       !> Bounds over a piece: least endless pressure, least and greatest height; shape `(n)`.
       real(dp), allocatable :: least_pressure(:), lowest(:), highest(:)
-      !> The same over small and over large blocks.
+      !> The same over small blocks.
       real(dp), allocatable :: small_pressure(:), small_lowest(:), small_highest(:)
+      !> The same over large blocks.
       real(dp), allocatable :: large_pressure(:), large_lowest(:), large_highest(:)
       !> Least pressure of endless contact that is certain.
       real(dp) :: pressure_bound = 0
@@ -267,6 +269,7 @@ contains
       !> The powers, >= 1.
       integer, intent(in) :: l, m
       integer, parameter :: n_terms = 60
+      real(dp), parameter :: small_term = 1.0e-18_dp
       real(dp) :: inner, term
       integer :: k
 
@@ -276,6 +279,7 @@ contains
          integral = 0
          do k = 0, n_terms
             integral = integral + term*m/real(m + l + k, dp)
+            if (abs(term) < small_term) exit
             term = -term*z/(l + k + 1)
          end do
          return
@@ -290,8 +294,9 @@ contains
 
    !> The integral of s^j exp(-z s) over 0 .. 1.
    pure real(dp) function first_moment(z, j)
-      !> Exponent, >= 0, and power, >= 0.
+      !> Exponent, >= 0.
       real(dp), intent(in) :: z
+      !> Power, >= 0.
       integer, intent(in) :: j
       real(dp) :: chi(0:j)
 
@@ -385,8 +390,9 @@ contains
    pure real(dp) function height_at(self, j, theta) result(height)
       !> The way.
       type(way_t), intent(in) :: self
-      !> Piece, and share of it that is passed, 0 to 1.
+      !> The piece.
       integer, intent(in) :: j
+      !> Share of it that is passed, 0 to 1.
       real(dp), intent(in) :: theta
       integer :: m
 
@@ -400,8 +406,9 @@ contains
    pure real(dp) function steepness_at(self, j, theta) result(slope)
       !> The way.
       type(way_t), intent(in) :: self
-      !> Piece, and share of it that is passed, 0 to 1.
+      !> The piece.
       integer, intent(in) :: j
+      !> Share of it that is passed, 0 to 1.
       real(dp), intent(in) :: theta
       integer :: m
 
@@ -416,8 +423,9 @@ contains
    pure subroutine stretches_at(self, j, theta, stretch, growth)
       !> The way.
       type(way_t), intent(in) :: self
-      !> Piece, and share of it that is passed, 0 to 1.
+      !> The piece.
       integer, intent(in) :: j
+      !> Share of it that is passed, 0 to 1.
       real(dp), intent(in) :: theta
       !> Receives r_i; shape `(n_arms)`.
       real(dp), intent(out) :: stretch(:)
@@ -504,8 +512,9 @@ contains
    pure real(dp) function pressure_sum_at(self, j, theta, stretch, growth) result(total)
       !> The way.
       type(way_t), intent(in) :: self
-      !> Piece, and share of it that is passed, 0 to 1.
+      !> The piece.
       integer, intent(in) :: j
+      !> Share of it that is passed, 0 to 1.
       real(dp), intent(in) :: theta
       !> Stretches and growths there, see `stretches_at`; shape `(n_arms)`.
       real(dp), intent(in) :: stretch(:), growth(:)

@@ -3,11 +3,12 @@
 !> Friction is the integral of p df along the way. Losses are those of the arms: in open zones from the Kelvin elements, which lose what the
 !> arms lose (their scaled amplitudes are those of the arms, turned), in contact what the work of the pressure leaves after the change of the
 !> energy that is stored. Beside them edges of adhesion may take energy.
-module adfric_wavy_march_march_forces
+module adfric_wavy_march_forces
    use adfric_base_kinds, only: dp
    use adfric_numerics_phi_functions, only: get_phi_functions, get_exponential_moments
    use adfric_wavy_march_law, only: march_law_t
    use adfric_wavy_march_period, only: period_t, zone_t, in_contact, in_adhesion, in_free
+   use adfric_wavy_march_solid, only: product_of
    use adfric_wavy_march_way, only: way_t, decay_of, expm1_of, get_double_moment, height_at, stretches_at
    use adfric_wavy_march_zone_end, only: place_t, zone_lets_go
    implicit none (type, external)
@@ -296,15 +297,15 @@ contains
                loss = loss + law%stress*law%range - s%glassy*law%attach_gap**2/2
             else if (here%kind == in_free .and. next%kind == in_adhesion) then
                loss = loss + law%stress*law%range - law%stress*law%attach_gap + law%stress*law%jump/2
-               stretches = matmul(s%stretches_of_elements, period%start(:, i + 1))
+               stretches = product_of(s%stretches_of_elements, period%start(:, i + 1))
                loss = loss + law%shift*sum(s%stiffness*(2*stretches + law%shift))/2
             else if (here%kind == in_adhesion .and. next%kind == in_free) then
                loss = loss + law%stress*law%release_gap + law%stress*law%jump/2 - law%stress*law%range
-               stretches = matmul(s%stretches_of_elements, period%start(:, i + 1))
+               stretches = product_of(s%stretches_of_elements, period%start(:, i + 1))
                loss = loss + law%shift*sum(s%stiffness*(-2*stretches + law%shift))/2
             end if
          end associate
       end do
    end function get_edge_loss
 
-end module adfric_wavy_march_march_forces
+end module adfric_wavy_march_forces

@@ -5,15 +5,16 @@
 !> x <= y the period has F(y) - F(x) >= J0(x) (y - x), and J0 does not fall with x. From below, steps (I - J0)^-1 (F(e) - e) of the state
 !> e itself do not pass the least steady state; from above, with J0 of the least one, they do not pass the greatest. Without adhesion F is convex, J0
 !> is its derivative, and the same steps converge from anywhere. Where the flag changes, the period itself is the step.
-module adfric_wavy_march_steady_march
+module adfric_wavy_march_steady_column
    use adfric_base_kinds, only: dp
    use adfric_numerics_lapack, only: dgesv
    use adfric_wavy_march_law, only: march_law_t
    use adfric_wavy_march_period, only: column_state_t, period_t, march_period, in_contact, in_adhesion
+   use adfric_wavy_march_solid, only: multiply, product_of
    use adfric_wavy_march_way, only: way_t, decay_of, expm1_of
    implicit none (type, external)
    private
-   public :: steady_march_t, take_step, find_adhered, find_approach, start_from_below, start_from_free, move
+   public :: steady_column_t, take_step, find_adhered, find_approach, start_from_below, start_from_free, move
 
    !> Steps that are smaller than this share of lengths are round-off.
    real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
@@ -23,7 +24,7 @@ module adfric_wavy_march_steady_march
    real(dp), parameter :: beyond = 1.0e-3_dp
 
    !> A state on its way to be steady.
-   type :: steady_march_t
+   type :: steady_column_t
       !> The state where the period begins.
       type(column_state_t) :: state
       !> The last period from a state.
@@ -42,14 +43,14 @@ module adfric_wavy_march_steady_march
       logical :: is_steady = .false.
       !> Has something gone wrong?
       logical :: has_failed = .false.
-   end type steady_march_t
+   end type steady_column_t
 
 contains
 
    !> The state of endless contact.
    pure subroutine start_from_endless_contact(self, way, law, depth)
       !> Receives the state.
-      type(steady_march_t), intent(inout) :: self
+      type(steady_column_t), intent(inout) :: self
       !> The way.
       type(way_t), intent(in) :: way
       !> The law of adhesion.
@@ -66,7 +67,7 @@ contains
    !> period raises, and so is the higher one of both for each arm.
    pure subroutine start_from_below(self, way, law, depth)
       !> Receives the state.
-      type(steady_march_t), intent(inout) :: self
+      type(steady_column_t), intent(inout) :: self
       !> The way.
       type(way_t), intent(in) :: way
       !> The law of adhesion.
@@ -81,7 +82,7 @@ contains
    !> A state above all that are steady: free.
    pure subroutine start_from_free(self, way, depth)
       !> Receives the state.
-      type(steady_march_t), intent(inout) :: self
+      type(steady_column_t), intent(inout) :: self
       !> The way.
       type(way_t), intent(in) :: way
       !> Penetration.
@@ -94,7 +95,7 @@ contains
    !> The least steady state, from the state that stands in `self`, which lies below it; without adhesion the only one, from any state.
    pure subroutine find_adhered(self, way, law, depth)
       !> In: where to start. Out: the steady state.
-      type(steady_march_t), intent(inout) :: self
+      type(steady_column_t), intent(inout) :: self
       !> The way.
       type(way_t), intent(in) :: way
       !> The law of adhesion.
@@ -115,9 +116,9 @@ contains
    !> The greatest steady state, from the state that stands in `self`, which lies above it.
    pure subroutine find_approach(self, least, way, law, depth)
       !> In: where to start. Out: the steady state.
-      type(steady_march_t), intent(inout) :: self
+      type(steady_column_t), intent(inout) :: self
       !> In: a state below all that are steady. Out: the least steady state.
-      type(steady_march_t), intent(inout) :: least
+      type(steady_column_t), intent(inout) :: least
       !> The way.
       type(way_t), intent(in) :: way
       !> The law of adhesion.
@@ -135,7 +136,7 @@ contains
       do k = 1, most_periods
          if (self%has_failed) return
          call march(self, way, law, depth)
-         if (.not. changes_flag(self, law)) self%step = matmul(steps(:, :way%solid%n), self%period%growth)
+         if (.not. changes_flag(self, law)) self%step = product_of(steps(:, :way%solid%n), self%period%growth)
          call judge_step(self, law, depth)
          if (self%is_steady) exit
          call move(self)
@@ -150,7 +151,7 @@ contains
    !> March a period and find the step that follows from it, and how the load changes.
    pure subroutine take_step(self, way, law, depth)
       !> The state; receives period and step.
-      type(steady_march_t), intent(inout) :: self
+      type(steady_column_t), intent(inout) :: self
       !> The way.
       type(way_t), intent(in) :: way
       !> The law of adhesion.
@@ -176,7 +177,7 @@ contains
    !> March a period; until a better step is known, what it adds is the step.
    pure subroutine march(self, way, law, depth)
       !> The state; receives period, step and load.
-      type(steady_march_t), intent(inout) :: self
+      type(steady_column_t), intent(inout) :: self
       !> The way.
       type(way_t), intent(in) :: way
       !> The law of adhesion.
@@ -195,7 +196,7 @@ contains
    !> Does the last period attach or detach the column?
    pure logical function changes_flag(self, law)
       !> The state with its period.
-      type(steady_march_t), intent(in) :: self
+      type(steady_column_t), intent(in) :: self
       !> The law of adhesion.
       type(march_law_t), intent(in) :: law
 
@@ -205,7 +206,7 @@ contains
    !> Is the state steady to round-off?
    pure subroutine judge_step(self, law, depth)
       !> The state with its step.
-      type(steady_march_t), intent(inout) :: self
+      type(steady_column_t), intent(inout) :: self
       !> The law of adhesion.
       type(march_law_t), intent(in) :: law
       !> Penetration.
@@ -218,7 +219,7 @@ contains
    !> Take the step.
    pure subroutine move(self)
       !> The state, with its step.
-      type(steady_march_t), intent(inout) :: self
+      type(steady_column_t), intent(inout) :: self
 
       self%state%length = self%state%length + self%step
       self%state%is_attached = self%period%is_attached
@@ -295,28 +296,6 @@ contains
       end do
    end subroutine pass_zones
 
-   !> Multiply a square matrix by vectors.
-   pure subroutine multiply(n, n_vectors, matrix, vectors, is_added, products)
-      !> Number of components, and of vectors.
-      integer, intent(in) :: n, n_vectors
-      !> The matrix.
-      real(dp), intent(in) :: matrix(n, n)
-      !> The vectors.
-      real(dp), intent(in) :: vectors(n, n_vectors)
-      !> Are the products added to what stands in `products`?
-      logical, intent(in) :: is_added
-      !> Receives the products.
-      real(dp), intent(inout) :: products(n, n_vectors)
-      integer :: i, k
-
-      do i = 1, n_vectors
-         if (.not. is_added) products(:, i) = 0
-         do k = 1, n
-            products(:, i) = products(:, i) + vectors(k, i)*matrix(:, k)
-         end do
-      end do
-   end subroutine multiply
-
    !> Integrals over the period of the displacements that two disturbances of the lengths make; the second has a unit of penetration
    !> with it.
    pure subroutine get_displacement_sums(way, period, step, response, sums)
@@ -343,15 +322,15 @@ contains
                sums(2) = sums(2) + duration
             else
                lost = expm1_of(-duration/s%retardation)
-               elements = matmul(s%elements_of_lengths, vectors)
+               call multiply(s%n, 2, s%elements_of_lengths, vectors, .false., elements)
                do i = 1, 2
                   elements(:, i) = lost*elements(:, i)
                   sums(i) = sums(i) - sum(s%retardation*elements(:, i))
                end do
-               vectors = vectors + matmul(s%lengths_of_elements, elements)
+               call multiply(s%n, 2, s%lengths_of_elements, elements, .true., vectors)
             end if
          end associate
       end do
    end subroutine get_displacement_sums
 
-end module adfric_wavy_march_steady_march
+end module adfric_wavy_march_steady_column

@@ -8,12 +8,12 @@
 !> - upwards from one that carries too little, steps of the lack over P0'(D') pass no state below D'.
 !> With falling penetration the least state moves up by less than the heights go down, so the old one, moved with them, is below the new
 !> one; with rising penetration the greatest one, moved, is above the new one.
-module adfric_wavy_march_march_surface
+module adfric_wavy_march_equilibrium
    use adfric_base_kinds, only: dp
    use adfric_wavy_march_law, only: march_law_t
-   use adfric_wavy_march_march_forces, only: march_forces_t, get_march_forces
-   use adfric_wavy_march_steady_march, only: steady_march_t, take_step, find_adhered, find_approach, start_from_below, start_from_free, &
-      & move
+   use adfric_wavy_march_forces, only: march_forces_t, get_march_forces
+   use adfric_wavy_march_steady_column, only: steady_column_t, take_step, find_adhered, find_approach, start_from_below, &
+      & start_from_free, move
    use adfric_wavy_march_way, only: way_t
    implicit none (type, external)
    private
@@ -44,7 +44,7 @@ module adfric_wavy_march_march_surface
       !> Penetration of the highest place.
       real(dp) :: depth = 0
       !> States of the rows.
-      type(steady_march_t), allocatable :: rows(:)
+      type(steady_column_t), allocatable :: rows(:)
       !> Forces of the rows.
       type(march_forces_t), allocatable :: forces(:)
       !> Number of periods marched.
@@ -54,7 +54,7 @@ module adfric_wavy_march_march_surface
    !> States of all rows at one penetration.
    type :: states_t
       !> The states.
-      type(steady_march_t), allocatable :: rows(:)
+      type(steady_column_t), allocatable :: rows(:)
       !> Mean load, its change with the penetration, and what round-off makes of the load.
       real(dp) :: load = 0, slope = 0, least_load = 0
       !> Are all rows steady? Has one failed?
@@ -363,4 +363,4 @@ contains
       end do
    end subroutine finish
 
-end module adfric_wavy_march_march_surface
+end module adfric_wavy_march_equilibrium
