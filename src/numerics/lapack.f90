@@ -3,7 +3,7 @@ module adfric_numerics_lapack
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: dgesv
+   public :: dgesv, dgeqrf
 
    interface
       !> Solve a general system of linear equations by Gaussian elimination with partial pivoting.
@@ -27,6 +27,28 @@ module adfric_numerics_lapack
          !> 0 if all went well; > 0 if the matrix is singular, < 0 if an argument is impossible.
          integer, intent(out) :: info
       end subroutine dgesv
+
+      !> Factors Q and R of a rectangular matrix, by Householder reflections.
+      pure subroutine dgeqrf(m, n, a, lda, tau, work, lwork, info)
+         import :: dp
+         implicit none (type, external)
+         !> Number of rows.
+         integer, intent(in) :: m
+         !> Number of columns.
+         integer, intent(in) :: n
+         !> First dimension of `a`, `m` or more.
+         integer, intent(in) :: lda
+         !> In: the matrix, shape `(m, n)`. Out: R on and above the diagonal, the reflections below it.
+         real(dp), intent(inout) :: a(lda, *)
+         !> Receives the factors of the reflections; shape `(min(m, n))`.
+         real(dp), intent(out) :: tau(*)
+         !> Room to work in; shape `(lwork)`.
+         real(dp), intent(out) :: work(*)
+         !> Size of that room, `n` or more; several times as much is faster.
+         integer, intent(in) :: lwork
+         !> 0 if all went well; < 0 if an argument is impossible.
+         integer, intent(out) :: info
+      end subroutine dgeqrf
    end interface
 
 end module adfric_numerics_lapack
