@@ -113,6 +113,8 @@ contains
          step = -step
          call dgesv(n, 1, matrix, n_zones + 1, pivots, step, n_zones + 1, info)
          if (info /= 0) return
+         ! zones without length stay so, whatever round-off says
+         if (family%strip%adhesion%is_lost_at_contact .and. n > n_adhesion + 1) step(3:4, 1) = 0
          if (.not. maxval(abs(step(:n, 1))) < longest_step) return
          size_now = maxval(abs(step(:n - 1, 1)))/state%half_width + abs(step(n, 1))/inverse
          if (.not. size_now < 2) return

@@ -3,6 +3,7 @@ module adfric_wavy_case
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_unset, only: is_set
+   use adfric_wavy_adhesion, only: adhesion_t, acting_adhesion
    use adfric_wavy_foundation, only: new_foundation
    use adfric_wavy_surface, only: surface_t
    use adfric_wavy_variables, only: v_branch, v_edge, v_height, v_kind, v_load, v_penetration, v_period, v_poisson_ratio, &
@@ -21,6 +22,8 @@ module adfric_wavy_case
    type :: wavy_case_t
       !> The surface on its foundation, in reduced units.
       type(surface_t) :: surface
+      !> Adhesion as it is given, its stress in h/K and its range in h; the surface has that which acts.
+      type(adhesion_t) :: given
       !> Is the load given? Else the penetration is.
       logical :: is_load_given = .false.
       !> Is the pull-off load asked for? There is none without adhesion.
@@ -60,19 +63,20 @@ contains
          end if
          call new_foundation(surface%foundation, &
             & two_pi*(values(v_velocity)*values(v_relaxation_time)/self%period), values(v_retardation_ratio))
-         surface%adhesion%edge = nint(values(v_edge))
+         self%given%edge = nint(values(v_edge))
          surface%branch = nint(values(v_branch))
          if (nint(values(v_slope)) == slope_finite) surface%shape%steepness = two_pi*self%height/self%period
          surface%tolerance = values(v_relative_tolerance)
          surface%n_strips = nint(values(v_strips))
          if (is_set(values(v_stress))) then
             if (values(v_stress) > 0) then
-               surface%adhesion%stress = values(v_stress)/self%pressure_unit
+               self%given%stress = values(v_stress)/self%pressure_unit
                range = values(v_range)
                if (.not. is_set(range)) range = values(v_surface_energy)/values(v_stress)
-               surface%adhesion%range = range/self%height
+               self%given%range = range/self%height
             end if
          end if
+         surface%adhesion = acting_adhesion(self%given, surface%foundation%beta)
       end associate
 
       self%is_load_given = is_set(values(v_load))

@@ -94,10 +94,10 @@ contains
          real(dp), parameter :: largest = 1.0e100_dp
 
          call resolve_case(values, resolved)
-         associate (s => resolved%surface)
-            if (.not. s%foundation%v < largest) call add(v_velocity, &
+         associate (given => resolved%given)
+            if (.not. resolved%surface%foundation%v < largest) call add(v_velocity, &
                & 'times relaxation_time and retardation_ratio is too large for the period')
-            if (.not. max(s%adhesion%stress, s%adhesion%range) < largest) call add(v_stress, &
+            if (.not. max(given%stress, given%range) < largest) call add(v_stress, &
                & 'or its range is too large for this height and stiffness')
             if (.not. max(abs(resolved%load), abs(resolved%penetration)) < largest) call add(merge(v_load, &
                & v_penetration, resolved%is_load_given), 'is too large for this height and stiffness')

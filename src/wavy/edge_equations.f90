@@ -65,6 +65,10 @@ contains
          e(2) = -w_t*lost_t + 2*(sin_a*cos_t + cos_a*sin_t)*sin_t - strip%adhesion%release_gap
          e2_a = sin_a1 - sin_a*(1 - lost_t)
          e2_m = sin_a1 - w_t*(1 - lost_t)/v
+         if (strip%adhesion%is_lost_at_contact) then
+            ! the zone has no length
+            e(2) = 0; e2_a = 0; e2_m = 1
+         end if
 
          ! free zone: the gap of attachment at its end
          lost_f = decay(free_length(state)/v)

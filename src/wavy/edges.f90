@@ -51,6 +51,7 @@ contains
          state%entry = strip%adhesion%entry
          state%leading = 0
       end if
+      if (strip%adhesion%is_lost_at_contact) state%trailing = 0
       state%outer_shift = state%shift + (state%leading - state%trailing)/2
       size_last = huge(1.0_dp)
       do iteration = 1, max_iterations
@@ -127,8 +128,8 @@ contains
 
       a = state%half_width - state%shift
       b = state%half_width + state%shift
-      is_admissible = state%is_converged .and. state%half_width > 0 .and. state%trailing > 0 &
-         & .and. state%leading >= 0 .and. free_length(state) > 0
+      is_admissible = state%is_converged .and. state%half_width > 0 &
+         & .and. (state%trailing > 0 .or. strip%adhesion%is_lost_at_contact) .and. state%leading >= 0 .and. free_length(state) > 0
       if (.not. is_admissible) return
       margin = drive_round_off(strip)
       is_admissible = drive(strip, -a) < margin .and. drive(strip, -a - state%trailing) < margin - strip%adhesion%release_gap &

@@ -14,7 +14,7 @@ module adfric_wavy_equilibrium
    use adfric_wavy_load_trial, only: trial_t, try_penetration, carries_load, get_reach, is_plain, round_off, indistinct
    use adfric_wavy_steady_state, only: branch_adhered
    use adfric_wavy_strip, only: steady_state_t
-   use adfric_wavy_surface, only: surface_t, totals_t, is_same_surface, get_relative_error
+   use adfric_wavy_surface, only: surface_t, totals_t, is_same_surface, get_relative_error, lowest_of
    implicit none (type, external)
    private
    public :: equilibrium_t, neighbour_t, solve_penetration, solve_load, leads_to
@@ -214,10 +214,8 @@ contains
             start = high%penetration
             if (outcome == search_found) call try_penetration(surface, start, load, memory, high)
          end if
-         ! adhesion does not reach further down than its stress lifts the foundation
-         if (outcome == search_found) call find_first_state(surface, load, downwards, .false., &
-            & -(surface%adhesion%stress + surface%adhesion%range), &
-            & memory, high, low, outcome)
+         if (outcome == search_found) call find_first_state(surface, load, downwards, .false., lowest_of(surface), memory, high, &
+            & low, outcome)
       else
          if (neighbour%n > 0) then
             low = neighbour%last

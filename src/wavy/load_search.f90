@@ -195,7 +195,9 @@ contains
          if (low%excess < 0) return
          if (aside%n == 0) then
             if (low%penetration >= highest) exit
-            next = min(low%penetration + get_step(surface, low, low), highest)
+            ! a load that is met to the last digit would have no step at all
+            next = low%penetration + max(get_step(surface, low, low), indistinct*max(1.0_dp, abs(low%penetration)))
+            next = min(next, highest)
          else
             high = aside%trials(aside%n)
             sure = high%penetration

@@ -9,7 +9,7 @@ module adfric_wavy_load_starts
    use adfric_wavy_load_search, only: find_entry, search_found, search_empty
    use adfric_wavy_load_trial, only: trial_t, try_penetration, carries_load, get_reach, indistinct
    use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_surface, only: surface_t
+   use adfric_wavy_surface, only: surface_t, attach_gap_of
    implicit none (type, external)
    private
    public :: start_above, start_below, search_without_adhesion, highest
@@ -109,8 +109,8 @@ contains
       else
          call start_above(surface, load, high, outcome)
          if (outcome /= search_found) return
-         ! just inside the range, where adhesion draws the crest in
-         call try_penetration(surface, -surface%adhesion%range*(1 - indistinct), load, memory, low)
+         ! just inside the gap of attachment, where adhesion draws the crest in
+         call try_penetration(surface, -attach_gap_of(surface)*(1 - indistinct), load, memory, low)
          call find_entry(surface, load, high%penetration, memory, low, outcome)
       end if
    end subroutine start_below

@@ -9,10 +9,10 @@ module adfric_wavy_march
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_wavy_contact_zone, only: decay, longest_decay
    use adfric_wavy_phases, only: phases_left, half_interval
-   use adfric_wavy_strip, only: strip_t, lifted_profile, drive, get_drive, drive_round_off
+   use adfric_wavy_strip, only: strip_t, profile, lifted_profile, drive, get_drive, drive_round_off
    implicit none (type, external)
    private
-   public :: column_t, advance, march_period, march_to_leading_edge, period_t
+   public :: column_t, advance, leave_contact, march_period, march_to_leading_edge, period_t
    public :: in_contact, in_adhesion, in_free
    public :: period_closed, period_never_released, period_never_attached
 
@@ -187,7 +187,7 @@ contains
       column%xi = column%xi - passed
       select case (column%zone)
       case (in_contact)
-         column = column_t(in_adhesion, column%xi, lifted_profile(strip, column%xi), 0.0_dp, .true.)
+         column = leave_contact(strip, column%xi)
       case (in_adhesion)
          if (bound > 0) then
             column = column_t(in_free, column%xi, column%value - strip%adhesion%stress + strip%adhesion%jump, &
@@ -199,6 +199,20 @@ contains
          call attach(strip, column)
       end select
    end subroutine advance
+
+   !> The column where contact ends: in adhesion, or free at once where there is none beside the contact.
+   pure type(column_t) function leave_contact(strip, xi) result(column)
+      !> The strip: its profile, adhesion and foundation, in reduced units.
+      type(strip_t), intent(in) :: strip
+      !> Phase where contact ends [rad].
+      real(dp), intent(in) :: xi
+
+      if (strip%adhesion%is_lost_at_contact) then
+         column = column_t(in_free, xi, profile(strip, xi) + strip%adhesion%jump, strip%adhesion%released_gap, .true.)
+      else
+         column = column_t(in_adhesion, xi, lifted_profile(strip, xi), 0.0_dp, .true.)
+      end if
+   end function leave_contact
 
    !> Adhesion ends in contact or in freedom, whichever comes first.
    pure subroutine end_adhesion(strip, column, curve, bound, has_event, passed)
@@ -303,18 +317,16 @@ contains
             else
                period%leading = passed
             end if
-            if (column%zone == in_free) then
-               period%is_released = .true.
-               call get_drive(strip, column%xi, period%release_drive, period%release_slope)
-            else if (period%has_contact) then
-               ! contact again
-               exit
-            end if
+            ! contact again
+            if (column%zone == in_contact .and. period%has_contact) exit
          case default
             period%free = passed
             period%slope = get_slope(strip, period)
             return
          end select
+         if (column%zone /= in_free) cycle
+         period%is_released = .true.
+         call get_drive(strip, column%xi, period%release_drive, period%release_slope)
       end do
       period%outcome = period_never_released
    end subroutine march_period

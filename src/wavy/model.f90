@@ -10,6 +10,7 @@ module adfric_wavy_model
    use adfric_model_rows, only: count_row, set_coordinate
    use adfric_model_status, only: status_solved, status_no_equilibrium
    use adfric_model_table, only: result_t, profile_axis_t
+   use adfric_wavy_adhesion, only: edge_front
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
@@ -23,7 +24,8 @@ module adfric_wavy_model
    use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
       & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, &
       & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_pull_off_load, &
-      & r_pull_off_penetration, r_regime, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_profiles
+      & r_pull_off_penetration, r_regime, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_profiles, &
+      & v_relaxation_time, v_thickness, v_velocity
    implicit none (type, external)
    private
    public :: wavy_model_t, new_wavy_model
@@ -46,6 +48,7 @@ module adfric_wavy_model
       procedure :: solve_block
       procedure :: solve_profiles
       procedure :: derive_quantities
+      procedure :: describe_doubts
       procedure :: unit_of
    end type wavy_model_t
 
@@ -336,7 +339,7 @@ contains
       associate (unused => self)
       end associate
       call resolve_case(values, point)
-      associate (s => point%surface, f => point%surface%foundation)
+      associate (given => point%given, f => point%surface%foundation)
          call add_derived(derived, 'relaxation_phase', '-', 'relaxation phase k V Ts', f%u, of_phase)
          call add_derived(derived, 'retardation_phase', '-', 'retardation phase k V Te', f%v, of_viscosity)
          call add_derived(derived, 'loss_ratio', '-', 'loss modulus over stiffness', f%loss, of_viscosity)
@@ -344,12 +347,35 @@ contains
             & of_stiffness)
          call add_derived(derived, 'pressure_unit', 'Pa', 'pressure unit, height times stiffness', point%pressure_unit, &
             & of_stiffness//' height')
-         call add_derived(derived, 'reduced_stress', '-', 'adhesion stress over the pressure unit', s%adhesion%stress, &
+         call add_derived(derived, 'reduced_stress', '-', 'adhesion stress over the pressure unit', given%stress, &
             & of_stiffness//' height stress')
-         if (s%adhesion%stress > 0) call add_derived(derived, 'range', 'm', 'range of adhesion', &
-            & s%adhesion%range*point%height, of_range)
-         call add_derived(derived, 'reduced_range', '-', 'range of adhesion over height', s%adhesion%range, of_range//' height')
+         if (given%stress > 0) call add_derived(derived, 'range', 'm', 'range of adhesion', &
+            & given%range*point%height, of_range)
+         call add_derived(derived, 'reduced_range', '-', 'range of adhesion over height', given%range, of_range//' height')
       end associate
    end function derive_quantities
+
+   !> See `model_t`: sliding so slow that a layer has no front (docs/wavy.md).
+   function describe_doubts(self, values) result(text)
+      !> The model; nothing of it is read here.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      character(40) :: lengths
+      type(wavy_case_t) :: point
+      real(dp) :: lag
+
+      text = ''
+      associate (unused => self)
+      end associate
+      call resolve_case(values, point)
+      if (.not. is_set(values(v_thickness)) .or. point%given%edge /= edge_front .or. point%given%stress <= 0) return
+      lag = values(v_velocity)*values(v_relaxation_time)
+      if (lag >= values(v_thickness)) return
+      write (lengths, '(es9.2, a, es9.2, a)') lag, ' m <', values(v_thickness), ' m'
+      text = 'edge = ''front'' needs velocity times relaxation_time above thickness, but'//trim(lengths) &
+         & //': the layer has less friction'//new_line('a')
+   end function describe_doubts
 
 end module adfric_wavy_model

@@ -11,14 +11,14 @@ module adfric_wavy_panels
    use adfric_wavy_steady_state, only: branch_adhered, branch_approach
    use adfric_wavy_strip, only: regime_free, regime_saturated, regime_saturated_adhesion, regime_adhesion_zones, &
       & regime_adhesion_only
-   use adfric_wavy_surface, only: surface_t, is_same_surface
+   use adfric_wavy_surface, only: surface_t, is_same_surface, attach_gap_of
    use adfric_wavy_wave_shape, only: phase_of_share
    implicit none (type, external)
    private
    public :: panel_t, division_t, divide_surface
 
    integer, parameter :: max_panels = 24
-   !> Edges that may be known in closed form: saturation, first contact, range.
+   !> Edges that may be known in closed form: saturation, first contact, first adhesion.
    integer, parameter :: n_known = 3
    !> Strips that are looked at on each stretch between edges known in closed form.
    integer, parameter :: n_probes = 10
@@ -111,10 +111,10 @@ contains
       lift = penetration - 1 + surface%adhesion%stress
       excess = saturation_level(surface%foundation) - 1
       shares = -1
-      ! saturation: lift + Y/2 = |G| Y/2; first contact: lift + Y = 0; range: D_y = -range
+      ! saturation: lift + Y/2 = |G| Y/2; first contact: lift + Y = 0; first adhesion: D_y = -(gap of attachment)
       if (excess > 0) shares(1) = 2*lift/excess
       shares(2) = -lift
-      if (surface%branch == branch_approach) shares(3) = 1 - penetration - surface%adhesion%range
+      if (surface%branch == branch_approach) shares(3) = 1 - penetration - attach_gap_of(surface)
       edges = pi
       edges(1) = 0
       kinds = 0

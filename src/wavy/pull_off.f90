@@ -12,7 +12,7 @@ module adfric_wavy_pull_off
    use adfric_wavy_load_trial, only: trial_t, try_penetration, try_near, is_plain, has_moving_edges, round_off, &
       & indistinct
    use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_surface, only: surface_t, is_identical_surface
+   use adfric_wavy_surface, only: surface_t, is_identical_surface, lowest_of
    implicit none (type, external)
    private
    public :: pull_off_t, find_pull_off, is_below_pull_off
@@ -89,8 +89,7 @@ contains
          if (.not. turns(k)%least%totals%is_converged) return
          high%excess = high%totals%load - turns(k)%least%totals%load
          call find_first_state(adhered, turns(k)%least%totals%load, downwards, &
-            & high%totals%structure == turns(k)%least%totals%structure, -(surface%adhesion%stress + surface%adhesion%range), &
-            & memory, high, low, outcome)
+            & high%totals%structure == turns(k)%least%totals%structure, lowest_of(surface), memory, high, low, outcome)
          if (outcome /= search_found) exit
          start = high
          if (low%excess < high%excess) start = low

@@ -12,8 +12,8 @@ module adfric_wavy_steady_state
    use adfric_base_constants, only: pi, two_pi
    use adfric_wavy_contact_zone, only: decay
    use adfric_wavy_edges, only: refine_edges, refine_adhesion_edges, is_admissible, is_admissible_adhesion
-   use adfric_wavy_march, only: column_t, period_t, march_to_leading_edge, &
-      & in_adhesion, in_free, period_closed, period_never_released, period_never_attached
+   use adfric_wavy_march, only: column_t, period_t, leave_contact, march_to_leading_edge, in_free, &
+      & period_closed, period_never_released, period_never_attached
    use adfric_wavy_phases, only: phases_left
    use adfric_wavy_return_map, only: close_period
    use adfric_wavy_saturated_adhesion, only: half_width_of_depth, shift_of_half_width, saturation_level
@@ -295,8 +295,8 @@ contains
       case (regime_saturated)
          outcome = period_never_released
       case (regime_saturated_adhesion)
-         xi = state%shift - state%half_width
-         column = column_t(in_adhesion, xi, lifted_profile(strip, xi), 0.0_dp)
+         column = leave_contact(strip, state%shift - state%half_width)
+         column%has_begun = column%zone == in_free
       case default
          ! released where the gap -level - cos(xi) of a displacement -stress passes that of release
          crossing = -strip%level - strip%adhesion%release_gap

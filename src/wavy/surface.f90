@@ -6,7 +6,7 @@ module adfric_wavy_surface
    use adfric_base_kinds, only: dp, i8
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: two_pi
-   use adfric_wavy_adhesion, only: adhesion_t
+   use adfric_wavy_adhesion, only: adhesion_t, strip_adhesion_t, new_strip_adhesion
    use adfric_wavy_balance, only: balance_t, get_balance, get_load_slope, get_slope_bound
    use adfric_wavy_finite_slope, only: get_finite_slope_friction
    use adfric_wavy_foundation, only: foundation_t
@@ -17,7 +17,7 @@ module adfric_wavy_surface
    implicit none (type, external)
    private
    public :: negligible, share_of_scale, surface_t, totals_t, new_surface_strip, add_strip, add_totals, add_load_slope, add_regime
-   public :: is_same_surface, is_identical_surface, get_relative_error
+   public :: is_same_surface, is_identical_surface, get_relative_error, attach_gap_of, lowest_of
 
    !> A balance that is violated by this share of its terms has not been solved.
    real(dp), parameter :: unbalanced = 1.0e-3_dp
@@ -37,7 +37,7 @@ module adfric_wavy_surface
       type(wave_shape_t) :: shape
       !> Foundation under the surface, at its velocity.
       type(foundation_t) :: foundation
-      !> Adhesion, its stress in h/K and its range in h.
+      !> Adhesion as it acts, its stress in h/K and its range in h.
       type(adhesion_t) :: adhesion
       !> The branch, one of `branch_...`.
       integer :: branch = branch_adhered
@@ -103,6 +103,28 @@ contains
 
       is_same = abs(one - two) <= 4*epsilon(one)*max(abs(one), abs(two))
    end function is_same
+
+   !> Gap at which adhesion takes hold of the free surface [h]: at minus this penetration the crests are drawn in.
+   elemental real(dp) function attach_gap_of(surface) result(gap)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
+      type(surface_t), intent(in) :: surface
+      type(strip_adhesion_t) :: law
+
+      ! of a strip whose unit of length is that of the surface
+      call new_strip_adhesion(law, surface%adhesion, 1.0_dp, surface%foundation%beta)
+      gap = law%attach_gap
+   end function attach_gap_of
+
+   !> Penetration below which nothing adheres [h]: adhesion lifts the foundation by its stress at most, and does not reach further
+   !> down than the gap of release.
+   elemental real(dp) function lowest_of(surface) result(penetration)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
+      type(surface_t), intent(in) :: surface
+      type(strip_adhesion_t) :: law
+
+      call new_strip_adhesion(law, surface%adhesion, 1.0_dp, surface%foundation%beta)
+      penetration = -(law%stress + law%release_gap)
+   end function lowest_of
 
    !> The strip with the share Y of the height, at a penetration of the surface.
    elemental subroutine new_surface_strip(surface, penetration, share, strip)

@@ -52,8 +52,8 @@ contains
       v(v_range) = above_zero(group='adhesion', name='range', unit='m', &
          & meaning='largest gap with adhesion, instead of the surface energy')
       v(v_edge) = choice(group='adhesion', name='edge', &
-         & meaning='the displacement where the stress starts or ends: as published (continuous) or as the foundation asks', &
-         & choices='continuous instantaneous', default='continuous')
+         & meaning='the displacement where the stress starts or ends: as published (continuous), as the foundation asks '// &
+         & '(instantaneous), or as in a thin layer (front)', choices='continuous instantaneous front', default='continuous')
       v(v_branch) = choice(group='adhesion', name='branch', &
          & meaning='where states coexist: the one that unloading keeps (adhered) or that loading meets (approach)', &
          & choices='adhered approach', default='adhered')

@@ -11,7 +11,8 @@ module brute_march
    !> The strip F = mean + cos(xi), with K = 1.
    type :: brute_strip_t
       real(dp) :: u = 1, beta = 1, mean = 0, stress = 0, range = 0
-      logical :: is_instantaneous = .false.
+      !> Does the displacement jump where adhesion begins and ends? If so: with the range half way?
+      logical :: is_instantaneous = .false., is_front = .false.
    end type brute_strip_t
 
    !> Displacement, stress in the Maxwell arm, and whether the column is held by adhesion or in contact.
@@ -77,13 +78,29 @@ contains
       logical :: may_be_held
 
       lift = merge(strip%stress, 0.0_dp, strip%is_instantaneous)
-      may_be_held = height <= strip%beta*strip%range
-      if (height + lift > strip%beta*strip%range .and. .not. (may_be_held .and. is_held)) then
+      may_be_held = height <= strip%beta*release_gap(strip)
+      if (height + lift > strip%beta*attach_gap(strip) .and. .not. (may_be_held .and. is_held)) then
          column = column_of_gap(strip, xi, (height + lift)/strip%beta, .false.)
       else
          column = column_of_gap(strip, xi, merge(height, height/strip%beta, height < 0), .true.)
       end if
    end function column_of_height
+
+   !> Gap at which adhesion takes hold.
+   pure real(dp) function attach_gap(strip)
+      type(brute_strip_t), intent(in) :: strip
+
+      attach_gap = strip%range
+      if (strip%is_front) attach_gap = strip%range + strip%stress/strip%beta/2
+   end function attach_gap
+
+   !> Gap at which adhesion is lost.
+   pure real(dp) function release_gap(strip)
+      type(brute_strip_t), intent(in) :: strip
+
+      release_gap = strip%range
+      if (strip%is_front) release_gap = strip%range - strip%stress/strip%beta/2
+   end function release_gap
 
    !> One implicit step of the phase h to a surface level f.
    pure subroutine take_step(strip, f, h, column)
@@ -104,10 +121,10 @@ contains
          column%in_adhesion = .true.
       end if
       call move_open(strip, h, merge(-strip%stress, 0.0_dp, column%in_adhesion), column)
-      if (column%in_adhesion .and. column%w - f > strip%range) then
+      if (column%in_adhesion .and. column%w - f > release_gap(strip)) then
          column%in_adhesion = .false.
          if (strip%is_instantaneous) column%w = column%w + strip%stress/strip%beta
-      else if (.not. column%in_adhesion .and. column%w - f <= strip%range) then
+      else if (.not. column%in_adhesion .and. column%w - f <= attach_gap(strip)) then
          column%in_adhesion = .true.
          if (strip%is_instantaneous) column%w = column%w - strip%stress/strip%beta
       end if

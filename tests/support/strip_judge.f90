@@ -1,6 +1,7 @@
 !> Judges the steady state of a strip with the brute march: is it one, and is there none before it on its branch?
 module strip_judge
    use adfric_base_kinds, only: dp
+   use adfric_wavy_adhesion, only: edge_front
    use adfric_wavy_column, only: get_column
    use adfric_wavy_saturated_adhesion, only: saturation_level
    use adfric_wavy_strip, only: strip_t, steady_state_t
@@ -31,7 +32,8 @@ contains
       integer :: k
 
       associate (f => strip%foundation)
-         brute = brute_strip_t(f%u, f%beta, strip%mean, strip%adhesion%stress, strip%adhesion%range, strip%adhesion%jump > 0)
+         brute = brute_strip_t(f%u, f%beta, strip%mean, strip%adhesion%stress, strip%adhesion%range, strip%adhesion%jump > 0, &
+            & strip%adhesion%edge == edge_front)
          ! where the drive is least the strip is open, if it is open anywhere
          section = atan(f%v) + 3.141592653589793_dp
       end associate

@@ -6,7 +6,7 @@ module load_scan
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_equilibrium, only: equilibrium_t, solve_penetration
    use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_surface, only: surface_t
+   use adfric_wavy_surface, only: surface_t, attach_gap_of
    use random_strips, only: dice_t
    implicit none (type, external)
    private
@@ -40,7 +40,8 @@ contains
 
       self%surface = surface
       highest = 1.2_dp + 0.3_dp*surface%adhesion%stress
-      lowest = -surface%adhesion%range
+      ! a little further, for round-off would let the crest be just drawn in, or not
+      lowest = -attach_gap_of(surface)*(1 + 1.0e-9_dp)
       if (surface%branch == branch_adhered) lowest = lowest - surface%adhesion%stress
       self%step = (highest - lowest)/n
       allocate (self%penetration(0:n), self%load(0:n))

@@ -2,7 +2,7 @@
 module unit_strips
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
-   use adfric_wavy_adhesion, only: adhesion_t, edge_continuous, edge_instantaneous
+   use adfric_wavy_adhesion, only: adhesion_t, acting_adhesion, edge_continuous, edge_instantaneous, edge_front
    use adfric_wavy_balance, only: balance_t, get_balance
    use adfric_wavy_foundation, only: foundation_t, new_foundation
    use adfric_wavy_steady_state, only: find_steady_state, branch_adhered, branch_approach
@@ -12,7 +12,7 @@ module unit_strips
    implicit none (type, external)
    private
    public :: trial_strip_t, solved_strip_t, new_trial_strip, solve_strip, label_of, everywhere
-   public :: edge_continuous, edge_instantaneous, branch_adhered, branch_approach
+   public :: edge_continuous, edge_instantaneous, edge_front, branch_adhered, branch_approach
    public :: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion, regime_adhesion_zones, &
       regime_saturated
 
@@ -48,7 +48,7 @@ contains
 
       call new_foundation(foundation, trial%u, trial%beta)
       call new_strip(strip, foundation, 0.5_dp, trial%penetration, &
-         adhesion_t(trial%stress, trial%range, trial%edge))
+         acting_adhesion(adhesion_t(trial%stress, trial%range, trial%edge), trial%beta))
    end subroutine new_trial_strip
 
    !> Solve a strip.
