@@ -17,9 +17,9 @@
 !> \( m - f = A = R + J \): the displacement depends on m and f alone, and does not fall where m rises.
 !>
 !> A front with \( J > 2\delta \) has no gap of release. Contact then begins and ends at \( m - f = \sqrt{2 J \delta} \), as
-!> energy demands, where the pressure is \( -\sqrt{2\beta\pi\delta} \). Of this stress, and of the range with which the surface energy
-!> \( \pi\delta \) stays what it is, the law has \( J = 2\delta = \sqrt{2 J \delta} \) and R = 0. It gives a column the same displacement
-!> for every m and f, so it is the same law: `acting_adhesion` puts it in the place of the given one.
+!> energy demands, where the pressure is \( -\sqrt{2\beta\pi\delta} \). A law with this stress, and with the range that leaves the
+!> surface energy \( \pi\delta \) what it is, has the jump \( \sqrt{2 J \delta} \), twice its range, and R = 0. It gives a column
+!> the same displacement for every m and f, so it is the same law: `acting_adhesion` puts it in the place of the given one.
 module adfric_wavy_adhesion
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts
