@@ -4,7 +4,7 @@ import numpy as np
 
 from table_tools import head, row, solve
 
-EDGES = ("continuous", "instantaneous")
+EDGES = ("continuous", "instantaneous", "front")
 
 
 def saturation_load(stress, near):
@@ -55,10 +55,18 @@ def show_edge_rule():
         row(edge, mu.max(), mu[np.argmin(np.abs(velocity - 0.1))], mu[-1])
 
 
+def show_thin_layer():
+    velocities = [0.02, 0.1, 0.5, 2.5, 20.0, 200.0]
+    head("A wave on a thin layer: friction force [N/m]", "edge", *(f"V = {velocity:g} m/s" for velocity in velocities))
+    for edge in EDGES:
+        results = solve("edge_rule_front", adhesion__edge=f"'{edge}'", operating__velocity=velocities)
+        row(edge, *results["friction_force"])
+
+
 def show_branches():
     head("Branches, Fig. 5 with adhesion, to 1e-3 N/m", "edge", "branch", "lowest load [N/m]", "jump of friction at [N/m]",
          "from [N/m]", "to [N/m]")
-    for edge in EDGES:
+    for edge in EDGES[:2]:
         for branch in ("adhered", "approach"):
             results = solve("edge_rule_fig5", adhesion__edge=f"'{edge}'", adhesion__branch=f"'{branch}'",
                             operating__load=1e-3 * np.arange(-200, 301))
@@ -80,5 +88,6 @@ def show_slow_and_fast():
 
 show_figures()
 show_edge_rule()
+show_thin_layer()
 show_branches()
 show_slow_and_fast()
