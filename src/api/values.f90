@@ -5,13 +5,16 @@ module adfric_api_values
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_kinds, only: dp, i8
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: newline, show_count, show_number, to_lower
+   use adfric_base_text, only: join_words, newline, show_count, show_number, to_lower
    use adfric_input_case, only: case_t
    use adfric_input_dataset, only: examine_values
+   use adfric_input_given_list, only: keep_numbers
+   use adfric_input_group_columns, only: examine_columns
    use adfric_input_variable, only: check_value, describe_allowed, find_outlier, read_variable
    use adfric_input_vocabulary, only: find_variable, full_name, is_number
    use adfric_model_model, only: model_t
    use adfric_model_table, only: kind_dataset, variable_t
+   use adfric_run_dataset, only: dataset_t
    implicit none (type, external)
    private
    public :: find_place, give_number, give_switch, give_word, give_samples, check_swept, error_of
@@ -165,6 +168,11 @@ contains
       associate (variable => model%variables(place), dataset => input%datasets(place))
          if (variable%kind /= kind_dataset) then
             flaw = 'has one value, given an array of '//show_count(size(samples))//', allowed: '//describe_allowed(variable)
+         else if (variable%is_list .and. rank == 1) then
+            call keep_numbers(samples(:, 1), variable, dataset, flaw)
+            allocate (copy, source=samples)
+         else if (variable%n_columns() > 0) then
+            call take_columns(samples, rank, variable, dataset, copy, flaw)
          else if (rank > variable%largest_rank) then
             flaw = 'has one dimension, given an array of '//show_count(rank)
          else
@@ -183,6 +191,32 @@ contains
       input%is_given(place) = found%count() == 0
       if (input%is_given(place)) input%values(place) = 1
    end subroutine give_samples
+
+   !> Take the columns of a group.
+   subroutine take_columns(samples, rank, variable, dataset, copy, flaw)
+      !> The columns in SI units; shape `(n, n_columns)`.
+      real(dp), intent(in) :: samples(:, :)
+      !> Number of dimensions, 2 for columns.
+      integer, intent(in) :: rank
+      !> Row of the model's table.
+      type(variable_t), intent(in) :: variable
+      !> Receives what is known of the columns.
+      type(dataset_t), intent(inout) :: dataset
+      !> Receives the values.
+      real(dp), allocatable, intent(out) :: copy(:, :)
+      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+
+      if (rank /= 2 .or. size(samples, 2) /= variable%n_columns()) then
+         flaw = 'has '//show_count(variable%n_columns())//' columns, '//join_words(variable%columns, ', ')// &
+            & ', given an array of '//show_count(merge(size(samples, 2), 1, rank == 2))
+         return
+      end if
+      dataset%text = 'an array of '//show_count(size(samples))//' values'
+      allocate (copy, source=samples)
+      call examine_columns(dataset, variable, copy, flaw)
+      if (len(flaw) > 0) flaw = flaw//', given '//dataset%text//', allowed: '//describe_allowed(variable)
+   end subroutine take_columns
 
    !> Hold the values of a sweep against what its variable allows.
    subroutine check_swept(variable, values, problems)

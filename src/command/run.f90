@@ -141,7 +141,7 @@ contains
          return
       end if
       do k = 1, size(run%datasets)
-         if (.not. run%datasets(k)%is_given()) cycle
+         if (.not. run%datasets(k)%is_in_file()) cycle
          if (.not. would_replace(run%output, run%datasets(k)%file)) cycle
          call set_error(error, input_failure, run%output//': the results would replace the data of '//run%model%variables(k)%name)
          return

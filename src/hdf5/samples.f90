@@ -15,7 +15,7 @@ module adfric_hdf5_samples
    use adfric_system_memory, only: free_memory, has_room
    implicit none (type, external)
    private
-   public :: read_numbers
+   public :: read_numbers, open_foreign_file
 
    !> Attribute that says in which units the numbers are.
    character(*), parameter :: units_name = 'units'

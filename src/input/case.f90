@@ -4,12 +4,13 @@ module adfric_input_case
    use adfric_base_problems, only: problems_t
    use adfric_base_words, only: has_word
    use adfric_input_dataset, only: read_dataset_name
+   use adfric_input_given_list, only: is_dataset_name, read_numbers
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest
    use adfric_input_variable, only: read_variable, describe_allowed
    use adfric_input_vocabulary, only: say_unknown_group, say_unknown_variable
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_dataset
+   use adfric_model_table, only: kind_dataset, variable_t
    use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of
    use adfric_run_dataset, only: dataset_t
    implicit none (type, external)
@@ -28,7 +29,7 @@ module adfric_input_case
       logical, allocatable :: is_broken(:)
       !> Line where the variable is given or swept; 0 where it is neither.
       integer, allocatable :: line(:)
-      !> The dataset that the variable names, if it names one.
+      !> The dataset or group that the variable names, or its list of numbers, if it has one.
       type(dataset_t), allocatable :: datasets(:)
    end type case_t
 
@@ -141,8 +142,7 @@ contains
             return
          end if
          if (model%variables(i)%kind == kind_dataset) then
-            call read_dataset_name(file%value_of(number), input%datasets(i), flaw, place)
-            if (len(flaw) > 0) flaw = flaw//', allowed: '//describe_allowed(model%variables(i))
+            call read_data(file%value_of(number), model%variables(i), input%datasets(i), flaw, place)
          else
             call read_variable(file%value_of(number), model%variables(i), input%values(i), flaw, place)
          end if
@@ -153,6 +153,27 @@ contains
             call file%report(problems, assignment%group, name, flaw, assignment%value_first + place - 1)
       end associate
    end subroutine read_assignment
+
+   !> Read the name of a dataset or group, or the numbers of a list.
+   subroutine read_data(text, variable, dataset, flaw, place)
+      !> Text of the value, as it stands in the input.
+      character(*), intent(in) :: text
+      !> Row of the model's table.
+      type(variable_t), intent(in) :: variable
+      !> Receives the name or the numbers; left as it is if something is wrong.
+      type(dataset_t), intent(inout) :: dataset
+      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+      !> Position in the text of what is wrong, from 1.
+      integer, intent(out) :: place
+
+      if (variable%is_list .and. .not. is_dataset_name(text)) then
+         call read_numbers(text, variable, dataset, flaw, place)
+      else
+         call read_dataset_name(text, dataset, flaw, place)
+         if (len(flaw) > 0) flaw = flaw//', allowed: '//describe_allowed(variable)
+      end if
+   end subroutine read_data
 
    !> Mark the variables that an unknown name probably means: their absence needs no report of its own.
    subroutine mark_meant(model, group, name, input)

@@ -5,6 +5,7 @@ module adfric_input_dataset
    use adfric_base_units, only: unit_t, read_unit, is_same_quantity, to_si
    use adfric_base_text, only: longest_name, show_number, show_text
    use adfric_hdf5_samples, only: read_numbers
+   use adfric_input_attributes, only: add_attributes
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_model_table, only: variable_t
@@ -52,7 +53,7 @@ contains
 
    !> Read the values of a dataset and hold them against what its variable allows.
    subroutine load_dataset(dataset, variable, values, flaw)
-      !> In: the names of file and dataset. Out: also shape, units, range and checksum.
+      !> In: the names of file and dataset, and the attributes. Out: also shape, units, range and checksum.
       type(dataset_t), intent(inout) :: dataset
       !> Row of the model's table: unit, bounds, number of dimensions and of values.
       type(variable_t), intent(in) :: variable
@@ -67,7 +68,7 @@ contains
 
    !> Hold the values of a dataset against what its variable allows.
    subroutine examine_values(dataset, variable, values, flaw)
-      !> In: shape and units. Out: also range and checksum.
+      !> In: shape, units and attributes. Out: also range and checksum.
       type(dataset_t), intent(inout) :: dataset
       !> Row of the model's table: unit, bounds, number of dimensions and of values.
       type(variable_t), intent(in) :: variable
@@ -79,10 +80,9 @@ contains
       integer :: j
 
       flaw = ''
-      if (any(dataset%counts < variable%least_count)) then
-         flaw = 'too few values in the dataset'
-         return
-      end if
+      if (any(dataset%counts < variable%least_count)) flaw = 'too few values in the dataset'
+      if (any(dataset%counts > variable%most_count)) flaw = 'too many values in the dataset'
+      if (len(flaw) > 0) return
       do j = 1, size(values, 2)
          if (all(ieee_is_finite(values(:, j)))) cycle
          flaw = 'NaN or Inf in the dataset'
@@ -93,11 +93,14 @@ contains
       do j = 1, size(values, 2)
          call checksum%add_reals(values(:, j))
       end do
+      call add_attributes(dataset, checksum)
       dataset%checksum = checksum%to_text()
       dataset%lowest = minval(values)
       dataset%highest = maxval(values)
       if (dataset%lowest < max(variable%lower, -largest)) &
          flaw = show_outlier(dataset%lowest, '>= ', max(variable%lower, -largest))
+      if (variable%lower_open .and. .not. dataset%lowest > variable%lower) &
+         flaw = show_outlier(dataset%lowest, '> ', variable%lower)
       if (dataset%highest > min(variable%upper, largest)) &
          flaw = show_outlier(dataset%highest, '<= ', min(variable%upper, largest))
       associate (size_of_all => max(-dataset%lowest, dataset%highest))
@@ -141,7 +144,7 @@ contains
    pure function show_outlier(value, relation, bound) result(text)
       !> The value in SI units.
       real(dp), intent(in) :: value
-      !> What the value should be to the bound and is not, with a blank at the end: '>= ' or '<= '.
+      !> What the value should be to the bound and is not, with a blank at the end, such as '>= '.
       character(*), intent(in) :: relation
       !> The bound in SI units.
       real(dp), intent(in) :: bound

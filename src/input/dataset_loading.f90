@@ -1,11 +1,16 @@
-!> The values of all datasets that an input names: from their files to the model.
+!> The values of all datasets, groups and lists that an input has: from their files to the model.
 module adfric_input_dataset_loading
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
+   use adfric_base_words, only: get_word
+   use adfric_input_attributes, only: load_attributes
    use adfric_input_case, only: case_t
    use adfric_input_dataset, only: load_dataset
+   use adfric_input_group_columns, only: load_columns
    use adfric_input_variable, only: describe_allowed
    use adfric_model_model, only: model_t
+   use adfric_model_table, only: variable_t
+   use adfric_run_dataset, only: dataset_t
    implicit none (type, external)
    private
    public :: load_datasets
@@ -28,13 +33,14 @@ contains
       do i = 1, size(input%datasets)
          if (input%is_broken(i) .or. .not. input%datasets(i)%is_given()) cycle
          associate (variable => model%variables(i), dataset => input%datasets(i))
-            call load_dataset(dataset, variable, values, flaw)
+            call load_data(dataset, variable, values, flaw)
             found = problems_t()
             if (len(flaw) > 0) then
                call found%add(variable%group, variable%name, flaw//', given '''//dataset%text//''', allowed: ' &
                   //describe_allowed(variable))
             else
                call model%take_dataset(i, values, found)
+               call hand_over_attributes(model, i, dataset, found)
             end if
             do k = 1, found%count()
                call problems%add(found%items(k)%group, found%items(k)%variable, found%items(k)%text, line=input%line(i))
@@ -44,5 +50,49 @@ contains
          end associate
       end do
    end subroutine load_datasets
+
+   !> Read the values of a dataset or group with its attributes; those of a list are known.
+   subroutine load_data(dataset, variable, values, flaw)
+      !> In: the names of file and dataset, or the numbers. Out: also what is known of the values.
+      type(dataset_t), intent(inout) :: dataset
+      !> Row of the model's table.
+      type(variable_t), intent(in) :: variable
+      !> The values in SI units, the last dimension of the file first; shape `(n, 1)` for one dimension or a list, `(n, n_columns)`
+      !> for a group.
+      real(dp), allocatable, intent(out) :: values(:, :)
+      !> What is wrong with the file, the dataset or its values; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+
+      flaw = ''
+      if (allocated(dataset%numbers)) then
+         values = reshape(dataset%numbers, [size(dataset%numbers), 1])
+         return
+      end if
+      call load_attributes(dataset, variable, flaw)
+      if (len(flaw) > 0) return
+      if (variable%n_columns() > 0) then
+         call load_columns(dataset, variable, values, flaw)
+      else
+         call load_dataset(dataset, variable, values, flaw)
+      end if
+   end subroutine load_data
+
+   !> Hand the model the attributes of a dataset whose values it has taken.
+   subroutine hand_over_attributes(model, place, dataset, problems)
+      !> The model, which takes over the attributes.
+      class(model_t), intent(inout) :: model
+      !> Place of the dataset in the variables of the model.
+      integer, intent(in) :: place
+      !> The dataset with its attributes.
+      type(dataset_t), intent(in) :: dataset
+      !> Receives what is wrong; nothing is done if something is wrong already.
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
+      if (problems%count() > 0 .or. .not. allocated(dataset%attributes)) return
+      do k = 1, size(dataset%attribute_values)
+         call model%take_attribute(place, get_word(dataset%attributes, k), dataset%attribute_values(k), problems)
+      end do
+   end subroutine hand_over_attributes
 
 end module adfric_input_dataset_loading

@@ -20,7 +20,7 @@ module adfric_input_number_list
 contains
 
    !> Read a list of real numbers.
-   subroutine read_list(text, values, flaw, place)
+   subroutine read_list(text, values, flaw, place, most)
       !> Text of the value of an assignment: numbers, each with a repeat count or without.
       character(*), intent(in) :: text
       !> The numbers, with repeated ones written out; size 0 if something is wrong.
@@ -29,15 +29,20 @@ contains
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1.
       integer, intent(out) :: place
+      !> Values that the list may have; not present: `most_values`.
+      integer, intent(in), optional :: most
       real(dp), allocatable :: kept(:)
       integer(i8) :: n, n_kept
+      integer :: limit
       logical :: is_room
 
-      call scan_list(text, kept, n_kept, n, is_room, flaw, place)
+      limit = most_values
+      if (present(most)) limit = min(most, most_values)
+      call scan_list(text, limit, kept, n_kept, n, is_room, flaw, place)
       if (len(flaw) == 0) then
          if (n == 0) flaw = 'no value given'
          if (.not. is_room) flaw = 'too many values for the memory, given '//show_count(n)
-         if (n > most_values) flaw = 'too many values, given '//show_count(n)
+         if (n > limit) flaw = 'too many values, given '//show_count(n)
       end if
       if (len(flaw) > 0) n_kept = 0
       if (n_kept == size(kept, kind=i8)) then
@@ -48,9 +53,11 @@ contains
    end subroutine read_list
 
    !> Examine, keep and count the values of a list.
-   subroutine scan_list(text, values, n_kept, n, is_room, flaw, place)
+   subroutine scan_list(text, limit, values, n_kept, n, is_room, flaw, place)
       !> Text of the value of an assignment: numbers, each with a repeat count or without.
       character(*), intent(in) :: text
+      !> Values that the list may have, at most `most_values`.
+      integer, intent(in) :: limit
       !> The numbers that are kept, and room for more behind them.
       real(dp), allocatable, intent(out) :: values(:)
       !> Number of values that are kept: no more than a list may have.
@@ -80,7 +87,7 @@ contains
          if (len(flaw) == 0) call convert(text(item%first:item%last), value, flaw)
          if (len(flaw) > 0) return
          n = n + item%repeat
-         if (n > most_values .or. .not. is_room) cycle
+         if (n > limit .or. .not. is_room) cycle
          call make_room(values, n_kept, n, is_room)
          if (.not. is_room) cycle
          values(n_kept + 1:n) = value

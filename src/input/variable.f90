@@ -179,9 +179,11 @@ contains
          text = '.true. or .false.'
          return
       case (kind_dataset)
-         text = describe_dataset(variable)
-         if (has_unit(variable)) text = text//' ['//variable%unit//']'
-         return
+         if (.not. variable%is_list) then
+            text = describe_dataset(variable)
+            return
+         end if
+         text = describe_count(variable)
       case default
          text = list_choices(variable%choices)
          return
@@ -192,24 +194,61 @@ contains
       if (has_lower .and. has_upper) text = text//' and'
       if (has_upper) text = text//trim(merge(' < ', ' <=', variable%upper_open))//' '//show_number(variable%upper)
       if (has_unit(variable)) text = text//' ['//variable%unit//']'
+      if (variable%is_list) text = text//', or ''FILE.h5:/DATASET'' of them'//describe_attributes(variable)
       if (.not. present(value)) return
       if (.not. is_usable(value)) text = text//', of size '//show_number(smallest)//' to '//show_number(largest)
    end function describe_allowed
 
-   !> What a dataset may be, in words.
+   !> How many numbers a list may have, in words.
+   pure function describe_count(variable) result(text)
+      !> Row of the model's table: number of values.
+      type(variable_t), intent(in) :: variable
+      character(:), allocatable :: text
+
+      text = show_count(variable%least_count)//' to '//show_count(variable%most_count)//' numbers'
+      if (variable%least_count == variable%most_count) text = show_count(variable%most_count)//' numbers'
+   end function describe_count
+
+   !> What a dataset or group may be, in words.
    pure function describe_dataset(variable) result(text)
       !> Row of the model's table: kind, unit and what is allowed.
       type(variable_t), intent(in) :: variable
       character(:), allocatable :: text
+      integer :: k
 
-      text = '''FILE.h5:/DATASET'' of numbers, '
-      if (variable%largest_rank > 1) then
-         text = text//show_count(1)//' or '//show_count(variable%largest_rank)//' dimensions, at least '// &
-            show_count(variable%least_count)//' values along each'
+      if (variable%n_columns() > 0) then
+         text = '''FILE.h5:/GROUP'' with the datasets'
+         do k = 1, variable%n_columns()
+            if (k > 1) text = text//','
+            text = text//' '//get_word(variable%columns, k)//' ['//get_word(variable%column_units, k)//']'
+         end do
+         text = text//' of numbers, 1 dimension, at least '//show_count(variable%least_count)//' values'
+      else if (variable%largest_rank > 1) then
+         text = '''FILE.h5:/DATASET'' of numbers, '//show_count(1)//' or '//show_count(variable%largest_rank)// &
+            ' dimensions, at least '//show_count(variable%least_count)//' values along each'
       else
-         text = text//'1 dimension, at least '//show_count(variable%least_count)//' values'
+         text = '''FILE.h5:/DATASET'' of numbers, 1 dimension, at least '//show_count(variable%least_count)//' values'
       end if
+      if (has_unit(variable)) text = text//' ['//variable%unit//']'
+      text = text//describe_attributes(variable)
    end function describe_dataset
+
+   !> Which attributes of a dataset are read, in words; nothing if none is.
+   pure function describe_attributes(variable) result(text)
+      !> Row of the model's table: names and units of the attributes.
+      type(variable_t), intent(in) :: variable
+      character(:), allocatable :: text
+      integer :: k
+
+      text = ''
+      do k = 1, variable%n_attributes()
+         if (k == 1) text = ', with the attributes'
+         if (k > 1) text = text//','
+         text = text//' '//get_word(variable%attributes, k)
+         if (allocated(variable%attribute_units)) text = text//' ['//get_word(variable%attribute_units, k)//']'
+      end do
+      if (len(text) > 0) text = text//' where they are there'
+   end function describe_attributes
 
    !> Words in quotes, with commas between them.
    pure function list_choices(choices) result(text)

@@ -44,6 +44,7 @@ module adfric_model_model
       procedure :: release
       procedure :: solve_block_and_profiles
       procedure :: take_dataset
+      procedure :: take_attribute
       procedure :: describe_results
       procedure :: derive_quantities
       procedure :: get_derived
@@ -180,15 +181,16 @@ contains
       end do
    end subroutine solve_block_and_profiles
 
-   !> Take over the values of a dataset; called for every one that is given, in the order of the table, before the values are
-   !> checked. They are finite and within the table's bounds. A model with such variables overrides it; here nothing is kept.
+   !> Take over the values of a dataset, a list or the columns of a group; called for every one that is given, in the order of the
+   !> table, before the values are checked. They are finite and within the table's bounds. A model with such variables overrides it;
+   !> here nothing is kept.
    subroutine take_dataset(self, place, values, problems)
       !> The model, which may keep the values.
       class(model_t), intent(inout) :: self
       !> Place of the dataset in `variables`.
       integer, intent(in) :: place
       !> Values of the dataset; shape `(n_last, n_first)`, the dimensions of the file in reverse: what h5py shows as `(ny, nx)` is
-      !> `(nx, ny)` here. A dataset of one dimension is `(n, 1)`.
+      !> `(nx, ny)` here. A dataset of one dimension, or a list of numbers, is `(n, 1)`; the columns of a group are `(n, n_columns)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
@@ -196,6 +198,24 @@ contains
       associate (unused => self, unused_place => place, unused_values => values, unused_problems => problems)
       end associate
    end subroutine take_dataset
+
+   !> Take over a number from the attributes of a dataset or group; called behind `take_dataset` for every attribute of the row
+   !> that is there, in the order of the row. A model with such rows overrides it; here nothing is kept.
+   subroutine take_attribute(self, place, name, value, problems)
+      !> The model, which may keep the number.
+      class(model_t), intent(inout) :: self
+      !> Place of the dataset in `variables`.
+      integer, intent(in) :: place
+      !> Name of the attribute, one of those of the row.
+      character(*), intent(in) :: name
+      !> The number, which is finite, in the SI unit that the row says.
+      real(dp), intent(in) :: value
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      associate (unused => self, unused_place => place, unused_name => name, unused_value => value, unused_problems => problems)
+      end associate
+   end subroutine take_attribute
 
    !> The results with their units for this case (forces per width in N/m or forces in N); here those of the table. A model whose
    !> units depend on the case overrides it.

@@ -6,8 +6,8 @@ module adfric_model_rows
       & kind_logical, kind_choice, kind_dataset
    implicit none (type, external)
    private
-   public :: positive, above_zero, number, any_number, whole_number, poisson_ratio, choice, switch, dataset, set_output_axis
-   public :: set_coordinate, result_row, count_row, contact_profiles
+   public :: positive, above_zero, number, any_number, whole_number, poisson_ratio, choice, switch, dataset, list_row
+   public :: columns_row, set_output_axis, set_coordinate, result_row, count_row, contact_profiles
 
    !> Sizes beyond these are those of a slip in the units.
    real(dp), parameter :: largest_unit = 1.0e30_dp, smallest_unit = 1.0e-30_dp
@@ -168,7 +168,7 @@ contains
    end function switch
 
    !> A variable that is a dataset of a file.
-   function dataset(group, name, unit, meaning, largest_rank, least_count) result(variable)
+   function dataset(group, name, unit, meaning, largest_rank, least_count, attributes, attribute_units) result(variable)
       !> Namelist group of the variable, without `&`.
       character(*), intent(in) :: group
       !> Name of the variable in its group.
@@ -181,13 +181,90 @@ contains
       integer, intent(in) :: largest_rank
       !> Fewest values that the dataset needs along each dimension.
       integer, intent(in) :: least_count
+      !> Names of the attributes of the dataset that the model takes, and their SI units, each separated by a blank; not present:
+      !> it takes none.
+      character(*), intent(in), optional :: attributes, attribute_units
       type(variable_t) :: variable
 
       variable = number(group=group, name=name, unit=unit, meaning=meaning)
       variable%kind = kind_dataset
       variable%largest_rank = largest_rank
       variable%least_count = least_count
+      if (present(attributes)) variable%attributes = attributes
+      if (present(attribute_units)) variable%attribute_units = attribute_units
    end function dataset
+
+   !> A variable that is a list of numbers, which stand in the input or in a dataset of one dimension.
+   function list_row(group, name, unit, meaning, most_count, least_count, lower, upper, lower_open, attributes, attribute_units) &
+         result(variable)
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> SI unit of each number, `-` for pure numbers.
+      character(*), intent(in) :: unit
+      !> What the numbers are, for `adfric help`.
+      character(*), intent(in) :: meaning
+      !> Most numbers that the list may have.
+      integer, intent(in) :: most_count
+      !> Fewest numbers that the list needs; not present: 1.
+      integer, intent(in), optional :: least_count
+      !> Least value of each number; not present: any negative one of a size that there is.
+      real(dp), intent(in), optional :: lower
+      !> Largest value of each number; not present: any of a size that there is.
+      real(dp), intent(in), optional :: upper
+      !> Is the least value itself not allowed? Not present: it is allowed.
+      logical, intent(in), optional :: lower_open
+      !> Names of the attributes of a dataset that the model takes, and their SI units, each separated by a blank; not present: it
+      !> takes none.
+      character(*), intent(in), optional :: attributes, attribute_units
+      type(variable_t) :: variable
+
+      variable = number(group=group, name=name, unit=unit, meaning=meaning, lower=lower, upper=upper)
+      variable%kind = kind_dataset
+      variable%is_list = .true.
+      variable%most_count = most_count
+      if (present(least_count)) variable%least_count = least_count
+      if (present(lower_open)) variable%lower_open = lower_open
+      if (present(attributes)) variable%attributes = attributes
+      if (present(attribute_units)) variable%attribute_units = attribute_units
+   end function list_row
+
+   !> A variable that names a group of a file with datasets of one dimension and equal length.
+   function columns_row(group, name, columns, units, meaning, least_count, lower, upper, lower_open, attributes, &
+         attribute_units) result(variable)
+      !> Namelist group of the variable, without `&`.
+      character(*), intent(in) :: group
+      !> Name of the variable in its group.
+      character(*), intent(in) :: name
+      !> Names of the datasets, separated by a blank; `frequency` [Hz] may stand for `omega` [rad/s].
+      character(*), intent(in) :: columns
+      !> SI units of the datasets, separated by a blank.
+      character(*), intent(in) :: units
+      !> What the datasets are, for `adfric help`.
+      character(*), intent(in) :: meaning
+      !> Fewest values that each dataset needs.
+      integer, intent(in) :: least_count
+      !> Least value in each dataset; not present: any negative one of a size that there is.
+      real(dp), intent(in), optional :: lower
+      !> Largest value in each dataset; not present: any of a size that there is.
+      real(dp), intent(in), optional :: upper
+      !> Is the least value itself not allowed? Not present: it is allowed.
+      logical, intent(in), optional :: lower_open
+      !> Names of the attributes of the group that the model takes, and their SI units, each separated by a blank; not present: it
+      !> takes none.
+      character(*), intent(in), optional :: attributes, attribute_units
+      type(variable_t) :: variable
+
+      variable = number(group=group, name=name, unit='', meaning=meaning, lower=lower, upper=upper)
+      variable%kind = kind_dataset
+      variable%columns = columns
+      variable%column_units = units
+      variable%least_count = least_count
+      if (present(lower_open)) variable%lower_open = lower_open
+      if (present(attributes)) variable%attributes = attributes
+      if (present(attribute_units)) variable%attribute_units = attribute_units
+   end function columns_row
 
    !> Set the rows for beginning, end and number of samples along an axis of the profiles.
    subroutine set_output_axis(name, n_default, is_depth, variables)
@@ -287,6 +364,10 @@ contains
       variable%unit = unit
       variable%meaning = meaning
       variable%choices = ''
+      variable%columns = ''
+      variable%column_units = ''
+      variable%attributes = ''
+      variable%attribute_units = ''
    end function row_of
 
 end module adfric_model_rows

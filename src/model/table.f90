@@ -35,10 +35,23 @@ module adfric_model_table
       logical :: lower_open = .false., upper_open = .false.
       !> Number of dimensions that a dataset may have at most, 1 or 2, and of values that it needs along each.
       integer :: largest_rank = 1, least_count = 1
+      !> Most values that a dataset may have along each dimension.
+      integer :: most_count = huge(1)
+      !> May the numbers of a dataset of one dimension stand in the input, in place of the name of the dataset?
+      logical :: is_list = .false.
+      !> Names of the datasets of one dimension and equal length that the variable takes from a group of a file, and their SI units,
+      !> each separated by a blank; empty where it takes one dataset.
+      character(:), allocatable :: columns, column_units
+      !> Names of the numbers that the model takes from the attributes of the dataset or group where they are there, and their SI
+      !> units, each separated by a blank; empty if it takes none.
+      character(:), allocatable :: attributes, attribute_units
       !> Where several groups have the name: may a sweep mean this one without the group?
       logical :: has_bare_name = .true.
       !> Sizes that it usually has, where they are others than those of its unit (`adfric_model_plausible_range`).
       real(dp) :: usual_lower = unset, usual_upper = unset
+   contains
+      procedure :: n_columns
+      procedure :: n_attributes
    end type variable_t
 
    !> A result per point.
@@ -98,6 +111,24 @@ contains
          & flag_meanings='')
       results(2) = result_t(name='status', unit='-', long_name='whether the point was solved', flag_meanings=status_meanings)
    end function results_of_every_run
+
+   !> Number of datasets that a variable takes from a group of a file; 0 if it takes no group.
+   pure integer function n_columns(self)
+      !> The variable, whose `columns` are counted.
+      class(variable_t), intent(in) :: self
+
+      n_columns = 0
+      if (allocated(self%columns)) n_columns = count_words(self%columns)
+   end function n_columns
+
+   !> Number of attributes of a dataset or group that a model takes.
+   pure integer function n_attributes(self)
+      !> The variable, whose `attributes` are counted.
+      class(variable_t), intent(in) :: self
+
+      n_attributes = 0
+      if (allocated(self%attributes)) n_attributes = count_words(self%attributes)
+   end function n_attributes
 
    !> Number of states of an enumerated result; 0 for a number.
    pure integer function n_states(self)

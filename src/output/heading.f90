@@ -80,11 +80,11 @@ contains
       class(run_t), intent(in) :: run
       integer :: i, n
 
-      allocate (self%data(count(run%datasets%is_given())))
+      allocate (self%data(count(run%datasets%is_in_file())))
       self%data_names = ''
       n = 0
       do i = 1, size(run%datasets)
-         if (.not. run%datasets(i)%is_given()) cycle
+         if (.not. run%datasets(i)%is_in_file()) cycle
          n = n + 1
          self%data_names = trim(self%data_names//' '//run%model%variables(i)%name)
          self%data(n)%name = run%datasets(i)%text

@@ -76,7 +76,7 @@ contains
       call add_any(path, name, H5T_NATIVE_CHARACTER, H5T_NATIVE_CHARACTER, [len(letters)], c_loc(buffer))
    end subroutine add_texts
 
-   !> A text as an attribute of a dataset.
+   !> A text as an attribute of a dataset or a group.
    subroutine add_label(path, name, label, text, is_fixed, n_texts)
       character(*), intent(in) :: path, name
       !> Name of the attribute.
@@ -112,7 +112,7 @@ contains
       call h5tclose_f(type_id, status)
    end subroutine add_label
 
-   !> A number as an attribute of a dataset.
+   !> A number as an attribute of a dataset or a group.
    subroutine add_number_label(path, name, label, number)
       character(*), intent(in) :: path, name
       !> Name of the attribute.
@@ -138,7 +138,7 @@ contains
 
       buffer = address
       call h5fopen_f(path, H5F_ACC_RDWR_F, file, status)
-      call h5dopen_f(file, name, dataset, status)
+      call h5oopen_f(file, name, dataset, status)
       if (is_row) then
          call h5screate_simple_f(1, [int(n, hsize_t)], space, status)
       else
@@ -148,7 +148,7 @@ contains
       if (n > 0) call h5awrite_f(attribute, type_id, buffer, status)
       call h5aclose_f(attribute, status)
       call h5sclose_f(space, status)
-      call h5dclose_f(dataset, status)
+      call h5oclose_f(dataset, status)
       call h5fclose_f(file, status)
    end subroutine add_attribute
 
