@@ -101,6 +101,7 @@ contains
             call cross_edge(way, law, depth, zone, current, kind, is_snap)
          end associate
       end do
+      period%is_complete = period%is_complete .and. is_over
       period%is_attached = kind /= in_free
       if (kind == in_contact) period%last_stretch = current
    end subroutine march_period
@@ -290,6 +291,8 @@ contains
       zone%duration = (real(zone%finish%piece - zone%start%piece, dp) + (zone%finish%theta - zone%start%theta))*way%step
       zone%first_height = height_at(way, zone%start%piece, zone%start%theta)
       zone%last_height = height_at(way, zone%finish%piece, zone%finish%theta)
+      ! to the last digit, where the friction of a closed contact is a small part of the work
+      if (zone%finish%piece == way%n .and. zone%finish%theta >= 1) zone%last_height = way%coefficients(0, 1)
    end subroutine measure
 
    !> Cross the edge between two zones.
