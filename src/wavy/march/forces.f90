@@ -9,7 +9,7 @@ module adfric_wavy_march_forces
    use adfric_wavy_march_law, only: march_law_t
    use adfric_wavy_march_period, only: period_t, zone_t, in_contact, in_adhesion, in_free
    use adfric_wavy_march_solid, only: product_of
-   use adfric_wavy_march_way, only: way_t, decay_of, expm1_of, get_double_moment, height_at, stretches_at
+   use adfric_wavy_march_way, only: way_t, decay_of, expm1_of, get_double_moment, stretches_at, work_of_heights
    use adfric_wavy_march_zone_end, only: place_t, zone_lets_go
    implicit none (type, external)
    private
@@ -114,6 +114,7 @@ contains
       real(dp), intent(out) :: heights
       !> Receives the integral of the pressure over heights, without the penetration, and the size of its terms.
       real(dp), intent(out) :: work, size_of_work
+      real(dp) :: from_height, to_height
       real(dp) :: c(0:way%degree), first_moments(way%degree), part, from, to, first(way%solid%n), growth(way%solid%n), &
          & disturbance(way%solid%n)
       integer :: j, m
@@ -123,6 +124,8 @@ contains
       size_of_work = 0
       call stretches_at(way, start%piece, start%theta, first, growth)
       disturbance = stretch - first
+      from_height = 0
+      to_height = 0
       do j = start%piece, finish%piece
          from = merge(start%theta, 0.0_dp, j == start%piece)
          to = merge(finish%theta, 1.0_dp, j == finish%piece)
@@ -141,10 +144,15 @@ contains
             end do
             part = way%work_sum(j) - way%work_sum(j - 1) + sum(first_moments*c(1:))
             disturbance = disturbance*way%decay(:, 1)
+            ! whole pieces follow each other, so that heights have to be known at the ends only
+            if (j == start%piece .or. (j == start%piece + 1 .and. start%theta > 0)) from_height = c(0)
+            to_height = way%coefficients(0, modulo(j, way%n) + 1)
+            size_of_work = size_of_work + abs(work_of_heights(way, c(0), to_height))
          end if
          work = work + part
          size_of_work = size_of_work + abs(part)
       end do
+      work = work + work_of_heights(way, from_height, to_height)
    end subroutine integrate_contact
 
    !> Coefficients of a part of a piece, from 0 to 1 on the part.

@@ -14,8 +14,8 @@ module adfric_wavy_march_solid
    private
    public :: solid_t, new_solid, multiply, product_of
 
-   !> Arms that relax in a smaller share of a period cannot be told from each other.
-   real(dp), parameter :: slowest = 1.0e-15_dp
+   !> Arms that relax in a smaller share of a period are as one: what they do to friction is less than this share of the rest.
+   real(dp), parameter :: slowest = 1.0e-30_dp
 
    !> A column of the foundation at one velocity.
    type :: solid_t

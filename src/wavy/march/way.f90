@@ -16,7 +16,7 @@ module adfric_wavy_march_way
    implicit none (type, external)
    private
    public :: way_t, new_way, height_at, steepness_at, stretches_at, pressure_sum_at, decay_of, expm1_of, &
-      & get_double_moment, small_block, large_block
+      & get_double_moment, work_of_heights, small_block, large_block
 
    !> Pieces of a small block, at whose head endless contact is kept, and small blocks of a large one.
    integer, parameter :: small_block = 8, large_block = 8
@@ -51,7 +51,10 @@ module adfric_wavy_march_way
       real(dp), allocatable :: forcing(:, :)
       !> m times the moments m - 1 of the decay in a piece, times stiffness; shape `(n_arms, degree)`.
       real(dp), allocatable :: moments(:, :)
-      !> Integrals of the endless pressure over time and over heights up to each place; shape `(0:n)`.
+      !> The same for what goes into `work_sum`: of slow arms, minus the integral of what the dashpot grows by; shape `(n_arms, degree)`.
+      real(dp), allocatable :: work_moments(:, :)
+      !> Integrals up to each place: of the endless pressure over time; over heights, of what fast arms push and of minus what the
+      !> growths of slow ones do. The rest is a function of the heights alone, see `work_of_heights`. Shape `(0:n)`.
       real(dp), allocatable :: pressure_sum(:), work_sum(:)
       !> Bounds over a piece: least endless pressure, least and greatest height; shape `(n)`.
       real(dp), allocatable :: least_pressure(:), lowest(:), highest(:)
@@ -59,6 +62,9 @@ module adfric_wavy_march_way
       real(dp), allocatable :: small_pressure(:), small_lowest(:), small_highest(:)
       !> The same over large blocks.
       real(dp), allocatable :: large_pressure(:), large_lowest(:), large_highest(:)
+      !> Stiffness of the springs that heights alone stretch, those of slow arms and the relaxed one, and what the lengths of slow
+      !> dashpots take from their stress where the period begins.
+      real(dp) :: elastic_stiffness = 1, elastic_offset = 0
       !> Least pressure of endless contact that is certain.
       real(dp) :: pressure_bound = 0
    end type way_t
@@ -173,14 +179,15 @@ contains
       !> The way; receives heads, sums and bounds.
       type(way_t), intent(inout) :: self
       real(dp) :: state(self%solid%n), first(self%solid%n), total(self%degree), work(self%degree, self%degree)
-      real(dp) :: mean_of(self%solid%n)
+      real(dp) :: mean_of(self%solid%n), weights(self%solid%n, self%degree)
       integer :: j
 
       allocate (self%head(self%solid%n, (self%n + small_block - 1)/small_block))
       allocate (self%pressure_sum(0:self%n), self%work_sum(0:self%n), self%least_pressure(self%n))
       allocate (self%first_length(self%solid%n), source=0.0_dp)
-      allocate (self%moments(self%solid%n, self%degree))
-      call set_weights(self, total, work, self%moments, mean_of)
+      allocate (self%moments(self%solid%n, self%degree), self%work_moments(self%solid%n, self%degree))
+      call set_weights(self, total, work, weights, mean_of)
+      self%moments = weights
       ! once from nothing, which tells the periodic state
       state = 0
       do j = 1, self%n
@@ -192,6 +199,8 @@ contains
       elsewhere
          first = -state/expm1_of(-1/self%solid%time)
       end where
+      self%elastic_stiffness = 1 + sum(self%solid%stiffness, self%is_slow)
+      self%elastic_offset = sum(self%solid%stiffness*self%first_length)
       state = first
       self%pressure_sum(0) = 0
       self%work_sum(0) = 0
@@ -229,11 +238,12 @@ contains
 
    !> Weights of the integrals over a piece.
    pure subroutine set_weights(self, total, work, moments, mean_of)
-      !> The way.
-      type(way_t), intent(in) :: self
+      !> The way; receives the weights of stretches in the work.
+      type(way_t), intent(inout) :: self
       !> Integral over theta of all forced stretches times stiffness, by coefficient; shape `(degree)`.
       real(dp), intent(out) :: total(:)
-      !> Their integral over heights, by two coefficients; shape `(degree, degree)`.
+      !> Integral over heights of forced stretches of fast arms, less that of forced growths of slow ones, by two coefficients; shape
+      !> `(degree, degree)`.
       real(dp), intent(out) :: work(:, :)
       !> m times the moments m - 1 of the decay, times stiffness; shape `(n_arms, degree)`.
       real(dp), intent(out) :: moments(:, :)
@@ -242,6 +252,7 @@ contains
       real(dp) :: phi(2*self%degree + 1), chi(0:self%degree), factorial
       integer :: i, l, m
 
+      ! where a stretch decays a length grows: 1 - exp(-z t) is z times the integral of the decay, and by parts the power rises by 1
       total = 0
       work = 0
       do i = 1, self%solid%n
@@ -255,9 +266,15 @@ contains
                total(m) = total(m) + k*factorial*phi(m + 1)
                moments(i, m) = k*m*chi(m - 1)
                do l = 1, self%degree
-                  work(m, l) = work(m, l) + k*get_double_moment(z, l, m)
+                  if (self%is_slow(i)) then
+                     work(m, l) = work(m, l) - k*z/(l + 1)*get_double_moment(z, l + 1, m)
+                  else
+                     work(m, l) = work(m, l) + k*get_double_moment(z, l, m)
+                  end if
                end do
             end do
+            self%work_moments(i, :) = moments(i, :)
+            if (self%is_slow(i)) self%work_moments(i, :) = -k*z*(chi(0) - chi(1:))
          end associate
       end do
    end subroutine set_weights
@@ -321,10 +338,10 @@ contains
          stretch = state
          where (self%is_slow) stretch = self%coefficients(0, j) - self%first_length - state
          pressure = sum(mean_of*stretch)
-         energy = 0
+         energy = -sum(self%solid%stiffness*state, self%is_slow)*sum(c(2:))
          do m = 1, self%degree
             ! c starts at 1 here
-            energy = energy + c(m + 1)*(sum(self%moments(:, m)*stretch) + sum(work(m, :)*c(2:)))
+            energy = energy + c(m + 1)*(sum(self%work_moments(:, m)*stretch) + sum(work(m, :)*c(2:)))
             pressure = pressure + total(m)*c(m + 1)
             slopes(m - 1) = m*c(m + 1)
          end do
@@ -332,7 +349,6 @@ contains
             pressure = pressure + c(m + 1)/(m + 1)
          end do
          slopes = to_bernstein(slopes)
-         energy = energy + sum(c(2:))*(c(1) + sum(c)) /2
          self%pressure_sum(j) = self%pressure_sum(j - 1) + pressure*self%step
          self%work_sum(j) = self%work_sum(j - 1) + energy
          bound = low
@@ -401,6 +417,17 @@ contains
          height = height*theta + self%coefficients(m, j)
       end do
    end function height_at
+
+   !> Integral over heights of the pressure that follows from the heights alone, without the penetration: of the relaxed spring, and
+   !> of slow arms whose dashpots stay as they are where the period begins.
+   pure real(dp) function work_of_heights(self, first, last) result(work)
+      !> The way.
+      type(way_t), intent(in) :: self
+      !> Heights where the integral begins and ends.
+      real(dp), intent(in) :: first, last
+
+      work = (last - first)*(self%elastic_stiffness*(last + first)/2 - self%elastic_offset)
+   end function work_of_heights
 
    !> Derivative of the height with respect to theta.
    pure real(dp) function steepness_at(self, j, theta) result(slope)
