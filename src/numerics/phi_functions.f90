@@ -1,7 +1,7 @@
 !> Functions of exponential integrators: what a relaxation over one step does to a polynomial.
 !>
 !> \( \varphi_k(z) = \int_0^1 e^{-z (1 - s)} s^{k-1}/(k-1)!\, ds \) and the moments \( \chi_j(z) = \int_0^1 e^{-z s} s^j ds \), z >= 0.
-!> Both obey recurrences that are stable upwards for large z and downwards for small z, so each is computed from that end.
+!> Both obey recurrences that are stable upwards for k <= z and downwards above, so each is computed from that end.
 !> Hochbruck, Ostermann, Acta Numerica 19 (2010), 209.
 module adfric_numerics_phi_functions
    use adfric_base_kinds, only: dp
@@ -10,10 +10,8 @@ module adfric_numerics_phi_functions
    private
    public :: get_phi_functions, get_exponential_moments
 
-   !> Largest z for which the recurrences of phi and of the moments are run downwards.
-   real(dp), parameter :: small_for_phi = 2, small_for_moments = 1
-   !> Terms of the series of the last function for small z.
-   integer, parameter :: n_terms = 40
+   !> Terms of the series of the last function; enough as long as z is not above the number of functions, of which there are at most 20.
+   integer, parameter :: n_terms = 60
 
 contains
 
@@ -24,20 +22,19 @@ contains
       !> Receives phi_1 to phi_n, all > 0; shape `(n)`, n >= 1.
       real(dp), intent(out) :: phi(:)
       real(dp) :: term, factorial
-      integer :: k, n
+      integer :: k, n, n_upwards
 
-      if (has_asserts) call assert(z >= 0 .and. size(phi) >= 1, 'get_phi_functions: z >= 0, one function or more')
       n = size(phi)
-      if (z > small_for_phi) then
-         phi(1) = (1 - exp(-min(z, longest(z))))/z
-         factorial = 1
-         do k = 1, n - 1
-            ! phi_(k+1) = (1/k! - phi_k)/z
-            factorial = factorial*k
-            phi(k + 1) = (1/factorial - phi(k))/z
-         end do
-         return
-      end if
+      if (has_asserts) call assert(z >= 0 .and. n >= 1 .and. n <= 20, 'get_phi_functions: z >= 0, 1 to 20 functions')
+      n_upwards = int(min(z, real(n, dp)))
+      factorial = 1
+      if (n_upwards > 0) phi(1) = (1 - exp(-min(z, longest(z))))/z
+      do k = 2, n_upwards
+         ! phi_k = (1/(k - 1)! - phi_(k-1))/z
+         factorial = factorial*(k - 1)
+         phi(k) = (1/factorial - phi(k - 1))/z
+      end do
+      if (n_upwards == n) return
       ! phi_n = sum over m of (-z)^m/(n + m)!
       factorial = 1
       do k = 2, n
@@ -49,7 +46,7 @@ contains
          term = -term*z/(n + k)
          phi(n) = phi(n) + term
       end do
-      do k = n - 1, 1, -1
+      do k = n - 1, n_upwards + 1, -1
          factorial = factorial/(k + 1)
          phi(k) = 1/factorial - z*phi(k + 1)
       end do
@@ -62,18 +59,18 @@ contains
       !> Receives chi_0 to chi_n, all > 0; shape `(0:n)`.
       real(dp), intent(out) :: chi(0:)
       real(dp) :: decay, term
-      integer :: j, n
+      integer :: j, n, n_upwards
 
-      if (has_asserts) call assert(z >= 0, 'get_exponential_moments: z >= 0')
       n = ubound(chi, 1)
+      if (has_asserts) call assert(z >= 0 .and. n < 20, 'get_exponential_moments: z >= 0, at most 20 moments')
       decay = exp(-min(z, longest(z)))
-      if (z > small_for_moments) then
-         chi(0) = (1 - decay)/z
-         do j = 1, n
-            chi(j) = (j*chi(j - 1) - decay)/z
-         end do
-         return
-      end if
+      ! the moments 0 to n_upwards - 1
+      n_upwards = int(min(z, real(n + 1, dp)))
+      if (n_upwards > 0) chi(0) = (1 - decay)/z
+      do j = 1, n_upwards - 1
+         chi(j) = (j*chi(j - 1) - decay)/z
+      end do
+      if (n_upwards > n) return
       ! chi_n = exp(-z) sum over m of z^m/((n + 1) ... (n + 1 + m))
       term = decay/(n + 1)
       chi(n) = term
@@ -81,7 +78,7 @@ contains
          term = term*z/(n + 1 + j)
          chi(n) = chi(n) + term
       end do
-      do j = n, 1, -1
+      do j = n, n_upwards + 1, -1
          chi(j - 1) = (z*chi(j) + decay)/j
       end do
    end subroutine get_exponential_moments
