@@ -12,14 +12,16 @@ module adfric_wavy_strip
    private
    public :: strip_t, new_strip, steady_state_t, drive, get_drive, drive_round_off, profile, lifted_profile
    public :: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion
-   public :: regime_adhesion_zones, regime_saturated, regime_meanings
+   public :: regime_adhesion_zones, regime_saturated, regime_several_contacts, regime_mixed, regime_meanings
 
-   !> Regimes of one strip (GM section 4), as they stand in the results file.
+   !> Regimes of one strip (GM section 4), as they stand in the results file; the last two are those of measured heights: several
+   !> contacts on a period, and rows of which some are in one regime and some in another.
    integer, parameter :: regime_free = 0, regime_adhesion_only = 1, regime_discrete = 2
    integer, parameter :: regime_saturated_adhesion = 3, regime_adhesion_zones = 4, regime_saturated = 5
+   integer, parameter :: regime_several_contacts = 6, regime_mixed = 7
    !> Names of the regimes, in the order of their numbers from 0.
    character(*), parameter :: regime_meanings = 'free adhesion_without_contact discrete_contact &
-      &discrete_contact_saturated_adhesion discrete_contact_adhesion_zones saturated_contact'
+      &discrete_contact_saturated_adhesion discrete_contact_adhesion_zones saturated_contact several_contacts mixed'
 
    !> A strip in reduced form.
    type :: strip_t

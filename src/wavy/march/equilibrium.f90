@@ -64,7 +64,7 @@ module adfric_wavy_march_equilibrium
 contains
 
    !> The equilibrium under a penetration.
-   pure subroutine find_at_penetration(surface, depth, equilibrium)
+   subroutine find_at_penetration(surface, depth, equilibrium)
       !> The surface.
       type(march_surface_t), intent(in) :: surface
       !> Penetration.
@@ -85,7 +85,7 @@ contains
    end subroutine find_at_penetration
 
    !> The equilibrium under a load.
-   pure subroutine find_at_load(surface, load, equilibrium)
+   subroutine find_at_load(surface, load, equilibrium)
       !> The surface.
       type(march_surface_t), intent(in) :: surface
       !> Mean load of the rows.
@@ -119,7 +119,7 @@ contains
    end function largest_depth
 
    !> States to start from.
-   pure subroutine start(surface, depth, is_free, states)
+   subroutine start(surface, depth, is_free, states)
       !> The surface.
       type(march_surface_t), intent(in) :: surface
       !> Penetration.
@@ -141,7 +141,7 @@ contains
    end subroutine start
 
    !> The least states.
-   pure subroutine find_least(surface, depth, states)
+   subroutine find_least(surface, depth, states)
       !> The surface.
       type(march_surface_t), intent(in) :: surface
       !> Penetration.
@@ -150,14 +150,16 @@ contains
       type(states_t), intent(inout) :: states
       integer :: i
 
+      !$omp parallel do schedule(dynamic)
       do i = 1, size(surface%rows)
          call find_adhered(states%rows(i), surface%rows(i), surface%law, depth)
       end do
+      !$omp end parallel do
       call sum_up(depth, states)
    end subroutine find_least
 
    !> The greatest states.
-   pure subroutine find_greatest(surface, depth, states, least)
+   subroutine find_greatest(surface, depth, states, least)
       !> The surface.
       type(march_surface_t), intent(in) :: surface
       !> Penetration.
@@ -168,9 +170,11 @@ contains
       type(states_t), intent(inout) :: least
       integer :: i
 
+      !$omp parallel do schedule(dynamic)
       do i = 1, size(surface%rows)
          call find_approach(states%rows(i), least%rows(i), surface%rows(i), surface%law, depth)
       end do
+      !$omp end parallel do
       call sum_up(depth, states)
    end subroutine find_greatest
 
@@ -202,7 +206,7 @@ contains
 
    !> The largest penetration that carries a load. States and penetration go on together: a state that is not yet steady is below
    !> the least one, carries less and touches more, so steps are shorter and pass nothing.
-   pure subroutine search_downwards(surface, load, depth, states, status)
+   subroutine search_downwards(surface, load, depth, states, status)
       !> The surface.
       type(march_surface_t), intent(in) :: surface
       !> Mean load of the rows.
@@ -220,9 +224,11 @@ contains
       call start(surface, depth, .false., states)
       status = march_failed
       do k = 1, most_penetrations
+         !$omp parallel do schedule(dynamic)
          do i = 1, size(surface%rows)
             call take_step(states%rows(i), surface%rows(i), surface%law, depth)
          end do
+         !$omp end parallel do
          call sum_up(depth, states)
          if (states%have_failed) return
          change = load - states%load
@@ -257,7 +263,7 @@ contains
    end subroutine search_downwards
 
    !> The smallest penetration that carries a load, after the surface has been drawn in.
-   pure subroutine search_upwards(surface, load, depth, states, status)
+   subroutine search_upwards(surface, load, depth, states, status)
       !> The surface.
       type(march_surface_t), intent(in) :: surface
       !> Mean load of the rows.
@@ -337,7 +343,7 @@ contains
    end subroutine shift
 
    !> Hand over what was found.
-   pure subroutine finish(surface, depth, states, status, equilibrium)
+   subroutine finish(surface, depth, states, status, equilibrium)
       !> The surface.
       type(march_surface_t), intent(in) :: surface
       !> Penetration.
@@ -356,11 +362,13 @@ contains
       call move_alloc(states%rows, equilibrium%rows)
       allocate (equilibrium%forces(size(surface%rows)))
       if (status /= march_solved) return
+      !$omp parallel do schedule(dynamic)
       do i = 1, size(surface%rows)
          call get_march_forces(surface%rows(i), surface%law, depth, equilibrium%rows(i)%period, equilibrium%forces(i))
          ! with the last step, which is round-off
          equilibrium%forces(i)%load = equilibrium%rows(i)%load
       end do
+      !$omp end parallel do
    end subroutine finish
 
 end module adfric_wavy_march_equilibrium

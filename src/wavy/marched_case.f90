@@ -1,0 +1,229 @@
+!> One point of `wavy_sliding` on heights or with a spectrum: from the values of a namelist to rows that a column marches along.
+module adfric_wavy_marched_case
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t
+   use adfric_base_unset, only: is_set
+   use adfric_material_master_curve, only: master_curve_fit_t, fit_master_curve, default_terms_per_decade
+   use adfric_material_prony, only: prony_t, new_prony
+   use adfric_material_time_temperature, only: time_temperature_t
+   use adfric_shape_height_line, only: cubic_pieces, linear_pieces
+   use adfric_shape_periodic_heights, only: preparation_t
+   use adfric_wavy_adhesion, only: edge_continuous, edge_instantaneous
+   use adfric_wavy_given_surface, only: given_surface_t
+   use adfric_wavy_march_relief, only: relief_t, new_wave_relief, new_measured_relief
+   use adfric_wavy_variables, only: v_activation_energy, v_blend_share, v_branch, v_detrend, v_edge, v_height, &
+      & v_height_factor, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_penetration, v_period, &
+      & v_periodise, v_poisson_ratio, v_range, v_reference_temperature, v_relaxation_time, v_relaxation_times, &
+      & v_retardation_ratio, v_reverse, v_shift, v_shortest_wavelength, v_spacing, v_stiffness, v_stress, v_strip_spacing, &
+      & v_surface_energy, v_temperature, v_terms_per_decade, v_thickness, v_time_factor, v_velocity, v_wlf_c1, v_wlf_c2, &
+      & v_young_modulus
+   implicit none (type, external)
+   private
+   public :: marched_case_t, is_marched, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
+      & time_temperature_of, kind_2d, kind_3d, kind_profile, kind_cosines, kind_map, shape_places, foundation_places
+
+   !> Places of the words in the choice of the surface.
+   integer, parameter :: kind_2d = 1, kind_3d = 2, kind_profile = 3, kind_cosines = 4, kind_map = 5
+   !> Place of the word in the choice of the interpolation.
+   integer, parameter :: choice_linear = 1
+   !> Variables that change the rows, and the spectrum, of a surface.
+   integer, parameter :: shape_places(*) = [v_kind, v_period, v_height, v_spacing, v_strip_spacing, v_interpolation, v_detrend, &
+      & v_periodise, v_blend_share, v_shortest_wavelength, v_reverse]
+   integer, parameter :: foundation_places(*) = [v_stiffness, v_young_modulus, v_poisson_ratio, v_thickness, v_relaxation_time, &
+      & v_retardation_ratio, v_terms_per_decade]
+
+   !> A point in reduced units, and the units.
+   type :: marched_case_t
+      !> Periods that pass in a second, with the times as they are at the temperature [1/s].
+      real(dp) :: pace = 0
+      !> Adhesion stress [k0 h] and range [h]; edge rule and branch.
+      real(dp) :: stress = 0, range = 0
+      !> Edge rule, one of `edge_...`.
+      integer :: edge = edge_continuous
+      !> Is the branch the one that loading meets?
+      logical :: is_approach = .false.
+      !> Is the load given? Else the penetration is.
+      logical :: is_load_given = .false.
+      !> Load [k0 h] or penetration [h].
+      real(dp) :: load = 0, penetration = 0
+      !> Units: period [m], height [m], pressure k0 h [Pa], load and friction [N/m or N], area [m or m^2].
+      real(dp) :: period = 1, height = 1, pressure_unit = 1, load_unit = 1, friction_unit = 1, area_unit = 1
+   end type marched_case_t
+
+contains
+
+   !> Are heights or a spectrum given, for which a column is marched? Else the surface is a wave on a standard solid.
+   pure logical function is_marched(values)
+      !> Values of all variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      is_marched = is_set(values(v_relaxation_times)) .or. is_set(values(v_master_curve))
+      if (is_set(values(v_kind))) is_marched = is_marched .or. nint(values(v_kind)) >= kind_profile
+   end function is_marched
+
+   !> Distance of samples along x [m]; unset if it is not given.
+   pure real(dp) function spacing_of(values, given) result(spacing)
+      !> Values of all variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+
+      spacing = values(v_spacing)
+      if (.not. is_set(spacing)) spacing = given%dx
+   end function spacing_of
+
+   !> Distance of the rows of a map [m]; unset if it is not given.
+   pure real(dp) function strip_spacing_of(values, given) result(spacing)
+      !> Values of all variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+
+      spacing = values(v_strip_spacing)
+      if (.not. is_set(spacing)) spacing = given%dy
+   end function strip_spacing_of
+
+   !> The rows of the surface.
+   subroutine get_relief(values, given, is_coarse, relief, error)
+      !> Values of all variables, which have been checked; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      !> Is every second sample left out?
+      logical, intent(in) :: is_coarse
+      !> Receives the rows; lengths in m.
+      type(relief_t), intent(out) :: relief
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(preparation_t) :: preparation
+      logical :: is_reversed
+
+      is_reversed = word_of(values(v_reverse), 0) > 0
+      select case (nint(values(v_kind)))
+      case (kind_2d)
+         call new_wave_relief(relief, [values(v_height)/2], [0.0_dp], .false.)
+         relief%period = values(v_period)
+      case (kind_cosines)
+         call new_wave_relief(relief, given%amplitudes, given%phases, is_reversed)
+         relief%period = values(v_period)
+      case default
+         if (is_set(values(v_detrend))) preparation%trend = nint(values(v_detrend))
+         if (is_set(values(v_periodise))) preparation%closing = nint(values(v_periodise))
+         if (is_set(values(v_blend_share))) preparation%share = values(v_blend_share)
+         if (is_set(values(v_shortest_wavelength))) preparation%shortest_wavelength = values(v_shortest_wavelength)
+         call new_measured_relief(relief, given%heights, spacing_of(values, given), preparation, &
+            & merge(linear_pieces, cubic_pieces, word_of(values(v_interpolation), 0) == choice_linear), is_reversed, is_coarse, error)
+      end select
+   end subroutine get_relief
+
+   !> Place of a word, or a default where none is given.
+   pure integer function word_of(value, default)
+      !> Value of the variable.
+      real(dp), intent(in) :: value
+      !> What it is where it is not given.
+      integer, intent(in) :: default
+
+      word_of = default
+      if (is_set(value)) word_of = nint(value)
+   end function word_of
+
+   !> Relaxed stiffness and arms of the foundation.
+   pure subroutine get_spectrum(values, given, prony, fit)
+      !> Values of all variables, which have been checked; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      !> Receives the spectrum [Pa/m, s].
+      type(prony_t), intent(out) :: prony
+      !> Receives the fit of a master curve, if one is given.
+      type(master_curve_fit_t), intent(out) :: fit
+      real(dp) :: per_modulus, relaxed, terms
+
+      per_modulus = 1
+      if (is_set(values(v_thickness))) per_modulus = 1/((1 - values(v_poisson_ratio)**2)*values(v_thickness))
+      if (is_set(values(v_master_curve))) then
+         terms = default_terms_per_decade
+         if (is_set(values(v_terms_per_decade))) terms = values(v_terms_per_decade)
+         call fit_master_curve(fit, given%master_curve(:, 1), given%master_curve(:, 2), given%master_curve(:, 3), terms)
+         call new_prony(prony, fit%prony%relaxed*per_modulus, fit%prony%moduli*per_modulus, fit%prony%times)
+         return
+      end if
+      relaxed = values(v_stiffness)
+      if (.not. is_set(relaxed)) relaxed = values(v_young_modulus)*per_modulus
+      if (.not. is_set(values(v_relaxation_times))) then
+         call new_prony(prony, relaxed, [(values(v_retardation_ratio) - 1)*relaxed], [values(v_relaxation_time)])
+      else if (is_set(values(v_moduli))) then
+         call new_prony(prony, relaxed, given%moduli, given%relaxation_times)
+      else
+         call new_prony(prony, relaxed, given%young_moduli*per_modulus, given%relaxation_times)
+      end if
+   end subroutine get_spectrum
+
+   !> The law by which temperature shifts times.
+   pure type(time_temperature_t) function time_temperature_of(values, given) result(law)
+      !> Values of all variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+
+      law%law = word_of(values(v_shift), 1) - 1
+      if (is_set(given%master_temperature)) law%reference_temperature = given%master_temperature
+      if (is_set(values(v_reference_temperature))) law%reference_temperature = values(v_reference_temperature)
+      if (is_set(values(v_wlf_c1))) law%c1 = values(v_wlf_c1)
+      if (is_set(values(v_wlf_c2))) law%c2 = values(v_wlf_c2)
+      if (is_set(values(v_activation_energy))) law%activation_energy = values(v_activation_energy)
+   end function time_temperature_of
+
+   !> The point that the values describe; they have been checked.
+   pure subroutine resolve_marched(values, given, relief, prony, self)
+      !> Values of all variables in SI units; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      !> The rows of the surface.
+      type(relief_t), intent(in) :: relief
+      !> The spectrum [Pa/m, s].
+      type(prony_t), intent(in) :: prony
+      !> Receives the point.
+      type(marched_case_t), intent(out) :: self
+      type(time_temperature_t) :: law
+      real(dp) :: shift
+      logical :: is_valid
+
+      self%period = relief%period
+      self%height = relief%height
+      if (is_set(values(v_height_factor))) self%height = self%height*values(v_height_factor)
+      self%pressure_unit = prony%relaxed*self%height
+      self%load_unit = self%pressure_unit*self%period
+      self%friction_unit = self%pressure_unit*self%height
+      self%area_unit = self%period
+      if (nint(values(v_kind)) == kind_map) then
+         associate (width => strip_spacing_of(values, given)*size(relief%rows))
+            self%load_unit = self%load_unit*width
+            self%friction_unit = self%friction_unit*width
+            self%area_unit = self%area_unit*width
+         end associate
+      end if
+      law = time_temperature_of(values, given)
+      shift = 1
+      if (is_set(values(v_temperature))) call law%get_shift_factor(values(v_temperature), shift, is_valid)
+      self%pace = values(v_velocity)*shift/self%period
+      if (is_set(values(v_time_factor))) self%pace = self%pace*values(v_time_factor)
+      self%edge = merge(edge_continuous, edge_instantaneous, size(prony%times) <= 1)
+      if (is_set(values(v_edge))) self%edge = nint(values(v_edge))
+      self%is_approach = nint(values(v_branch)) == 2
+      if (is_set(values(v_stress))) then
+         if (values(v_stress) > 0) then
+            self%stress = values(v_stress)/self%pressure_unit
+            self%range = values(v_range)
+            if (.not. is_set(self%range)) self%range = values(v_surface_energy)/values(v_stress)
+            self%range = self%range/self%height
+         end if
+      end if
+      self%is_load_given = .not. is_set(values(v_penetration))
+      if (is_set(values(v_load))) self%load = values(v_load)/self%load_unit
+      if (is_set(values(v_mean_pressure))) self%load = values(v_mean_pressure)/self%pressure_unit
+      if (.not. self%is_load_given) self%penetration = values(v_penetration)/self%height
+   end subroutine resolve_marched
+
+end module adfric_wavy_marched_case

@@ -1,0 +1,340 @@
+!> Points of `wavy_sliding` on heights or with a spectrum, one after the other.
+!>
+!> Rows and spectrum are found once for neighbouring points that share them, and so are the ways of the rows for points of one velocity and
+!> temperature. A point has no other memory of its neighbours.
+module adfric_wavy_marched_points
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_unset, only: is_set
+   use adfric_material_master_curve, only: master_curve_fit_t
+   use adfric_material_prony, only: prony_t
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_wavy_given_surface, only: given_surface_t
+   use adfric_wavy_march_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load, &
+      & march_solved, march_no_equilibrium
+   use adfric_wavy_march_forces, only: march_forces_t
+   use adfric_wavy_march_law, only: new_march_law
+   use adfric_wavy_march_profiles, only: get_march_profiles
+   use adfric_wavy_march_relief, only: relief_t
+   use adfric_wavy_march_solid, only: solid_t, new_solid
+   use adfric_wavy_march_way, only: new_way
+   use adfric_wavy_marched_case, only: marched_case_t, resolve_marched, get_relief, get_spectrum, kind_map, kind_profile, &
+      & shape_places, foundation_places
+   use adfric_wavy_strip, only: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion, &
+      & regime_adhesion_zones, regime_saturated, regime_several_contacts, regime_mixed
+   use adfric_wavy_variables, only: n_wavy_results, r_adhesion_area, r_adhesion_count, r_contact_area, r_contact_count, &
+      & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, r_friction_coefficient, &
+      & r_friction_force, r_friction_sample_error, r_load, r_penetration, r_regime, r_saturated_share, r_snap_count, v_kind, &
+      & v_load, v_mean_pressure, v_penetration
+   implicit none (type, external)
+   private
+   public :: marched_points_t
+
+   !> Load or friction below this share of the sum of its terms is zero but for round-off.
+   real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
+
+   !> Points of one surface, and what the last one leaves for the next.
+   type :: marched_points_t
+      private
+      !> Values of the last point; shape `(n_variables)`.
+      real(dp), allocatable :: values(:)
+      !> Rows of the surface, and of every second sample.
+      type(relief_t) :: relief, coarse
+      !> The spectrum [Pa/m, s].
+      type(prony_t) :: prony
+      !> Periods that pass in a second at the ways that are there; negative if there are none.
+      real(dp) :: pace = -1
+      !> The rows with their ways, and those of every second sample.
+      type(march_surface_t) :: surface, coarse_surface
+      !> The last point and its state.
+      type(marched_case_t) :: point
+      !> The state.
+      type(march_equilibrium_t) :: equilibrium
+   contains
+      procedure :: solve
+      procedure :: get_profiles
+   end type marched_points_t
+
+contains
+
+   !> Solve one point.
+   subroutine solve(self, values, given, results, error_estimate, status)
+      !> What the last point has left.
+      class(marched_points_t), intent(inout) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      !> Receives the results in SI units, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(out) :: results(:)
+      !> Receives the relative error of load and friction, NaN where the point is not solved.
+      real(dp), intent(out) :: error_estimate
+      !> Receives how the point was solved, one of `status_...`.
+      integer, intent(out) :: status
+      type(march_equilibrium_t) :: coarse
+      type(error_t), allocatable :: error
+      logical :: has_samples
+
+      results = not_a_number()
+      error_estimate = not_a_number()
+      status = status_not_converged
+      has_samples = nint(values(v_kind)) == kind_profile .or. nint(values(v_kind)) == kind_map
+      call prepare_rows(self, values, given, has_samples, error)
+      if (allocated(error)) return
+      call find(self%surface, self%point, self%equilibrium)
+      select case (self%equilibrium%status)
+      case (march_solved)
+         status = status_solved
+      case (march_no_equilibrium)
+         status = status_no_equilibrium
+         return
+      case default
+         return
+      end select
+      if (has_samples) call find(self%coarse_surface, self%point, coarse)
+      call store(values, self%point, self%equilibrium, results)
+      error_estimate = get_error(self%equilibrium, coarse, has_samples, self%point%is_load_given)
+   end subroutine solve
+
+   !> Rows, spectrum, ways and law for a point.
+   subroutine prepare_rows(self, values, given, has_samples, error)
+      !> What the last point has left, of which everything that has changed is made anew.
+      class(marched_points_t), intent(inout) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      !> Are there rows of every second sample?
+      logical, intent(in) :: has_samples
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(master_curve_fit_t) :: fit
+      type(solid_t) :: solid
+
+      if (have_changed(self, values, shape_places)) then
+         self%pace = -1
+         call get_relief(values, given, .false., self%relief, error)
+         if (has_samples .and. .not. allocated(error)) call get_relief(values, given, .true., self%coarse, error)
+         if (allocated(error)) then
+            if (allocated(self%values)) deallocate (self%values)
+            return
+         end if
+      end if
+      if (have_changed(self, values, foundation_places)) then
+         self%pace = -1
+         call get_spectrum(values, given, self%prony, fit)
+      end if
+      self%values = values
+      call resolve_marched(values, given, self%relief, self%prony, self%point)
+      if (abs(self%pace - self%point%pace) > 0) then
+         call new_solid(solid, self%prony, self%point%pace)
+         call lay_ways(self%surface, self%relief, solid)
+         if (has_samples) call lay_ways(self%coarse_surface, self%coarse, solid)
+         self%pace = self%point%pace
+      end if
+      call set_law(self%surface, self%point)
+      if (has_samples) call set_law(self%coarse_surface, self%point)
+   end subroutine prepare_rows
+
+   !> Have values changed since the last point?
+   pure logical function have_changed(self, values, places)
+      !> What the last point has left.
+      class(marched_points_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Places of the variables that are asked for.
+      integer, intent(in) :: places(:)
+
+      have_changed = .true.
+      if (allocated(self%values)) have_changed = any(abs(values(places) - self%values(places)) > 0)
+   end function have_changed
+
+   !> Prepare the ways of all rows.
+   subroutine lay_ways(surface, relief, solid)
+      !> Receives the ways.
+      type(march_surface_t), intent(inout) :: surface
+      !> The rows.
+      type(relief_t), intent(in) :: relief
+      !> The foundation.
+      type(solid_t), intent(in) :: solid
+      integer :: i
+
+      if (allocated(surface%rows)) deallocate (surface%rows)
+      allocate (surface%rows(size(relief%rows)))
+      !$omp parallel do schedule(static)
+      do i = 1, size(relief%rows)
+         call new_way(surface%rows(i), relief%rows(i), solid)
+      end do
+      !$omp end parallel do
+   end subroutine lay_ways
+
+   !> Adhesion and branch of a surface.
+   pure subroutine set_law(surface, point)
+      !> The surface, with its ways.
+      type(march_surface_t), intent(inout) :: surface
+      !> The point.
+      type(marched_case_t), intent(in) :: point
+
+      call new_march_law(surface%law, point%stress, point%range, point%edge, surface%rows(1)%solid%glassy)
+      surface%is_approach = point%is_approach
+   end subroutine set_law
+
+   !> Find the equilibrium of a point.
+   subroutine find(surface, point, equilibrium)
+      !> The surface.
+      type(march_surface_t), intent(in) :: surface
+      !> The point.
+      type(marched_case_t), intent(in) :: point
+      !> Receives the equilibrium.
+      type(march_equilibrium_t), intent(out) :: equilibrium
+
+      if (point%is_load_given) then
+         call find_at_load(surface, point%load, equilibrium)
+      else
+         call find_at_penetration(surface, point%penetration, equilibrium)
+      end if
+   end subroutine find
+
+   !> Mean over rows.
+   pure real(dp) function mean(values)
+      !> Values of the rows.
+      real(dp), intent(in) :: values(:)
+
+      mean = sum(values)/size(values)
+   end function mean
+
+   !> Results of a point in SI units.
+   pure subroutine store(values, point, equilibrium, results)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point.
+      type(marched_case_t), intent(in) :: point
+      !> Its equilibrium.
+      type(march_equilibrium_t), intent(in) :: equilibrium
+      !> Receives the results; those that have no value stay as they are; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      real(dp) :: losses, friction
+      integer :: n
+
+      n = size(equilibrium%forces)
+      associate (f => equilibrium%forces)
+         friction = mean(f%friction)
+         results(r_load) = mean(f%load)*point%load_unit
+         if (is_set(values(v_load))) results(r_load) = values(v_load)
+         if (is_set(values(v_mean_pressure))) results(r_load) = values(v_mean_pressure)*point%load_unit/point%pressure_unit
+         results(r_penetration) = equilibrium%depth*point%height
+         if (is_set(values(v_penetration))) results(r_penetration) = values(v_penetration)
+         results(r_friction_force) = friction*point%friction_unit
+         if (abs(mean(f%load)) > as_good_as_zero*mean(f%load_scale)) &
+            & results(r_friction_coefficient) = results(r_friction_force)/results(r_load)
+         results(r_contact_area) = mean(f%contact)*point%area_unit
+         results(r_adhesion_area) = mean(f%adhesion)*point%area_unit
+         results(r_dissipation) = mean(f%dissipation)*point%friction_unit
+         results(r_edge_loss) = mean(f%edge_loss)*point%friction_unit
+         losses = mean(f%friction_scale) + mean(f%dissipation) + mean(abs(f%edge_loss))
+         results(r_energy_imbalance) = 0
+         if (losses > 0) results(r_energy_imbalance) = mean(f%energy_mismatch)/losses
+         results(r_contact_count) = sum(f%n_contacts)
+         results(r_adhesion_count) = sum(f%n_adhesions)
+         results(r_snap_count) = sum(f%n_snaps)
+         results(r_saturated_share) = count(regimes_of(f) == regime_saturated)/real(n, dp)
+         results(r_friction_sample_error) = 0
+         if (n > 1) results(r_friction_sample_error) = sqrt(sum((f%friction - friction)**2)/(real(n, dp)*(n - 1))) &
+            & *point%friction_unit
+         results(r_regime) = regime_mixed
+         if (all(regimes_of(f) == regime_of(f(1)))) results(r_regime) = regime_of(f(1))
+         if (n == 1 .and. f(1)%n_contacts == 1) then
+            results(r_contact_width) = f(1)%contact_length*point%period
+            ! the way of a column begins at the highest place and goes to smaller x
+            results(r_contact_shift) = -(f(1)%contact_middle - anint(f(1)%contact_middle))*point%period
+            if (regime_of(f(1)) == regime_saturated) results(r_contact_shift) = 0
+         end if
+      end associate
+   end subroutine store
+
+   !> Regimes of rows.
+   pure function regimes_of(forces) result(regimes)
+      !> Forces and counts of the rows.
+      type(march_forces_t), intent(in) :: forces(:)
+      integer :: regimes(size(forces))
+      integer :: i
+
+      do i = 1, size(forces)
+         regimes(i) = regime_of(forces(i))
+      end do
+   end function regimes_of
+
+   !> Regime of a row.
+   pure integer function regime_of(forces) result(regime)
+      !> Its forces and counts.
+      type(march_forces_t), intent(in) :: forces
+
+      if (forces%n_contacts > 1) then
+         regime = regime_several_contacts
+      else if (forces%n_contacts == 1) then
+         if (forces%n_free > 0) then
+            regime = merge(regime_adhesion_zones, regime_discrete, forces%n_adhesions > 0)
+         else
+            regime = merge(regime_saturated_adhesion, regime_saturated, forces%n_adhesions > 0)
+         end if
+      else
+         regime = merge(regime_adhesion_only, regime_free, forces%n_adhesions > 0)
+      end if
+   end function regime_of
+
+   !> The larger of the relative errors of load and friction: what the balances leave over, what every second sample changes, and
+   !> what every second row does.
+   pure real(dp) function get_error(equilibrium, coarse, has_samples, is_load_given) result(error)
+      !> The equilibrium.
+      type(march_equilibrium_t), intent(in) :: equilibrium
+      !> That of every second sample.
+      type(march_equilibrium_t), intent(in) :: coarse
+      !> Is there one?
+      logical, intent(in) :: has_samples
+      !> Is the load given, so that it has no error?
+      logical, intent(in) :: is_load_given
+      real(dp) :: errors(2), sizes(2)
+      integer :: n
+
+      n = size(equilibrium%forces)
+      associate (f => equilibrium%forces)
+         sizes = [max(abs(mean(f%load)), 0.01_dp*mean(f%load_scale)), max(abs(mean(f%friction)), 0.01_dp*mean(f%friction_scale))]
+         errors = [mean(abs(f%load_mismatch)), mean(abs(f%energy_mismatch))]
+         if (has_samples) then
+            if (coarse%status == march_solved) then
+               errors = errors + abs([mean(coarse%forces%load) - mean(f%load), mean(coarse%forces%friction) - mean(f%friction)])
+            else
+               errors = errors + sizes
+            end if
+         end if
+         if (n > 1) errors = errors + abs([mean(f(1::2)%load) - mean(f(2::2)%load), &
+            & mean(f(1::2)%friction) - mean(f(2::2)%friction)])/2
+      end associate
+      if (is_load_given) errors(1) = 0
+      error = 0
+      if (any(errors > 0)) error = maxval(min(1.0_dp, errors/max(sizes, errors, tiny(1.0_dp))))
+   end function get_error
+
+   !> Profiles of the point that was solved last, in SI units.
+   subroutine get_profiles(self, x, profiles)
+      !> The points, of which the last one was solved.
+      class(marched_points_t), intent(in) :: self
+      !> Coordinates along the sliding direction [m]; shape `(n_x)`.
+      real(dp), intent(in) :: x(:)
+      !> Receives pressure and shear stress [Pa], displacement and gap [m]; shape `(n_x, n_rows, 4)`.
+      real(dp), intent(out) :: profiles(:, :, :)
+      integer :: i
+
+      associate (p => self%point)
+         do i = 1, size(self%surface%rows)
+            call get_march_profiles(self%surface%rows(i), self%surface%law, self%equilibrium%depth, &
+               & self%equilibrium%rows(i)%period, self%relief%starts(i), x/p%period, profiles(:, i, :))
+         end do
+         profiles(:, :, 1) = profiles(:, :, 1)*p%pressure_unit
+         profiles(:, :, 2) = profiles(:, :, 2)*p%pressure_unit*p%height/p%period
+         profiles(:, :, 3:4) = profiles(:, :, 3:4)*p%height
+      end associate
+   end subroutine get_profiles
+
+end module adfric_wavy_marched_points
