@@ -8,7 +8,7 @@ module adfric_shape_closing
    use adfric_base_constants, only: half_pi
    implicit none (type, external)
    private
-   public :: close_period, closing_none, closing_blend, closing_mirror, closing_taper
+   public :: close_period, closed_length, closing_none, closing_blend, closing_mirror, closing_taper
 
    !> The ways of closing, see `close_period`.
    integer, parameter :: closing_none = 1, closing_blend = 2, closing_mirror = 3, closing_taper = 4
@@ -56,6 +56,20 @@ contains
          allocate (closed, source=heights)
       end select
    end subroutine close_period
+
+   !> Number of samples of the period that n samples become.
+   pure integer function closed_length(n, closing, share) result(length)
+      !> Number of samples.
+      integer, intent(in) :: n
+      !> `closing_none`, `closing_blend`, `closing_mirror` or `closing_taper`.
+      integer, intent(in) :: closing
+      !> Share of the measured length that a blend fades, 0 to 0.5.
+      real(dp), intent(in) :: share
+
+      length = n
+      if (closing == closing_blend) length = n - nint(share*n)
+      if (closing == closing_mirror) length = 2*n
+   end function closed_length
 
    !> Cross-fade the last samples of each row into the first.
    pure subroutine blend(heights, m, closed)

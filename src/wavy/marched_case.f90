@@ -6,6 +6,7 @@ module adfric_wavy_marched_case
    use adfric_material_master_curve, only: master_curve_fit_t, fit_master_curve, default_terms_per_decade
    use adfric_material_prony, only: prony_t, new_prony
    use adfric_material_time_temperature, only: time_temperature_t
+   use adfric_shape_closing, only: closed_length
    use adfric_shape_height_line, only: cubic_pieces, linear_pieces
    use adfric_shape_periodic_heights, only: preparation_t
    use adfric_wavy_adhesion, only: edge_continuous, edge_instantaneous
@@ -19,7 +20,7 @@ module adfric_wavy_marched_case
       & v_young_modulus
    implicit none (type, external)
    private
-   public :: marched_case_t, is_marched, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
+   public :: marched_case_t, is_marched, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, period_of, &
       & time_temperature_of, kind_2d, kind_3d, kind_profile, kind_cosines, kind_map, shape_places, foundation_places
 
    !> Places of the words in the choice of the surface.
@@ -83,6 +84,34 @@ contains
       if (.not. is_set(spacing)) spacing = given%dy
    end function strip_spacing_of
 
+   !> Length of one period, after the ends of heights have been brought together [m].
+   pure real(dp) function period_of(values, given) result(period)
+      !> Values of all variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      type(preparation_t) :: preparation
+
+      if (allocated(given%heights)) then
+         preparation = preparation_of(values)
+         period = closed_length(size(given%heights, 1), preparation%closing, preparation%share) &
+            & *spacing_of(values, given)
+      else
+         period = values(v_period)
+      end if
+   end function period_of
+
+   !> What makes one period of measured heights.
+   pure type(preparation_t) function preparation_of(values) result(preparation)
+      !> Values of all variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      if (is_set(values(v_detrend))) preparation%trend = nint(values(v_detrend))
+      if (is_set(values(v_periodise))) preparation%closing = nint(values(v_periodise))
+      if (is_set(values(v_blend_share))) preparation%share = values(v_blend_share)
+      if (is_set(values(v_shortest_wavelength))) preparation%shortest_wavelength = values(v_shortest_wavelength)
+   end function preparation_of
+
    !> The rows of the surface.
    subroutine get_relief(values, given, is_coarse, relief, error)
       !> Values of all variables, which have been checked; shape `(n_variables)`.
@@ -95,7 +124,6 @@ contains
       type(relief_t), intent(out) :: relief
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
-      type(preparation_t) :: preparation
       logical :: is_reversed
 
       is_reversed = word_of(values(v_reverse), 0) > 0
@@ -107,11 +135,7 @@ contains
          call new_wave_relief(relief, given%amplitudes, given%phases, is_reversed)
          relief%period = values(v_period)
       case default
-         if (is_set(values(v_detrend))) preparation%trend = nint(values(v_detrend))
-         if (is_set(values(v_periodise))) preparation%closing = nint(values(v_periodise))
-         if (is_set(values(v_blend_share))) preparation%share = values(v_blend_share)
-         if (is_set(values(v_shortest_wavelength))) preparation%shortest_wavelength = values(v_shortest_wavelength)
-         call new_measured_relief(relief, given%heights, spacing_of(values, given), preparation, &
+         call new_measured_relief(relief, given%heights, spacing_of(values, given), preparation_of(values), &
             & merge(linear_pieces, cubic_pieces, word_of(values(v_interpolation), 0) == choice_linear), is_reversed, is_coarse, error)
       end select
    end subroutine get_relief

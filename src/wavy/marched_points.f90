@@ -19,17 +19,17 @@ module adfric_wavy_marched_points
    use adfric_wavy_march_relief, only: relief_t
    use adfric_wavy_march_solid, only: solid_t, new_solid
    use adfric_wavy_march_way, only: new_way
-   use adfric_wavy_marched_case, only: marched_case_t, resolve_marched, get_relief, get_spectrum, kind_map, kind_profile, &
-      & shape_places, foundation_places
+   use adfric_wavy_marched_case, only: marched_case_t, resolve_marched, get_relief, get_spectrum, strip_spacing_of, &
+      & period_of, kind_2d, kind_map, kind_profile, shape_places, foundation_places
    use adfric_wavy_strip, only: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion, &
       & regime_adhesion_zones, regime_saturated, regime_several_contacts, regime_mixed
    use adfric_wavy_variables, only: n_wavy_results, r_adhesion_area, r_adhesion_count, r_contact_area, r_contact_count, &
       & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, r_friction_coefficient, &
       & r_friction_force, r_friction_sample_error, r_load, r_penetration, r_regime, r_saturated_share, r_snap_count, v_kind, &
-      & v_load, v_mean_pressure, v_penetration
+      & v_load, v_mean_pressure, v_n_x, v_penetration
    implicit none (type, external)
    private
-   public :: marched_points_t
+   public :: solve_marched_block, solve_marched_profiles, row_places, column_places
 
    !> Load or friction below this share of the sum of its terms is zero but for round-off.
    real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
@@ -57,6 +57,77 @@ module adfric_wavy_marched_points
    end type marched_points_t
 
 contains
+
+   !> Solve neighbouring points.
+   subroutine solve_marched_block(given, values, results, error_estimate, status)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      !> Values of the points; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives the results in SI units, NaN where there is no value; shape `(n_results, n_points)`.
+      real(dp), intent(out) :: results(:, :)
+      !> Receives the relative errors of load and friction; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> Receives how each point was solved, one of `status_...`; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      type(marched_points_t) :: points
+      integer :: i
+
+      do i = 1, size(values, 2)
+         call points%solve(values(:, i), given, results(:, i), error_estimate(i), status(i))
+      end do
+   end subroutine solve_marched_block
+
+   !> Profiles of one point.
+   subroutine solve_marched_profiles(given, values, x, profiles)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      !> Values of the point; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Coordinates along the sliding direction [m]; shape `(n_x)`.
+      real(dp), intent(in) :: x(:)
+      !> Receives pressure and shear stress [Pa], displacement and gap [m]; shape `(n_x, n_rows, 4)`.
+      real(dp), intent(out) :: profiles(:, :, :)
+      type(marched_points_t) :: points
+      real(dp) :: results(n_wavy_results), error_estimate
+      integer :: status
+
+      call points%solve(values, given, results, error_estimate, status)
+      profiles = not_a_number()
+      if (status == status_solved) call points%get_profiles(x, profiles)
+   end subroutine solve_marched_profiles
+
+   !> Places of the rows across the sliding direction [m].
+   function row_places(values, given) result(places)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      real(dp), allocatable :: places(:)
+      integer :: i
+
+      if (nint(values(v_kind)) == kind_map) then
+         places = [(strip_spacing_of(values, given)*(i - 1), i=1, size(given%heights, 2))]
+      else
+         places = [0.0_dp]
+      end if
+   end function row_places
+
+   !> Places of the samples of profiles along the sliding direction: one period, about the crest of a wave [m].
+   function column_places(values, given) result(places)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      real(dp), allocatable :: places(:)
+      real(dp) :: period
+      integer :: i, n
+
+      n = nint(values(v_n_x))
+      period = period_of(values, given)
+      places = [(period*(i - 1)/(n - 1), i=1, n)]
+      if (nint(values(v_kind)) == kind_2d) places = [(period*(real(2*i - n - 1, dp)/(2*(n - 1))), i=1, n)]
+   end function column_places
 
    !> Solve one point.
    subroutine solve(self, values, given, results, error_estimate, status)

@@ -15,6 +15,11 @@ module adfric_wavy_model
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load, leads_to
+   use adfric_wavy_given_surface, only: given_surface_t, take_given
+   use adfric_wavy_marched_case, only: is_marched, kind_map
+   use adfric_wavy_marched_check, only: check_marched_values
+   use adfric_wavy_marched_description, only: describe_marched, doubt_marched, derive_marched
+   use adfric_wavy_marched_points, only: solve_marched_block, solve_marched_profiles, row_places, column_places
    use adfric_wavy_profiles, only: get_profiles
    use adfric_wavy_pull_off, only: pull_off_t, find_pull_off, is_below_pull_off
    use adfric_wavy_pull_off_table, only: pull_off_table_t, get_pull_off
@@ -24,7 +29,7 @@ module adfric_wavy_model
    use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
       & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, &
       & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_pull_off_load, &
-      & r_pull_off_penetration, r_regime, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_profiles, &
+      & r_pull_off_penetration, r_regime, v_heights, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_profiles, &
       & v_relaxation_time, v_thickness, v_velocity
    implicit none (type, external)
    private
@@ -32,13 +37,21 @@ module adfric_wavy_model
 
    !> Load or friction below this share of the sum of its terms is zero but for round-off.
    real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
+   !> Samples of a map whose points take long.
+   integer, parameter :: large_map = 100000
 
    !> The model. A copy of one that is prepared is not to be used once either is released.
    type, extends(model_t) :: wavy_model_t
       private
       !> The pull-off loads that the points of a run share; null unless the model is prepared.
       type(pull_off_table_t), pointer :: pull_offs => null()
+      !> Lists and datasets of the input.
+      type(given_surface_t) :: given
    contains
+      procedure :: take_dataset
+      procedure :: take_attribute
+      procedure :: describe_case
+      procedure :: describe_doubts
       procedure :: prepare
       procedure :: release
       procedure :: check_values
@@ -82,7 +95,11 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call check_wavy_values(self%variables, values, is_swept, problems)
+      if (is_marched(values)) then
+         call check_marched_values(self%variables, values, self%given, is_swept, problems)
+      else
+         call check_wavy_values(self%variables, values, is_swept, problems)
+      end if
    end subroutine check_values
 
    !> The table of results, whose units are those of a 2-D or of a 3-D wave.
@@ -94,7 +111,7 @@ contains
       type(result_t), allocatable :: results(:)
 
       results = self%results
-      if (is_set(values(v_kind))) results = get_wavy_results(nint(values(v_kind)) == kind_3d)
+      if (is_set(values(v_kind))) results = get_wavy_results(has_width(values))
    end function describe_results
 
    !> SI unit of a variable: the load of a 2-D wave is one per width.
@@ -108,9 +125,81 @@ contains
       character(:), allocatable :: unit
 
       unit = self%variables(place)%unit
-      if (place == v_load .and. nint(values(v_kind)) == kind_3d) unit = 'N'
-      if (place == v_load .and. nint(values(v_kind)) /= kind_3d) unit = 'N/m'
+      if (place == v_load) unit = trim(merge('N  ', 'N/m', has_width(values)))
    end function unit_of
+
+   !> Has the surface a width of its own, so that forces are not per width?
+   pure logical function has_width(values)
+      !> Values of one point in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      has_width = nint(values(v_kind)) == kind_3d .or. nint(values(v_kind)) == kind_map
+   end function has_width
+
+   !> Keep the values of a list or a dataset.
+   subroutine take_dataset(self, place, values, problems)
+      !> The model, which keeps the values.
+      class(wavy_model_t), intent(inout) :: self
+      !> Place of the variable, one of `v_...`.
+      integer, intent(in) :: place
+      !> The values in SI units; shape `(n_last, n_first)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the values.
+      type(problems_t), intent(inout) :: problems
+
+      call take_given(self%given, self%variables, place, values, problems)
+      ! a map takes long, and its points are given to threads one by one
+      if (place == v_heights .and. size(values) > large_map) self%largest_block = 1
+   end subroutine take_dataset
+
+   !> Keep what a dataset says of itself.
+   subroutine take_attribute(self, place, name, value, problems)
+      !> The model, which keeps the value.
+      class(wavy_model_t), intent(inout) :: self
+      !> Place of the variable, one of `v_...`.
+      integer, intent(in) :: place
+      !> Name of the attribute.
+      character(*), intent(in) :: name
+      !> Its value in SI units.
+      real(dp), intent(in) :: value
+      !> Receives what is wrong with it.
+      type(problems_t), intent(inout) :: problems
+
+      select case (name)
+      case ('dx')
+         self%given%dx = value
+      case ('dy')
+         self%given%dy = value
+      case ('reference_temperature')
+         self%given%master_temperature = value
+      end select
+      if (.not. value > 0) call problems%add(self%variables(place)%group, self%variables(place)%name, &
+         & 'has an attribute '//name//' that is not > 0')
+   end subroutine take_attribute
+
+   !> What `adfric check` says of spectrum and heights.
+   function describe_case(self, values) result(text)
+      !> The model with its lists and datasets.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      if (is_marched(values)) text = describe_marched(values, self%given)
+   end function describe_case
+
+   !> What in spectrum and heights may not be what the user means.
+   function describe_doubts(self, values) result(text)
+      !> The model with its lists and datasets.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      if (is_marched(values)) text = doubt_marched(values, self%given)
+   end function describe_doubts
 
    !> Does the user ask for profiles?
    pure logical function wants_profiles(self, values)
@@ -134,6 +223,11 @@ contains
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
 
       allocate (axes(2))
+      if (is_marched(values)) then
+         call set_coordinate(axes(1), self%profile_axes, 1, row_places(values, self%given))
+         call set_coordinate(axes(2), self%profile_axes, 2, column_places(values, self%given))
+         return
+      end if
       call set_coordinate(axes(1), self%profile_axes, 1, &
          & about_crest(values(v_period), merge(nint(values(v_n_y)), 1, nint(values(v_kind)) == kind_3d)))
       call set_coordinate(axes(2), self%profile_axes, 2, about_crest(values(v_period), nint(values(v_n_x))))
@@ -193,6 +287,13 @@ contains
 
       counts = 0
       n = size(values, 2)
+      if (n > 0) then
+         if (is_marched(values(:, 1))) then
+            call solve_marched_block(self%given, values, results, error_estimate, status)
+            counts(1) = n
+            return
+         end if
+      end if
       is_reversed = .false.
       if (n > 1) is_reversed = leads_backwards(values(:, 1), values(:, 2))
       do k = 1, n
@@ -318,14 +419,18 @@ contains
       type(profile_axis_t), allocatable :: axes(:)
       type(wavy_case_t) :: point
 
-      call resolve_case(values, point)
       call self%get_profile_axes(values, axes)
+      if (is_marched(values)) then
+         call solve_marched_profiles(self%given, values, axes(2)%coordinates, profiles)
+         return
+      end if
+      call resolve_case(values, point)
       call get_profiles(point, results(r_penetration), axes(2)%coordinates, axes(1)%coordinates, profiles)
    end subroutine solve_profiles
 
    !> Quantities that follow from the values of a point, for `adfric check` and the results file.
    function derive_quantities(self, values) result(derived)
-      !> The model; nothing of it is read here.
+      !> The model with its lists and datasets.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -336,8 +441,10 @@ contains
       type(wavy_case_t) :: point
 
       allocate (derived(0))
-      associate (unused => self)
-      end associate
+      if (is_marched(values)) then
+         call derive_marched(derived, values, self%given)
+         return
+      end if
       call resolve_case(values, point)
       associate (given => point%given, f => point%surface%foundation)
          call add_derived(derived, 'relaxation_phase', '-', 'relaxation phase k V Ts', f%u, of_phase)

@@ -26,6 +26,8 @@ module adfric_wavy_march_equilibrium
    real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
    !> Most penetrations that one search looks at.
    integer, parameter :: most_penetrations = 20000
+   !> Penetrations of a scan for tensions on the approach branch.
+   integer, parameter :: steps_of_scan = 64
 
    !> A surface at one velocity.
    type :: march_surface_t
@@ -73,12 +75,12 @@ contains
       type(march_equilibrium_t), intent(out) :: equilibrium
       type(states_t) :: states, least
 
-      call start(surface, depth, .false., states)
       if (surface%is_approach) then
          call start(surface, depth, .false., least)
          call start(surface, depth, .true., states)
          call find_greatest(surface, depth, states, least)
       else
+         call start(surface, depth, .false., states)
          call find_least(surface, depth, states)
       end if
       call finish(surface, depth, states, merge(march_solved, march_failed, states%are_steady), equilibrium)
@@ -150,7 +152,7 @@ contains
       type(states_t), intent(inout) :: states
       integer :: i
 
-      !$omp parallel do schedule(dynamic)
+      !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
       do i = 1, size(surface%rows)
          call find_adhered(states%rows(i), surface%rows(i), surface%law, depth)
       end do
@@ -170,7 +172,7 @@ contains
       type(states_t), intent(inout) :: least
       integer :: i
 
-      !$omp parallel do schedule(dynamic)
+      !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
       do i = 1, size(surface%rows)
          call find_approach(states%rows(i), least%rows(i), surface%rows(i), surface%law, depth)
       end do
@@ -224,7 +226,7 @@ contains
       call start(surface, depth, .false., states)
       status = march_failed
       do k = 1, most_penetrations
-         !$omp parallel do schedule(dynamic)
+         !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
          do i = 1, size(surface%rows)
             call take_step(states%rows(i), surface%rows(i), surface%law, depth)
          end do
@@ -285,6 +287,8 @@ contains
       call start(surface, depth, .false., least_here)
       call find_greatest(surface, depth, states, least_here)
       if (states%have_failed) return
+      if (states%load > load) call scan_for_fall(surface, load, limit, depth, states)
+      if (states%have_failed) return
       if (states%load > load .or. limit <= depth) then
          status = march_no_equilibrium
          return
@@ -329,6 +333,34 @@ contains
       end do
    end subroutine search_upwards
 
+   !> Look for a penetration that carries no more than a load, behind the draw-in that carries more: for tensions alone. The load may
+   !> fall anywhere, where adhesion takes hold, so a fall and rise within one step of the scan is not seen.
+   subroutine scan_for_fall(surface, load, limit, depth, states)
+      !> The surface.
+      type(march_surface_t), intent(in) :: surface
+      !> Mean load of the rows.
+      real(dp), intent(in) :: load
+      !> Penetration beyond which nothing is sought.
+      real(dp), intent(in) :: limit
+      !> In: where the surface has been drawn in. Out: a penetration that carries no more than the load, if there is one.
+      real(dp), intent(inout) :: depth
+      !> In: the greatest states there. Out: those of the last penetration that was looked at.
+      type(states_t), intent(inout) :: states
+      type(states_t) :: least
+      real(dp) :: step
+      integer :: k
+
+      step = (limit - depth)/steps_of_scan
+      if (.not. step > 0) return
+      do k = 1, steps_of_scan
+         depth = depth + step
+         call shift(states, step)
+         call start(surface, depth, .false., least)
+         call find_greatest(surface, depth, states, least)
+         if (states%have_failed .or. states%load <= load) return
+      end do
+   end subroutine scan_for_fall
+
    !> Move states with the heights.
    pure subroutine shift(states, change)
       !> The states.
@@ -362,7 +394,7 @@ contains
       call move_alloc(states%rows, equilibrium%rows)
       allocate (equilibrium%forces(size(surface%rows)))
       if (status /= march_solved) return
-      !$omp parallel do schedule(dynamic)
+      !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
       do i = 1, size(surface%rows)
          call get_march_forces(surface%rows(i), surface%law, depth, equilibrium%rows(i)%period, equilibrium%forces(i))
          ! with the last step, which is round-off

@@ -1,0 +1,300 @@
+!> What is missing, contradictory or impossible in an input of `wavy_sliding` on heights or with a spectrum.
+module adfric_wavy_marched_check
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_base_words, only: get_word
+   use adfric_material_master_curve, only: master_curve_fit_t
+   use adfric_material_prony, only: prony_t
+   use adfric_material_time_temperature, only: time_temperature_t
+   use adfric_model_check, only: require
+   use adfric_model_table, only: variable_t
+   use adfric_shape_height_line, only: cubic_pieces
+   use adfric_wavy_given_surface, only: given_surface_t
+   use adfric_wavy_marched_case, only: get_spectrum, kind_2d, kind_3d, kind_cosines, kind_map, kind_profile, period_of, &
+      & spacing_of, strip_spacing_of, time_temperature_of
+   use adfric_wavy_variables, only: v_activation_energy, v_amplitudes, v_blend_share, v_detrend, v_height, v_height_factor, &
+      & v_heights, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_n_x, v_penetration, v_period, &
+      & v_periodise, v_phases, v_poisson_ratio, v_profiles, v_pull_off, v_range, v_reference_temperature, v_relaxation_time, &
+      & v_relaxation_times, v_retardation_ratio, v_reverse, v_shift, v_shortest_wavelength, v_slope, v_spacing, v_stiffness, &
+      & v_stress, v_strip_spacing, v_surface_energy, v_temperature, v_terms_per_decade, v_thickness, v_time_factor, v_velocity, &
+      & v_wlf_c1, v_wlf_c2, v_young_moduli, v_young_modulus
+   implicit none (type, external)
+   private
+   public :: check_marched_values, check_adhesion_values, check_load_values
+
+   !> Fewest samples of a row.
+   integer, parameter :: fewest_samples = 4
+   !> Place of the word in the choice of the slope.
+   integer, parameter :: slope_finite = 2
+
+contains
+
+   !> Add to `problems` what is wrong with the values together.
+   subroutine check_marched_values(variables, values, given, is_swept, problems)
+      !> Table of the variables; their names stand in the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values in the order of `variables`, `unset` where none is given; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: before
+
+      before = problems%count()
+      call require(variables, values, [v_kind], problems)
+      if (problems%count() > before) return
+      call check_surface()
+      call check_foundation()
+      call check_temperature()
+      call check_adhesion_values(variables, values, problems)
+      call require(variables, values, [v_velocity], problems)
+      call check_load_values(variables, values, problems)
+      call refuse([v_pull_off], 'belongs to waves on a standard solid; not to heights, cosines or a spectrum')
+      if (nint(values(v_slope)) == slope_finite) call add(v_slope, 'is small for heights, cosines and spectra')
+      call check_profiles()
+      if (problems%count() == before) call check_numbers()
+
+   contains
+
+      !> Add a problem of one variable to the list.
+      subroutine add(v, text)
+         !> Place of the variable in the table, one of `v_...`.
+         integer, intent(in) :: v
+         !> What is wrong with the variable; its name is put before this.
+         character(*), intent(in) :: text
+
+         call problems%add(variables(v)%group, variables(v)%name, text)
+      end subroutine add
+
+      !> Refuse variables that have no meaning beside others.
+      subroutine refuse(places, text)
+         !> Places of the variables, `v_...`.
+         integer, intent(in) :: places(:)
+         !> Why, behind the name of the variable.
+         character(*), intent(in) :: text
+         integer :: k
+
+         do k = 1, size(places)
+            if (is_set(values(places(k))) .or. is_swept(places(k))) call add(places(k), text)
+         end do
+      end subroutine refuse
+
+      !> What the kind of the surface needs, and what it has no use for.
+      subroutine check_surface()
+         integer, parameter :: of_heights(*) = [v_heights, v_spacing, v_interpolation, v_detrend, v_periodise, v_blend_share, &
+            & v_shortest_wavelength]
+
+         select case (nint(values(v_kind)))
+         case (kind_2d)
+            call require(variables, values, [v_period, v_height], problems)
+            call refuse([of_heights, v_strip_spacing, v_amplitudes, v_phases, v_reverse], 'has no meaning for kind wave_2d')
+         case (kind_3d)
+            call add(v_kind, 'is wave_3d, which has one relaxation time; make a map of it for a spectrum')
+         case (kind_cosines)
+            call require(variables, values, [v_period, v_amplitudes, v_phases], problems)
+            call refuse([of_heights, v_strip_spacing, v_height], 'has no meaning for kind cosines')
+            if (allocated(given%amplitudes) .and. allocated(given%phases)) then
+               if (size(given%amplitudes) /= size(given%phases)) call add(v_phases, 'are not as many as amplitudes')
+            end if
+         case default
+            call require(variables, values, [v_heights], problems)
+            call refuse([v_amplitudes, v_phases, v_period, v_height], 'has no meaning beside heights')
+            if (allocated(given%heights)) call check_heights()
+         end select
+      end subroutine check_surface
+
+      !> Number and distances of samples.
+      subroutine check_heights()
+         logical :: is_map
+
+         is_map = nint(values(v_kind)) == kind_map
+         if (.not. is_set(spacing_of(values, given))) call add(v_spacing, &
+            & 'is missing [m]; it is needed for heights without an attribute dx')
+         if (size(given%heights, 1) < fewest_samples) call add(v_heights, 'have too few samples along x, 4 are needed')
+         if (is_map) then
+            if (.not. is_set(strip_spacing_of(values, given))) call add(v_strip_spacing, &
+               & 'is missing [m]; it is needed for heights without an attribute dy')
+            if (size(given%heights, 2) < 2) call add(v_heights, 'of a map have two dimensions, y and x')
+         else
+            call refuse([v_strip_spacing], 'has no meaning for kind profile')
+            if (size(given%heights, 2) > 1) call add(v_heights, &
+               & 'of a profile have one dimension; a dataset of two is a map')
+         end if
+      end subroutine check_heights
+
+      !> Relaxed stiffness and arms.
+      subroutine check_foundation()
+         integer, parameter :: of_layer(2) = [v_poisson_ratio, v_thickness]
+         integer, parameter :: single(2) = [v_relaxation_time, v_retardation_ratio]
+
+         if (is_set(values(v_master_curve))) then
+            call refuse([v_stiffness, v_young_modulus, v_moduli, v_young_moduli, v_relaxation_times, single], &
+               & 'stands beside master_curve, which gives all moduli and times')
+            call require(variables, values, of_layer, problems)
+            return
+         end if
+         call refuse([v_terms_per_decade], 'has no meaning without master_curve')
+         if (is_set(values(v_stiffness))) then
+            call refuse([v_young_modulus, of_layer, v_young_moduli], &
+               & 'stands beside stiffness; give stiffness and moduli, or young_modulus, young_moduli, poisson_ratio and thickness')
+         else
+            call require(variables, values, [v_young_modulus, of_layer], problems)
+            call refuse([v_moduli], 'needs stiffness; young_moduli stand beside young_modulus')
+         end if
+         if (.not. is_set(values(v_relaxation_times))) then
+            call refuse([v_moduli, v_young_moduli], 'needs relaxation_times')
+            call require(variables, values, single, problems)
+            return
+         end if
+         call refuse(single, 'stands beside relaxation_times; give one or the other')
+         if (is_set(values(v_stiffness))) then
+            call require(variables, values, [v_moduli], problems)
+         else
+            call require(variables, values, [v_young_moduli], problems)
+         end if
+         if (allocated(given%relaxation_times)) then
+            if (allocated(given%moduli)) then
+               if (size(given%moduli) /= size(given%relaxation_times)) call add(v_moduli, 'are not as many as relaxation_times')
+            end if
+            if (allocated(given%young_moduli)) then
+               if (size(given%young_moduli) /= size(given%relaxation_times)) call add(v_young_moduli, &
+                  & 'are not as many as relaxation_times')
+            end if
+         end if
+      end subroutine check_foundation
+
+      !> Temperature and the law of its shift.
+      subroutine check_temperature()
+         type(time_temperature_t) :: law
+         real(dp) :: factor
+         logical :: is_valid
+         integer :: word
+
+         word = 1
+         if (is_set(values(v_shift))) word = nint(values(v_shift))
+         select case (word)
+         case (1)
+            call refuse([v_temperature, v_wlf_c1, v_wlf_c2, v_activation_energy], 'has no meaning without shift')
+            return
+         case (2)
+            call require(variables, values, [v_wlf_c1, v_wlf_c2, v_temperature], problems)
+            call refuse([v_activation_energy], 'has no meaning for shift = ''wlf''')
+         case default
+            call require(variables, values, [v_activation_energy, v_temperature], problems)
+            call refuse([v_wlf_c1, v_wlf_c2], 'has no meaning for shift = ''arrhenius''')
+         end select
+         if (.not. (is_set(values(v_reference_temperature)) .or. is_set(given%master_temperature))) call add( &
+            & v_reference_temperature, 'is missing [K]; shift = '''//get_word(variables(v_shift)%choices, word)//''' needs it')
+         if (.not. is_set(values(v_temperature))) return
+         law = time_temperature_of(values, given)
+         call law%get_shift_factor(values(v_temperature), factor, is_valid)
+         if (.not. is_valid) call add(v_temperature, 'is out of the range of the law of the shift (for WLF, above T0 - c2)')
+      end subroutine check_temperature
+
+      !> Axes of profiles are the same for all points.
+      subroutine check_profiles()
+         integer, parameter :: of_axes(*) = [v_period, v_spacing, v_strip_spacing, v_periodise, v_blend_share, v_n_x]
+         integer :: k
+
+         if (.not. values(v_profiles) > 0) return
+         do k = 1, size(of_axes)
+            if (is_swept(of_axes(k))) call add(v_profiles, 'need one axis, and '//variables(of_axes(k))%name &
+               & //' is swept; sweep another variable or switch profiles off')
+         end do
+      end subroutine check_profiles
+
+      !> Values that are possible one by one, and beyond all numbers together, and what a fit makes of a master curve.
+      subroutine check_numbers()
+         type(prony_t) :: prony
+         type(master_curve_fit_t) :: fit
+         real(dp), parameter :: largest = 1.0e100_dp
+
+         if (is_set(values(v_master_curve))) then
+            if (.not. all(given%master_curve(:, 1) > 0)) then
+               call add(v_master_curve, 'has frequencies that are not > 0')
+               return
+            else if (.not. all(given%master_curve(:, 2:) >= 0) .or. &
+               & .not. all(given%master_curve(:, 2) + given%master_curve(:, 3) > 0)) then
+               call add(v_master_curve, 'has moduli < 0, or both 0')
+               return
+            end if
+         end if
+         call get_spectrum(values, given, prony, fit)
+         if (is_set(values(v_master_curve))) then
+            if (.not. fit%is_solved) then
+               call add(v_master_curve, 'cannot be fitted')
+            else if (.not. fit%is_solid) then
+               call add(v_master_curve, 'gives a fluid: its data do not reach the relaxed modulus; add data at lower frequencies')
+            end if
+            if (.not. (fit%is_solved .and. fit%is_solid)) return
+         end if
+         if (.not. prony%relaxed > 0) then
+            call add(v_stiffness, 'is not > 0')
+         else if (size(prony%times) > 0) then
+            if (.not. sum(prony%moduli)/prony%relaxed*values(v_velocity)*maxval(prony%times)/period_of(values, given) < largest) &
+               & call add(v_velocity, 'times the longest retardation time is too large for the period')
+         end if
+      end subroutine check_numbers
+
+   end subroutine check_marched_values
+
+   !> Adhesion: a stress with an energy or a range, and nothing of it without a stress.
+   subroutine check_adhesion_values(variables, values, problems)
+      !> Table of the variables; their names stand in the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values in the order of `variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (.not. is_set(values(v_stress))) then
+         if (is_set(values(v_surface_energy))) call add(v_stress, 'is missing [Pa]; surface_energy needs it')
+         if (is_set(values(v_range))) call add(v_stress, 'is missing [Pa]; range needs it')
+      else if (is_set(values(v_surface_energy)) .and. is_set(values(v_range))) then
+         call add(v_surface_energy, 'stands beside range; give one of them, their ratio is the stress')
+      else if (.not. is_set(values(v_surface_energy)) .and. .not. is_set(values(v_range))) then
+         if (values(v_stress) > 0) call add(v_surface_energy, 'is missing [J/m^2]; stress needs it, or range')
+      end if
+
+   contains
+
+      !> Add a problem of one variable to the list.
+      subroutine add(v, text)
+         !> Place of the variable in the table, one of `v_...`.
+         integer, intent(in) :: v
+         !> What is wrong with the variable; its name is put before this.
+         character(*), intent(in) :: text
+
+         call problems%add(variables(v)%group, variables(v)%name, text)
+      end subroutine add
+
+   end subroutine check_adhesion_values
+
+   !> Load, mean pressure or penetration: one of them.
+   subroutine check_load_values(variables, values, problems)
+      !> Table of the variables; their names stand in the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values in the order of `variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer, parameter :: places(3) = [v_load, v_mean_pressure, v_penetration]
+      logical :: has(3)
+      integer :: first
+
+      has = is_set(values(places))
+      first = findloc(has, .true., dim=1)
+      if (count(has) > 1) then
+         call problems%add(variables(places(first))%group, variables(places(first))%name, 'stands beside ' &
+            & //variables(places(findloc(has, .true., dim=1, back=.true.)))%name//'; give one of them')
+      else if (first == 0) then
+         call problems%add(variables(v_load)%group, variables(v_load)%name, &
+            & 'is missing; load or penetration is needed')
+      end if
+   end subroutine check_load_values
+
+end module adfric_wavy_marched_check
