@@ -6,16 +6,17 @@ module adfric_wavy_case
    use adfric_wavy_adhesion, only: adhesion_t, acting_adhesion
    use adfric_wavy_foundation, only: new_foundation
    use adfric_wavy_surface, only: surface_t
-   use adfric_wavy_variables, only: v_branch, v_edge, v_height, v_kind, v_load, v_penetration, v_period, v_poisson_ratio, &
+   use adfric_wavy_variables, only: v_branch, v_edge, v_height, v_kind, v_load, v_mean_pressure, v_penetration, v_period, &
+      & v_poisson_ratio, &
       & v_pull_off, v_range, &
       & v_relative_tolerance, v_relaxation_time, v_retardation_ratio, v_slope, v_stiffness, v_stress, &
       & v_strips, v_surface_energy, v_thickness, v_velocity, v_young_modulus
    implicit none (type, external)
    private
-   public :: wavy_case_t, resolve_case, kind_2d, kind_3d
+   public :: wavy_case_t, resolve_case, kind_2d, kind_3d, kind_profile, kind_cosines, kind_map
 
    !> Places of the words in the choice of the surface.
-   integer, parameter :: kind_2d = 1, kind_3d = 2
+   integer, parameter :: kind_2d = 1, kind_3d = 2, kind_profile = 3, kind_cosines = 4, kind_map = 5
    integer, parameter :: slope_finite = 2
 
    !> A point in reduced units, and the units.
@@ -63,7 +64,7 @@ contains
          end if
          call new_foundation(surface%foundation, &
             & two_pi*(values(v_velocity)*values(v_relaxation_time)/self%period), values(v_retardation_ratio))
-         self%given%edge = nint(values(v_edge))
+         if (is_set(values(v_edge))) self%given%edge = nint(values(v_edge))
          surface%branch = nint(values(v_branch))
          if (nint(values(v_slope)) == slope_finite) surface%shape%steepness = two_pi*self%height/self%period
          surface%tolerance = values(v_relative_tolerance)
@@ -79,9 +80,11 @@ contains
          surface%adhesion = acting_adhesion(self%given, surface%foundation%beta)
       end associate
 
-      self%is_load_given = is_set(values(v_load))
-      if (self%is_load_given) then
+      self%is_load_given = .not. is_set(values(v_penetration))
+      if (is_set(values(v_load))) then
          self%load = values(v_load)/self%load_unit
+      else if (is_set(values(v_mean_pressure))) then
+         self%load = values(v_mean_pressure)/self%pressure_unit
       else
          self%penetration = values(v_penetration)/self%height
       end if

@@ -6,10 +6,12 @@ module adfric_wavy_check
    use adfric_model_check, only: require
    use adfric_model_table, only: variable_t
    use adfric_wavy_case, only: wavy_case_t, resolve_case
-   use adfric_wavy_variables, only: v_height, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_poisson_ratio, &
-      & v_profiles, v_range, &
-      & v_relaxation_time, v_retardation_ratio, v_stiffness, v_stress, v_surface_energy, v_thickness, &
-      & v_velocity, v_young_modulus
+   use adfric_wavy_marched_check, only: check_adhesion_values, check_load_values
+   use adfric_wavy_variables, only: v_activation_energy, v_amplitudes, v_blend_share, v_detrend, v_height, v_height_factor, &
+      & v_heights, v_interpolation, v_kind, v_load, v_moduli, v_n_x, v_n_y, v_penetration, v_period, v_periodise, v_phases, &
+      & v_poisson_ratio, v_profiles, v_reference_temperature, v_relaxation_time, v_retardation_ratio, v_reverse, v_shift, &
+      & v_shortest_wavelength, v_spacing, v_stiffness, v_stress, v_strip_spacing, v_temperature, v_terms_per_decade, v_thickness, &
+      & v_time_factor, v_velocity, v_wlf_c1, v_wlf_c2, v_young_moduli, v_young_modulus
    implicit none (type, external)
    private
    public :: check_wavy_values
@@ -31,13 +33,10 @@ contains
       before = problems%count()
       call require(variables, values, [v_kind, v_period, v_height], problems)
       call check_foundation()
-      call check_adhesion()
+      call check_adhesion_values(variables, values, problems)
       call require(variables, values, [v_velocity], problems)
-      if (is_set(values(v_load)) .and. is_set(values(v_penetration))) then
-         call add(v_load, 'stands beside penetration; give one of them')
-      else if (.not. is_set(values(v_load)) .and. .not. is_set(values(v_penetration))) then
-         call add(v_load, 'is missing; load or penetration is needed')
-      end if
+      call check_load_values(variables, values, problems)
+      call refuse_marched()
       if (values(v_profiles) > 0 .and. is_swept(v_period)) then
          call add(v_profiles, 'need one period, which is swept; sweep another variable or switch profiles off')
       end if
@@ -75,18 +74,20 @@ contains
          call require(variables, values, [v_relaxation_time, v_retardation_ratio], problems)
       end subroutine check_foundation
 
-      !> Adhesion: a stress with an energy or a range, and nothing of it without a stress.
-      subroutine check_adhesion()
-         if (.not. is_set(values(v_stress))) then
-            if (is_set(values(v_surface_energy))) call add(v_stress, 'is missing [Pa]; surface_energy needs it')
-            if (is_set(values(v_range))) call add(v_stress, 'is missing [Pa]; range needs it')
-         else if (is_set(values(v_surface_energy)) .and. is_set(values(v_range))) then
-            call add(v_surface_energy, 'stands beside range; give one of them, their ratio is the stress')
-         else if (.not. is_set(values(v_surface_energy)) .and. .not. is_set(values(v_range))) then
-            if (values(v_stress) > 0) call add(v_surface_energy, &
-               & 'is missing [J/m^2]; stress needs it, or range')
-         end if
-      end subroutine check_adhesion
+      !> Refuse what belongs to heights and spectra.
+      subroutine refuse_marched()
+         integer, parameter :: places(*) = [v_heights, v_spacing, v_strip_spacing, v_amplitudes, v_phases, &
+            & v_interpolation, v_detrend, &
+            & v_periodise, v_blend_share, v_shortest_wavelength, v_reverse, v_height_factor, v_moduli, v_young_moduli, &
+            & v_terms_per_decade, v_time_factor, v_shift, v_reference_temperature, v_wlf_c1, v_wlf_c2, v_activation_energy, &
+            & v_temperature]
+         integer :: k
+
+         do k = 1, size(places)
+            if (is_set(values(places(k))) .or. is_swept(places(k))) call add(places(k), &
+               & 'belongs to heights, cosines or a spectrum (relaxation_times or master_curve), which are not given')
+         end do
+      end subroutine refuse_marched
 
       !> Values that are possible one by one, and beyond all numbers together.
       subroutine check_reduced()

@@ -10,6 +10,7 @@ module adfric_wavy_marched_case
    use adfric_shape_height_line, only: cubic_pieces, linear_pieces
    use adfric_shape_periodic_heights, only: preparation_t
    use adfric_wavy_adhesion, only: edge_continuous, edge_instantaneous
+   use adfric_wavy_case, only: kind_2d, kind_cosines, kind_map, kind_profile
    use adfric_wavy_given_surface, only: given_surface_t
    use adfric_wavy_march_relief, only: relief_t, new_wave_relief, new_measured_relief
    use adfric_wavy_variables, only: v_activation_energy, v_blend_share, v_branch, v_detrend, v_edge, v_height, &
@@ -21,10 +22,8 @@ module adfric_wavy_marched_case
    implicit none (type, external)
    private
    public :: marched_case_t, is_marched, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, period_of, &
-      & time_temperature_of, kind_2d, kind_3d, kind_profile, kind_cosines, kind_map, shape_places, foundation_places
+      & time_temperature_of, shape_places, foundation_places
 
-   !> Places of the words in the choice of the surface.
-   integer, parameter :: kind_2d = 1, kind_3d = 2, kind_profile = 3, kind_cosines = 4, kind_map = 5
    !> Place of the word in the choice of the interpolation.
    integer, parameter :: choice_linear = 1
    !> Variables that change the rows, and the spectrum, of a surface.
@@ -136,7 +135,8 @@ contains
          relief%period = values(v_period)
       case default
          call new_measured_relief(relief, given%heights, spacing_of(values, given), preparation_of(values), &
-            & merge(linear_pieces, cubic_pieces, word_of(values(v_interpolation), 0) == choice_linear), is_reversed, is_coarse, error)
+            & merge(linear_pieces, cubic_pieces, word_of(values(v_interpolation), 0) == choice_linear), is_reversed, &
+            & is_coarse, error)
       end select
    end subroutine get_relief
 

@@ -9,15 +9,14 @@ module adfric_wavy_marched_check
    use adfric_material_time_temperature, only: time_temperature_t
    use adfric_model_check, only: require
    use adfric_model_table, only: variable_t
-   use adfric_shape_height_line, only: cubic_pieces
+   use adfric_wavy_case, only: kind_2d, kind_3d, kind_cosines, kind_map
    use adfric_wavy_given_surface, only: given_surface_t
-   use adfric_wavy_marched_case, only: get_spectrum, kind_2d, kind_3d, kind_cosines, kind_map, kind_profile, period_of, &
-      & spacing_of, strip_spacing_of, time_temperature_of
-   use adfric_wavy_variables, only: v_activation_energy, v_amplitudes, v_blend_share, v_detrend, v_height, v_height_factor, &
+   use adfric_wavy_marched_case, only: get_spectrum, period_of, spacing_of, strip_spacing_of, time_temperature_of
+   use adfric_wavy_variables, only: v_activation_energy, v_amplitudes, v_blend_share, v_detrend, v_height, &
       & v_heights, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_n_x, v_penetration, v_period, &
       & v_periodise, v_phases, v_poisson_ratio, v_profiles, v_pull_off, v_range, v_reference_temperature, v_relaxation_time, &
       & v_relaxation_times, v_retardation_ratio, v_reverse, v_shift, v_shortest_wavelength, v_slope, v_spacing, v_stiffness, &
-      & v_stress, v_strip_spacing, v_surface_energy, v_temperature, v_terms_per_decade, v_thickness, v_time_factor, v_velocity, &
+      & v_stress, v_strip_spacing, v_surface_energy, v_temperature, v_terms_per_decade, v_thickness, v_velocity, &
       & v_wlf_c1, v_wlf_c2, v_young_moduli, v_young_modulus
    implicit none (type, external)
    private

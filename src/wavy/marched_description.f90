@@ -9,10 +9,10 @@ module adfric_wavy_marched_description
    use adfric_material_retardation, only: retardation_t, new_retardation
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_wavy_adhesion, only: edge_front
+   use adfric_wavy_case, only: kind_map, kind_profile
    use adfric_wavy_given_surface, only: given_surface_t
    use adfric_wavy_march_relief, only: relief_t
-   use adfric_wavy_marched_case, only: marched_case_t, get_relief, get_spectrum, resolve_marched, kind_map, kind_profile, &
-      & spacing_of
+   use adfric_wavy_marched_case, only: marched_case_t, get_relief, get_spectrum, resolve_marched, spacing_of
    use adfric_wavy_variables, only: v_kind, v_master_curve, v_periodise, v_shortest_wavelength, v_thickness, v_velocity
    implicit none (type, external)
    private
@@ -110,8 +110,8 @@ contains
       if (nint(values(v_kind)) == kind_profile .or. nint(values(v_kind)) == kind_map) then
          if (relief%seam%is_open() .and. is_set(values(v_periodise))) then
             if (nint(values(v_periodise)) == periodise_none) then
-               write (line, '(a, es9.2, a, es9.2, a)') 'the heights do not meet where the period ends: a step of', relief%seam%step, &
-                  & ' m, inside at most', relief%seam%largest, ' m (root mean square); periodise = ''blend''?'
+               write (line, '(a, es9.2, a, es9.2, a)') 'the heights do not meet where the period ends: a step of', &
+                  & relief%seam%step, ' m, inside at most', relief%seam%largest, ' m (root mean square); periodise = ''blend''?'
                text = text//trim(line)//new_line('a')
             end if
          end if
@@ -139,8 +139,8 @@ contains
       real(dp), intent(in) :: values(:)
       !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
-      character(*), parameter :: of_foundation = 'stiffness young_modulus poisson_ratio thickness relaxation_time retardation_ratio ' &
-         & //'moduli young_moduli relaxation_times master_curve terms_per_decade'
+      character(*), parameter :: of_foundation = 'stiffness young_modulus poisson_ratio thickness relaxation_time ' &
+         & //'retardation_ratio moduli young_moduli relaxation_times master_curve terms_per_decade'
       character(*), parameter :: of_surface = 'period height heights spacing amplitudes phases interpolation detrend periodise ' &
          & //'blend_share shortest_wavelength height_factor'
       type(relief_t) :: relief

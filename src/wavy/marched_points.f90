@@ -10,6 +10,7 @@ module adfric_wavy_marched_points
    use adfric_material_master_curve, only: master_curve_fit_t
    use adfric_material_prony, only: prony_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_wavy_case, only: kind_2d, kind_map, kind_profile
    use adfric_wavy_given_surface, only: given_surface_t
    use adfric_wavy_march_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load, &
       & march_solved, march_no_equilibrium
@@ -20,7 +21,7 @@ module adfric_wavy_marched_points
    use adfric_wavy_march_solid, only: solid_t, new_solid
    use adfric_wavy_march_way, only: new_way
    use adfric_wavy_marched_case, only: marched_case_t, resolve_marched, get_relief, get_spectrum, strip_spacing_of, &
-      & period_of, kind_2d, kind_map, kind_profile, shape_places, foundation_places
+      & period_of, shape_places, foundation_places
    use adfric_wavy_strip, only: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion, &
       & regime_adhesion_zones, regime_saturated, regime_several_contacts, regime_mixed
    use adfric_wavy_variables, only: n_wavy_results, r_adhesion_area, r_adhesion_count, r_contact_area, r_contact_count, &

@@ -11,12 +11,12 @@ module adfric_wavy_model
    use adfric_model_status, only: status_solved, status_no_equilibrium
    use adfric_model_table, only: result_t, profile_axis_t
    use adfric_wavy_adhesion, only: edge_front
-   use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d
+   use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d, kind_map
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
    use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load, leads_to
    use adfric_wavy_given_surface, only: given_surface_t, take_given
-   use adfric_wavy_marched_case, only: is_marched, kind_map
+   use adfric_wavy_marched_case, only: is_marched
    use adfric_wavy_marched_check, only: check_marched_values
    use adfric_wavy_marched_description, only: describe_marched, doubt_marched, derive_marched
    use adfric_wavy_marched_points, only: solve_marched_block, solve_marched_profiles, row_places, column_places
@@ -24,12 +24,14 @@ module adfric_wavy_model
    use adfric_wavy_pull_off, only: pull_off_t, find_pull_off, is_below_pull_off
    use adfric_wavy_pull_off_table, only: pull_off_table_t, get_pull_off
    use adfric_wavy_steady_state, only: branch_adhered
-   use adfric_wavy_strip, only: regime_free, regime_adhesion_only
+   use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only, regime_adhesion_zones, regime_saturated, &
+      & regime_saturated_adhesion
    use adfric_wavy_surface, only: negligible, is_same_surface
    use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_adhesion_area, r_contact_area, &
       & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, &
       & r_friction_coefficient, r_friction_force, r_load, r_penetration, r_pull_off_load, &
-      & r_pull_off_penetration, r_regime, v_heights, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_profiles, &
+      & r_adhesion_count, r_contact_count, r_friction_sample_error, r_pull_off_penetration, r_regime, r_saturated_share, &
+      & r_snap_count, v_heights, v_kind, v_load, v_n_x, v_n_y, v_penetration, v_period, v_profiles, &
       & v_relaxation_time, v_thickness, v_velocity
    implicit none (type, external)
    private
@@ -51,7 +53,6 @@ module adfric_wavy_model
       procedure :: take_dataset
       procedure :: take_attribute
       procedure :: describe_case
-      procedure :: describe_doubts
       procedure :: prepare
       procedure :: release
       procedure :: check_values
@@ -188,18 +189,6 @@ contains
       text = ''
       if (is_marched(values)) text = describe_marched(values, self%given)
    end function describe_case
-
-   !> What in spectrum and heights may not be what the user means.
-   function describe_doubts(self, values) result(text)
-      !> The model with its lists and datasets.
-      class(wavy_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      character(:), allocatable :: text
-
-      text = ''
-      if (is_marched(values)) text = doubt_marched(values, self%given)
-   end function describe_doubts
 
    !> Does the user ask for profiles?
    pure logical function wants_profiles(self, values)
@@ -400,11 +389,30 @@ contains
          results(r_contact_width) = width/two_pi*point%period
          results(r_contact_shift) = merge(crest%shift, 0.0_dp, width > 0 .and. crest%half_width < pi)/two_pi*point%period
          results(r_regime) = crest%regime
+         if (.not. point%surface%shape%is_3d) call count_zones(crest, results)
       end associate
       if (.not. point%wants_pull_off .or. .not. pull_off%is_converged) return
       results(r_pull_off_load) = pull_off%load*point%load_unit
       results(r_pull_off_penetration) = pull_off%penetration*point%height
    end subroutine store
+
+   !> Numbers of zones of the one strip of a 2-D wave.
+   pure subroutine count_zones(state, results)
+      !> Its steady state.
+      type(steady_state_t), intent(in) :: state
+      !> Receives the counts; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      logical :: has_contact, has_free
+
+      has_contact = state%regime /= regime_free .and. state%regime /= regime_adhesion_only
+      has_free = state%regime == regime_adhesion_zones
+      results(r_contact_count) = merge(1, 0, has_contact)
+      results(r_adhesion_count) = merge(1, 0, state%regime == regime_adhesion_only .or. state%regime == regime_saturated_adhesion)
+      if (has_free) results(r_adhesion_count) = count([state%trailing, state%leading] > 0)
+      results(r_snap_count) = merge(1, 0, has_free .and. state%entry > 0)
+      results(r_saturated_share) = merge(1, 0, state%regime == regime_saturated)
+      results(r_friction_sample_error) = 0
+   end subroutine count_zones
 
    !> Profiles of one solved point.
    subroutine solve_profiles(self, values, results, profiles)
@@ -464,7 +472,7 @@ contains
 
    !> See `model_t`: sliding so slow that a layer has no front (docs/wavy.md).
    function describe_doubts(self, values) result(text)
-      !> The model; nothing of it is read here.
+      !> The model with its lists and datasets.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -474,8 +482,10 @@ contains
       real(dp) :: lag
 
       text = ''
-      associate (unused => self)
-      end associate
+      if (is_marched(values)) then
+         text = doubt_marched(values, self%given)
+         return
+      end if
       call resolve_case(values, point)
       if (.not. is_set(values(v_thickness)) .or. point%given%edge /= edge_front .or. point%given%stress <= 0) return
       lag = values(v_velocity)*values(v_relaxation_time)

@@ -38,15 +38,16 @@ contains
 
       allocate (v(n_variables))
       v(v_kind) = choice(group='surface', name='kind', &
-         & meaning='one wave (wave_2d), waves in both directions (wave_3d), a line of heights (profile), a sum of waves (cosines), ' &
-         & //'or heights over x and y, whose rows are strips (map); forces are per width but for wave_3d and map', &
+         & meaning='one wave (wave_2d), waves in both directions (wave_3d), a line of heights (profile), a sum of waves ' &
+         & //'(cosines), or heights over x and y, whose rows are strips (map); forces are per width but for wave_3d and map', &
          & choices='wave_2d wave_3d profile cosines map')
       v(v_period) = above_zero(group='surface', name='period', unit='m', meaning='period of waves and cosines')
       v(v_height) = above_zero(group='surface', name='height', unit='m', meaning='peak-to-valley height of a wave')
       v(v_slope) = choice(group='surface', name='slope', meaning='shear stress p f'' (small) or p sin(arctan f'') (finite)', &
          & choices='small finite', default='small')
       v(v_heights) = dataset(group='surface', name='heights', unit='m', &
-         & meaning='heights of a profile (x) or a map (y, x), summits positive', largest_rank=2, least_count=1)
+         & meaning='heights of a profile (x) or a map (y, x), summits positive', largest_rank=2, least_count=1, &
+         & attributes='dx dy', attribute_units='m m')
       v(v_spacing) = above_zero(group='surface', name='spacing', unit='m', &
          & meaning='distance of samples along x, instead of the attribute dx of the heights')
       v(v_strip_spacing) = above_zero(group='surface', name='strip_spacing', unit='m', &
@@ -60,8 +61,8 @@ contains
       v(v_detrend) = choice(group='surface', name='detrend', &
          & meaning='what is subtracted from heights first; line, of a map a plane, if not given', choices='none mean line')
       v(v_periodise) = choice(group='surface', name='periodise', &
-         & meaning='how the ends of heights meet: the last part goes over into the first (blend, if not given), the heights follow ' &
-         & //'backwards (mirror), fall to the mean at both ends (taper), or stay (none)', choices='none blend mirror taper')
+         & meaning='how the ends of heights meet: the last part goes over into the first (blend, if not given), the heights ' &
+         & //'follow backwards (mirror), fall to the mean at both ends (taper), or stay (none)', choices='none blend mirror taper')
       v(v_blend_share) = any_number(group='surface', name='blend_share', unit='-', &
          & meaning='share of the length that a blend or a taper changes; 0.05 if not given', lower=0.0_dp, upper=0.5_dp)
       v(v_shortest_wavelength) = any_number(group='surface', name='shortest_wavelength', unit='m', &
@@ -88,7 +89,8 @@ contains
          & meaning='relaxation times of the arms, instead of relaxation_time and retardation_ratio', lower=1.0e-60_dp, &
          & least_count=1, most_count=most_arms)
       v(v_master_curve) = columns_row(group='foundation', name='master_curve', columns='omega storage loss', units='rad/s Pa Pa', &
-         & meaning='group with storage and loss modulus over the frequency, to which arms are fitted')
+         & meaning='group with storage and loss modulus over the frequency, to which arms are fitted', least_count=2, &
+         & attributes='reference_temperature', attribute_units='K')
       v(v_terms_per_decade) = any_number(group='foundation', name='terms_per_decade', unit='-', &
          & meaning='arms that are offered to a master curve in a decade; 1.5 if not given', lower=0.1_dp, upper=10.0_dp)
       v(v_time_factor) = above_zero(group='foundation', name='time_factor', unit='-', &
@@ -109,7 +111,7 @@ contains
          & meaning='largest gap with adhesion, instead of the surface energy')
       v(v_edge) = choice(group='adhesion', name='edge', &
          & meaning='the displacement where the stress starts or ends: as published (continuous), as the foundation asks '// &
-         & '(instantaneous), or as in a thin layer (front)', choices='continuous instantaneous front', default='continuous')
+         & '(instantaneous), or as in a thin layer (front)', choices='continuous instantaneous front')
       v(v_branch) = choice(group='adhesion', name='branch', &
          & meaning='where states coexist: the one that unloading keeps (adhered) or that loading meets (approach)', &
          & choices='adhered approach', default='adhered')

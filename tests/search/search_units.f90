@@ -72,7 +72,7 @@ contains
          powers = [1, 2, 0]
       case ('J')
          powers = [1, 3, 0]
-      case ('-', '1', 'rad', '')
+      case ('-', '1', 'rad', 'K', 'mol', '')
          powers = 0
       case default
          error stop 'search_units: no such unit'

@@ -96,6 +96,8 @@ contains
       is_found = .true.
       event = period_over
       has_begun = .true.
+      may_close = .true.
+      may_let_go = .true.
       y = elements
       terms = sum(abs(y)) + 1 + abs(depth) + abs(pressure)
       base = pressure - depth
