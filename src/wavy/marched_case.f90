@@ -21,7 +21,8 @@ module adfric_wavy_marched_case
       & v_young_modulus
    implicit none (type, external)
    private
-   public :: marched_case_t, is_marched, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, period_of, &
+   public :: marched_case_t, is_marched, has_heights, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
+      & period_of, &
       & time_temperature_of, shape_places, foundation_places
 
    !> Place of the word in the choice of the interpolation.
@@ -61,6 +62,14 @@ contains
       if (is_set(values(v_kind))) is_marched = is_marched .or. nint(values(v_kind)) >= kind_profile
    end function is_marched
 
+   !> Is the surface one of measured heights?
+   pure logical function has_heights(values)
+      !> Values of all variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      has_heights = nint(values(v_kind)) == kind_profile .or. nint(values(v_kind)) == kind_map
+   end function has_heights
+
    !> Distance of samples along x [m]; unset if it is not given.
    pure real(dp) function spacing_of(values, given) result(spacing)
       !> Values of all variables; shape `(n_variables)`.
@@ -91,7 +100,7 @@ contains
       type(given_surface_t), intent(in) :: given
       type(preparation_t) :: preparation
 
-      if (allocated(given%heights)) then
+      if (has_heights(values)) then
          preparation = preparation_of(values)
          period = closed_length(size(given%heights, 1), preparation%closing, preparation%share) &
             & *spacing_of(values, given)

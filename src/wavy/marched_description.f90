@@ -9,10 +9,10 @@ module adfric_wavy_marched_description
    use adfric_material_retardation, only: retardation_t, new_retardation
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_wavy_adhesion, only: edge_front
-   use adfric_wavy_case, only: kind_map, kind_profile
+   use adfric_wavy_case, only: kind_cosines
    use adfric_wavy_given_surface, only: given_surface_t
    use adfric_wavy_march_relief, only: relief_t
-   use adfric_wavy_marched_case, only: marched_case_t, get_relief, get_spectrum, resolve_marched, spacing_of
+   use adfric_wavy_marched_case, only: marched_case_t, get_relief, get_spectrum, resolve_marched, has_heights, spacing_of
    use adfric_wavy_variables, only: v_kind, v_master_curve, v_periodise, v_shortest_wavelength, v_thickness, v_velocity
    implicit none (type, external)
    private
@@ -75,10 +75,10 @@ contains
       if (allocated(error)) return
       call resolve_marched(values, given, relief, prony, point)
       shortest = point%period
-      if (allocated(given%heights)) then
+      if (has_heights(values)) then
          shortest = 2*spacing_of(values, given)
          if (is_set(values(v_shortest_wavelength))) shortest = max(shortest, values(v_shortest_wavelength))
-      else if (allocated(given%amplitudes)) then
+      else if (nint(values(v_kind)) == kind_cosines) then
          shortest = point%period/max(1, findloc(abs(given%amplitudes) > 0, .true., dim=1, back=.true.))
       end if
       frequencies = two_pi*point%pace*[1.0_dp, point%period/shortest]
@@ -107,7 +107,7 @@ contains
          return
       end if
       call resolve_marched(values, given, relief, prony, point)
-      if (nint(values(v_kind)) == kind_profile .or. nint(values(v_kind)) == kind_map) then
+      if (has_heights(values)) then
          if (relief%seam%is_open() .and. is_set(values(v_periodise))) then
             if (nint(values(v_periodise)) == periodise_none) then
                write (line, '(a, es9.2, a, es9.2, a)') 'the heights do not meet where the period ends: a step of', &

@@ -10,7 +10,7 @@ module adfric_wavy_marched_points
    use adfric_material_master_curve, only: master_curve_fit_t
    use adfric_material_prony, only: prony_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_wavy_case, only: kind_2d, kind_map, kind_profile
+   use adfric_wavy_case, only: kind_2d, kind_map
    use adfric_wavy_given_surface, only: given_surface_t
    use adfric_wavy_march_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load, &
       & march_solved, march_no_equilibrium
@@ -20,7 +20,7 @@ module adfric_wavy_marched_points
    use adfric_wavy_march_relief, only: relief_t
    use adfric_wavy_march_solid, only: solid_t, new_solid
    use adfric_wavy_march_way, only: new_way
-   use adfric_wavy_marched_case, only: marched_case_t, resolve_marched, get_relief, get_spectrum, strip_spacing_of, &
+   use adfric_wavy_marched_case, only: marched_case_t, resolve_marched, get_relief, get_spectrum, has_heights, strip_spacing_of, &
       & period_of, shape_places, foundation_places
    use adfric_wavy_strip, only: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion, &
       & regime_adhesion_zones, regime_saturated, regime_several_contacts, regime_mixed
@@ -151,7 +151,7 @@ contains
       results = not_a_number()
       error_estimate = not_a_number()
       status = status_not_converged
-      has_samples = nint(values(v_kind)) == kind_profile .or. nint(values(v_kind)) == kind_map
+      has_samples = has_heights(values)
       call prepare_rows(self, values, given, has_samples, error)
       if (allocated(error)) return
       call find(self%surface, self%point, self%equilibrium)
