@@ -170,7 +170,7 @@ contains
       !$omp end critical (adfric_api)
    end subroutine set_word
 
-   !> Set a variable that is a dataset of one dimension, in place of the name of a file.
+   !> Set a variable that is a list of numbers, or a dataset of one dimension, in place of the name of a file.
    subroutine set_line(self, name, values, error)
       !> The simulation; after an error the dataset is not given.
       class(simulation_t), intent(inout) :: self
@@ -186,13 +186,14 @@ contains
       !$omp end critical (adfric_api)
    end subroutine set_line
 
-   !> Set a variable that is a dataset of two dimensions, in place of the name of a file.
+   !> Set a variable that is a dataset of two dimensions, or the columns of a group, in place of the name of a file.
    subroutine set_map(self, name, values, error)
       !> The simulation; after an error the dataset is not given.
       class(simulation_t), intent(inout) :: self
       !> Name of the variable, or `group%name` where several groups have one.
       character(*), intent(in) :: name
-      !> Values of the dataset in the SI unit of the variable; shape `(nx, ny)`, which h5py shows as `(ny, nx)`.
+      !> Values of the dataset in the SI unit of the variable; shape `(nx, ny)`, which h5py shows as `(ny, nx)`;
+      !> of columns `(n, n_columns)`.
       real(dp), intent(in) :: values(:, :)
       !> Not allocated if the values are set.
       type(error_t), allocatable, intent(out) :: error

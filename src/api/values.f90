@@ -120,7 +120,7 @@ contains
 
       if (variable%kind == kind_dataset) then
          value = held
-         flaw = 'is a dataset, given '//text//', allowed: an array of its values'
+         flaw = trim(merge('is a list   ', 'is a dataset', variable%is_list))//', given '//text//', allowed: an array of its values'
       else
          call read_variable(text, variable, value, flaw, position)
       end if

@@ -46,6 +46,7 @@ module adfric_command_help_pages
       '  /'//newline// &
       '  &GROUP'//newline// &
       '    VARIABLE = VALUE     a group of the model; a dataset is ''FILE.h5:/DATASET'''//newline// &
+      '    VARIABLE = A, B, 3*C a list of numbers, or the dataset that has them'//newline// &
       '  /'//newline// &
       '  &sweep'//newline// &
       '    variable = ''NAME''    or ''GROUP%NAME'': any numeric variable of the model'//newline// &
@@ -62,7 +63,8 @@ module adfric_command_help_pages
       'is not written again. Every dataset has units and long_name, every enumerated one flag_values and'//newline// &
       'flag_meanings; -1 is an enumerated result without a value.'//newline// &
       newline// &
-      'Every variable that is not swept, and what follows from it, is a scalar dataset of its own.'//newline// &
+      'Every variable that is not swept, and what follows from it, is a scalar dataset of its own; a list'//newline// &
+      'of numbers has one dimension.'//newline// &
       newline// &
       '  attributes of the file                title, Conventions, source, history, references, model,'//newline// &
       '                                        adfric_version, git_revision, compiler, created, wall_seconds,'//newline// &

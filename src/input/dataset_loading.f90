@@ -74,6 +74,7 @@ contains
          call load_columns(dataset, variable, values, flaw)
       else
          call load_dataset(dataset, variable, values, flaw)
+         if (variable%is_list .and. len(flaw) == 0) dataset%numbers = values(:, 1)
       end if
    end subroutine load_data
 

@@ -8,7 +8,7 @@ module adfric_output_constants
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
-   public :: constant_t, find_constants, add_derived_constants, file_unit
+   public :: constant_t, find_constants, add_derived_constants, file_unit, name_in_file
 
    !> Words of a logical variable, for 0 and 1.
    character(*), parameter :: logical_words = 'false true'
@@ -44,7 +44,7 @@ contains
       do i = 1, size(run%model%variables)
          associate (variable => run%model%variables(i))
             if (variable%kind == kind_dataset .or. .not. is_set(run%plan%base(i)) .or. run%plan%is_swept(i)) cycle
-            constant%name = name_of(run, i)
+            constant%name = name_in_file(run, i)
             constant%unit = file_unit(run%model%unit_of(run%plan%base, i))
             constant%long_name = variable%meaning
             constant%value = run%plan%base(i)
@@ -99,7 +99,7 @@ contains
    end function file_unit
 
    !> Name of a variable in the file; with its group before it where it would not be the only one of its name.
-   function name_of(run, variable) result(name)
+   function name_in_file(run, variable) result(name)
       !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       !> Place of the variable in the variables of the model.
@@ -115,7 +115,7 @@ contains
          if (run%model%variables(i)%has_bare_name .or. .not. run%model%variables(variable)%has_bare_name) is_alone = .false.
       end do
       if (.not. is_alone) name = run%model%variables(variable)%group//'_'//name
-   end function name_of
+   end function name_in_file
 
    !> Names of the other datasets that a file may have: results, profiles and their axes, swept variables.
    function list_taken(run) result(names)

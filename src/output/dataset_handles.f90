@@ -9,7 +9,7 @@ module adfric_output_dataset_handles
    use adfric_hdf5_reading, only: open_dataset, get_extent
    use adfric_output_boxes, only: box_t, next_box
    use adfric_output_constant_datasets, only: create_constants, list_constants
-   use adfric_output_field_dataset, only: field_form_t, create_scale, create_field, create_counts, count_group
+   use adfric_output_field_dataset, only: field_form_t, create_scale, create_list, create_field, create_counts, count_group
    use adfric_output_layout, only: layout_t
    use adfric_output_sums_dataset, only: sums_dataset_t
    use adfric_output_virtual_parts, only: virtual_parts_t
@@ -68,6 +68,9 @@ contains
          call create_scale(calls, file, layout%profile_axes(i), self%scales(n + i))
       end do
       call create_constants(calls, file, layout%constants)
+      do i = 1, size(layout%lists)
+         call create_list(calls, file, layout%lists(i))
+      end do
       ! the points of a part stand in a row, along which there is no scale
       is_whole = layout%blocks%part%is_whole()
       form%coordinates = ''

@@ -1,17 +1,17 @@
 !> A new dataset of a results file with all that describes it.
 module adfric_output_field_dataset
    use hdf5, only: hid_t
-   use adfric_base_kinds, only: i8
+   use adfric_base_kinds, only: dp, i8
    use adfric_hdf5_attributes, only: write_attribute
    use adfric_hdf5_calls, only: hdf5_calls_t, no_id
    use adfric_hdf5_datasets, only: create_space, create_real_dataset, create_state_dataset, &
-      write_values, make_scale, attach_scale
+      write_values, close_dataset, make_scale, attach_scale
    use adfric_output_flags, only: write_flags
    use adfric_output_layout, only: scale_t, field_t
    use adfric_output_virtual_parts, only: virtual_parts_t
    implicit none (type, external)
    private
-   public :: field_form_t, create_scale, create_field, create_counts, count_group
+   public :: field_form_t, create_scale, create_list, create_field, create_counts, count_group
 
    !> Group of what is known of each block.
    character(*), parameter :: count_group = 'blocks'
@@ -52,6 +52,32 @@ contains
       call make_scale(calls, dataset, scale%name)
       call calls%close_id(space)
    end subroutine create_scale
+
+   !> Create the dataset of a list of numbers, and that of the places of its numbers, which is the scale of its one dimension.
+   subroutine create_list(calls, file, list)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
+      integer(hid_t), intent(in) :: file
+      !> The list: its name, its unit and its numbers.
+      type(scale_t), intent(in) :: list
+      type(scale_t) :: places
+      integer(hid_t) :: space, dataset, scale
+      integer :: i
+
+      places = scale_t(name=list%name//'_place', unit='1', long_name='place in '//list%name, &
+         & values=[(real(i, dp), i=1, size(list%values))])
+      call create_scale(calls, file, places, scale)
+      call create_space(calls, [size(list%values, kind=i8)], space)
+      call create_real_dataset(calls, file, list%name, space, dataset)
+      call write_attribute(calls, dataset, 'units', list%unit)
+      call write_attribute(calls, dataset, 'long_name', list%long_name)
+      call write_values(calls, dataset, space, space, list%values)
+      call attach_scale(calls, dataset, scale, 1)
+      call calls%close_id(space)
+      call close_dataset(calls, dataset)
+      call close_dataset(calls, scale)
+   end subroutine create_list
 
    !> Create a dataset of a result or a profile.
    subroutine create_field(calls, file, field, form, dataset, parts)

@@ -3,7 +3,7 @@ module adfric_output_layout
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_kinds, only: dp, i8
    use adfric_model_table, only: result_t, profile_t, profile_axis_t, results_of_every_run
-   use adfric_output_constants, only: constant_t, find_constants, file_unit
+   use adfric_output_constants, only: constant_t, find_constants, file_unit, name_in_file
    use adfric_run_blocks, only: blocks_t
    use adfric_run_run, only: run_t
    implicit none (type, external)
@@ -52,6 +52,8 @@ module adfric_output_layout
       type(blocks_t) :: blocks
       !> What has one value in the whole run.
       type(constant_t), allocatable :: constants(:)
+      !> Variables that are lists of numbers; their values lie along a dimension of their own.
+      type(scale_t), allocatable :: lists(:)
       !> Swept variables, the slowest first.
       type(scale_t), allocatable :: axes(:)
       !> Axes of a profile, the slowest first, without those of size 1.
@@ -94,6 +96,7 @@ contains
 
       results = run%model%describe_results(run%plan%base)
       call find_constants(run, self%constants)
+      call find_lists(run, self%lists)
       call find_axes(run, self%axes)
       call find_fields(results, self%axes, self%fields)
       if (run%model%wants_profiles(run%plan%base)) then
@@ -109,6 +112,30 @@ contains
             'sum over the points of a block, for the attribute of this name')
       end do
    end subroutine new_layout
+
+   !> The variables that are lists of numbers.
+   subroutine find_lists(run, lists)
+      !> The run, with its model and its lists.
+      class(run_t), intent(in) :: run
+      !> Receives each list with its numbers.
+      type(scale_t), allocatable, intent(out) :: lists(:)
+      integer :: i, n
+
+      n = 0
+      do i = 1, size(run%datasets)
+         if (allocated(run%datasets(i)%numbers)) n = n + 1
+      end do
+      allocate (lists(n))
+      n = 0
+      do i = 1, size(run%datasets)
+         if (.not. allocated(run%datasets(i)%numbers)) cycle
+         n = n + 1
+         lists(n)%name = name_in_file(run, i)
+         lists(n)%unit = file_unit(run%model%unit_of(run%plan%base, i))
+         lists(n)%long_name = run%model%variables(i)%meaning
+         lists(n)%values = run%datasets(i)%numbers
+      end do
+   end subroutine find_lists
 
    !> Name the swept variables: by their own names or, where two of them share it, with the group before it.
    subroutine find_axes(run, axes)
@@ -279,7 +306,7 @@ contains
    pure real(dp) function n_bytes(self)
       !> Layout of the file: its datasets and its points.
       class(layout_t), intent(in) :: self
-      real(dp) :: n_points, per_point
+      real(dp) :: n_points, per_point, in_lists
       integer :: i
 
       n_points = product(real(self%point_shape(), dp))
@@ -289,7 +316,12 @@ contains
          per_point = per_point + merge(state_bytes, real_bytes, len(self%fields(i)%flag_meanings) > 0)
       end do
       per_point = per_point + real(real_bytes*(size(self%counts) + 1), dp)/self%blocks%size
-      n_bytes = n_points*per_point + real_bytes*(sum(real(self%point_shape(), dp)) &
+      in_lists = 0
+      do i = 1, size(self%lists)
+         ! each with its numbers from 1 on
+         in_lists = in_lists + 2*(real_bytes*size(self%lists(i)%values) + bytes_per_dataset)
+      end do
+      n_bytes = in_lists + n_points*per_point + real_bytes*(sum(real(self%point_shape(), dp)) &
          + sum(real(self%profile_shape(), dp))) + bytes_per_dataset &
          *(size(self%constants) + size(self%axes) + size(self%profile_axes) + size(self%fields) + size(self%profiles) &
          + size(self%counts) + 2)

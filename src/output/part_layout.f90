@@ -32,6 +32,7 @@ contains
       call write_attribute(calls, file, 'points_of_run', layout%blocks%n_points_of_run)
       call write_attribute(calls, file, 'points_of_block', int(layout%blocks%size, i8))
       call write_attribute(calls, file, 'constants', list_constants(layout%constants))
+      call write_attribute(calls, file, 'lists', list_scales(layout%lists))
       call write_attribute(calls, file, 'axes', list_scales(layout%axes))
       call write_attribute(calls, file, 'profile_axes', list_scales(layout%profile_axes))
       call write_attribute(calls, file, 'fields', list_fields(layout%fields))
@@ -59,6 +60,10 @@ contains
       call new_blocks(layout%blocks, n_points, part_t(int(number), int(n_parts), .true.), int(block_size))
       call read_attribute(calls, file, 'constants', names)
       call read_constants(calls, file, names, layout%constants)
+      ! parts of older programs have none
+      names = ''
+      if (has_attribute(calls, file, 'lists')) call read_attribute(calls, file, 'lists', names)
+      call read_scales(calls, file, names, layout%lists)
       call read_attribute(calls, file, 'axes', names)
       call read_scales(calls, file, names, layout%axes)
       call read_attribute(calls, file, 'profile_axes', names)

@@ -12,7 +12,7 @@ module adfric_run_dataset
    !> Longest list of which all numbers are shown.
    integer, parameter :: most_shown = 10
 
-   !> A dataset, a group or a list; everything but `text`, `file`, `path` and `numbers` is known once it has been loaded.
+   !> A dataset, a group or a list; everything but `text`, `file`, `path` and the `numbers` of an input is known once it has been loaded.
    type :: dataset_t
       !> Names of file and dataset as the user gave them, FILE:/DATASET, or how many numbers are given; not allocated where there
       !> is neither.
@@ -21,7 +21,7 @@ module adfric_run_dataset
       character(:), allocatable :: file
       !> Name of the dataset or group within the file.
       character(:), allocatable :: path
-      !> The numbers of a list, in SI units; not allocated if they stand in a file.
+      !> The numbers of a list, in SI units; not allocated if it is none.
       real(dp), allocatable :: numbers(:)
       !> Names of the datasets that a group has, separated by a blank; not allocated if it is no group.
       character(:), allocatable :: columns
@@ -70,7 +70,7 @@ contains
       character(:), allocatable :: text
       integer :: k
 
-      if (allocated(self%numbers)) then
+      if (.not. self%is_in_file() .and. allocated(self%numbers)) then
          text = describe_numbers(self%numbers)
          return
       end if

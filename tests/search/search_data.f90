@@ -3,6 +3,7 @@ module search_data
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
+   use adfric_base_words, only: get_word
    use adfric_model_model, only: model_t
    use adfric_model_table, only: variable_t, kind_dataset
    use random_dice, only: dice_t
@@ -36,7 +37,7 @@ contains
       type(drawn_data_t), allocatable, intent(out) :: list(:)
       !> Does the model accept all of them?
       logical, intent(out) :: is_taken
-      integer :: k, n, which, n_x, n_y
+      integer :: j, k, n, which, n_x, n_y
       logical :: is_line
 
       allocate (list(count(model%variables%kind == kind_dataset)))
@@ -53,9 +54,15 @@ contains
             call dice%happens(share_of_lines, is_line)
             call dice%choose(size(counts), which)
             if (v%largest_rank > 1 .and. .not. is_line) n_y = counts(which)
-            allocate (list(n)%values(n_x, n_y))
+            if (v%n_columns() > 0) n_y = v%n_columns()
+            allocate (list(n)%values(min(n_x, v%most_count), n_y))
             call draw_shape(v, dice, list(n)%values)
-            list(n)%values = list(n)%values*10.0_dp**max(-60.0_dp, min(60.0_dp, dot_product(logarithm, dimensions_of(v%unit))))
+            if (.not. v%lower < 0) list(n)%values = abs(list(n)%values)
+            if (v%lower_open .and. .not. v%lower < 0) list(n)%values = list(n)%values + 1
+            do j = 1, n_y
+               list(n)%values(:, j) = list(n)%values(:, j) &
+                  *10.0_dp**max(-60.0_dp, min(60.0_dp, dot_product(logarithm, dimensions_of(unit_of_column(v, j)))))
+            end do
          end associate
       end do
       call give_data(model, list, is_taken)
@@ -124,12 +131,26 @@ contains
       !> Of two, for Pa, m, s.
       real(dp), intent(in) :: powers(:)
       type(drawn_data_t), intent(inout) :: list(:)
-      integer :: k
+      integer :: j, k
 
       do k = 1, size(list)
-         list(k)%values = list(k)%values*2.0_dp**dot_product(powers, dimensions_of(model%variables(list(k)%place)%unit))
+         do j = 1, size(list(k)%values, 2)
+            list(k)%values(:, j) = list(k)%values(:, j) &
+               *2.0_dp**dot_product(powers, dimensions_of(unit_of_column(model%variables(list(k)%place), j)))
+         end do
       end do
    end subroutine rescale_data
+
+   !> Unit of the values that stand side by side in a dataset.
+   function unit_of_column(v, j) result(unit)
+      type(variable_t), intent(in) :: v
+      !> Place of the column, from 1; it counts where the variable names a group alone.
+      integer, intent(in) :: j
+      character(:), allocatable :: unit
+
+      unit = v%unit
+      if (v%n_columns() > 0) unit = get_word(v%column_units, j)
+   end function unit_of_column
 
    !> What stands in the datasets, as comments of an input.
    function data_text(model, list) result(text)
