@@ -5,7 +5,8 @@
 !> Batches are small where points take long, so that little is lost when a run is killed, and large where points take
 !> next to no time, so that few calls of the sink are needed. Memory does not grow with the number of points.
 module adfric_run_runner
-   use omp_lib, only: omp_get_max_threads, omp_get_num_threads, omp_get_thread_num
+   use omp_lib, only: omp_get_max_active_levels, omp_get_max_threads, omp_get_num_threads, omp_get_thread_num, &
+      & omp_set_max_active_levels, omp_set_num_threads
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
    use adfric_model_status, only: status_out_of_memory
@@ -39,6 +40,8 @@ module adfric_run_runner
       type(delivery_t) :: delivery
       !> Shape of the profiles of a point, see `run_t`.
       integer :: profile_shape(3) = 0
+      !> Threads that a model may use for one point.
+      integer :: threads_of_point = 1
       !> What the threads that have ended have found.
       type(run_summary_t) :: summary
    end type sweep_t
@@ -101,7 +104,7 @@ contains
       class(block_source_t), intent(inout) :: source
       type(sweep_t) :: sweep
       real(dp) :: start
-      integer :: n_threads
+      integer :: n_threads, n_levels
 
       start = wall_clock()
       sweep%profile_shape = run%profile_shape()
@@ -109,6 +112,10 @@ contains
       sweep%n_solved = source%n_points_before
       call progress%report(sweep%n_solved, source%blocks%n_points())
       n_threads = omp_get_max_threads()
+      ! where there are less blocks than threads, a model that can shares the work of a point among the threads that are left
+      sweep%threads_of_point = max(1, n_threads/int(max(1_i8, min(int(n_threads, i8), source%blocks%n_blocks()))))
+      n_levels = omp_get_max_active_levels()
+      call omp_set_max_active_levels(max(2, n_levels))
       !$omp parallel default(none) shared(run, sink, progress, source, sweep, n_threads) &
       !$omp& num_threads(n_threads + merge(1, 0, sink%has_own_thread))
       !$omp single
@@ -122,6 +129,7 @@ contains
          call deliver(sink, sweep%delivery)
       end if
       !$omp end parallel
+      call omp_set_max_active_levels(n_levels)
       call sweep%delivery%remove_writer()
       if (allocated(sweep%delivery%error)) call move_alloc(sweep%delivery%error, error)
       summary = sweep%summary
@@ -185,6 +193,7 @@ contains
       logical :: is_cut_short
 
       call new_worker(worker, run, source%blocks, sweep)
+      call omp_set_num_threads(sweep%threads_of_point)
       do
          call take_blocks(source, sweep, worker%n_wanted, first, n)
          if (n == 0) exit
