@@ -122,12 +122,11 @@ contains
 
       plain = surface
       associate (way => plain%rows(1))
-         way%small_pressure = -huge(1.0_dp)
-         way%large_pressure = -huge(1.0_dp)
-         way%small_lowest = -huge(1.0_dp)
-         way%large_lowest = -huge(1.0_dp)
-         way%small_highest = huge(1.0_dp)
-         way%large_highest = huge(1.0_dp)
+         do k = 2, size(way%bounds)
+            way%bounds(k)%pressure = -huge(1.0_dp)
+            way%bounds(k)%lowest = -huge(1.0_dp)
+            way%bounds(k)%highest = huge(1.0_dp)
+         end do
          n_periods = 0
          high = load - way%mean
          low = 0

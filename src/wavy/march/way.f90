@@ -16,12 +16,23 @@ module adfric_wavy_march_way
    implicit none (type, external)
    private
    public :: way_t, new_way, height_at, steepness_at, stretches_at, pressure_sum_at, decay_of, expm1_of, &
-      & get_double_moment, work_of_heights, small_block, large_block
+      & get_double_moment, work_of_heights, n_levels, block_length
 
-   !> Pieces of a small block, at whose head endless contact is kept, and small blocks of a large one.
-   integer, parameter :: small_block = 8, large_block = 8
+   !> Levels of blocks: pieces, and blocks of them.
+   integer, parameter :: n_levels = 4
+   !> Pieces of a block of each level, each a multiple of the one before. Endless contact is kept at the heads of the second level.
+   integer, parameter :: block_length(n_levels) = [1, 8, 64, 512]
+   integer, parameter :: head_distance = block_length(2)
    !> Most terms of the series of a slow arm within a piece.
    integer, parameter :: most_terms = 20
+   !> Terms of this series that are left out; they fall at least as z/m.
+   real(dp), parameter :: negligible_term = 1.0e-19_dp
+
+   !> Bounds over blocks of one level.
+   type :: block_bounds_t
+      !> Least endless pressure, least and greatest height; shape `(n_blocks)`.
+      real(dp), allocatable :: pressure(:), lowest(:), highest(:)
+   end type block_bounds_t
 
    !> A way.
    type :: way_t
@@ -39,11 +50,11 @@ module adfric_wavy_march_way
       real(dp), allocatable :: ratio(:), open_ratio(:)
       !> Is the arm slow? Shape `(n_arms)`.
       logical, allocatable :: is_slow(:)
-      !> What is left of a disturbance after a piece, a small and a large block, of arms and of Kelvin elements; shape `(n_arms, 3)`.
+      !> What is left of a disturbance after a block of each level, of arms and of Kelvin elements; shape `(n_arms, n_levels)`.
       real(dp), allocatable :: decay(:, :), open_decay(:, :)
       !> Lengths of dashpots where the period begins, in endless contact, and of slow arms only; shape `(n_arms)`.
       real(dp), allocatable :: first_length(:)
-      !> Endless contact at the heads of small blocks: stretches of fast arms, growths of slow ones; shape `(n_arms, n_blocks)`.
+      !> Endless contact at the heads of blocks of the second level: stretches of fast arms, growths of slow ones; shape `(n_arms, n_blocks)`.
       real(dp), allocatable :: head(:, :)
       !> What a slow dashpot grows by in a piece, over what it lacks of the height at the beginning; 0 of fast arms; shape `(n_arms)`.
       real(dp), allocatable :: gain(:)
@@ -56,17 +67,11 @@ module adfric_wavy_march_way
       !> Integrals up to each place: of the endless pressure over time; over heights, of what fast arms push and of minus what the
       !> growths of slow ones do. The rest is a function of the heights alone, see `work_of_heights`. Shape `(0:n)`.
       real(dp), allocatable :: pressure_sum(:), work_sum(:)
-      !> Bounds over a piece: least endless pressure, least and greatest height; shape `(n)`.
-      real(dp), allocatable :: least_pressure(:), lowest(:), highest(:)
-      !> The same over small blocks.
-      real(dp), allocatable :: small_pressure(:), small_lowest(:), small_highest(:)
-      !> The same over large blocks.
-      real(dp), allocatable :: large_pressure(:), large_lowest(:), large_highest(:)
+      !> Bounds over blocks of each level.
+      type(block_bounds_t) :: bounds(n_levels)
       !> Stiffness of the springs that heights alone stretch, those of slow arms and the relaxed one, and what the lengths of slow
       !> dashpots take from their stress where the period begins.
       real(dp) :: elastic_stiffness = 1, elastic_offset = 0
-      !> Least pressure of endless contact that is certain.
-      real(dp) :: pressure_bound = 0
    end type way_t
 
 contains
@@ -99,20 +104,19 @@ contains
    pure subroutine set_rates(self)
       !> The way, whose column and number of pieces are known.
       type(way_t), intent(inout) :: self
-      real(dp) :: lengths(3), phi(self%degree + 1), factorial
+      real(dp) :: phi(self%degree + 1), factorial
       integer :: i, k, m
 
       associate (s => self%solid)
          allocate (self%ratio(s%n), self%open_ratio(s%n), self%is_slow(s%n), self%gain(s%n), &
             & self%forcing(s%n, self%degree))
-         allocate (self%decay(s%n, 3), self%open_decay(s%n, 3))
-         lengths = [1, small_block, small_block*large_block]
+         allocate (self%decay(s%n, n_levels), self%open_decay(s%n, n_levels))
          self%ratio = self%step/s%time
          self%open_ratio = self%step/s%retardation
          self%is_slow = self%ratio < 1
-         do k = 1, 3
-            self%decay(:, k) = decay_of(lengths(k)*self%ratio)
-            self%open_decay(:, k) = decay_of(lengths(k)*self%open_ratio)
+         do k = 1, n_levels
+            self%decay(:, k) = decay_of(block_length(k)*self%ratio)
+            self%open_decay(:, k) = decay_of(block_length(k)*self%open_ratio)
          end do
          do i = 1, s%n
             call get_phi_functions(self%ratio(i), phi)
@@ -143,11 +147,11 @@ contains
       real(dp) :: bernstein(0:self%degree)
       integer :: j
 
-      allocate (self%lowest(self%n), self%highest(self%n))
+      allocate (self%bounds(1)%lowest(self%n), self%bounds(1)%highest(self%n))
       do j = 1, self%n
          bernstein = to_bernstein(self%coefficients(:, j))
-         self%lowest(j) = minval(bernstein)
-         self%highest(j) = maxval(bernstein)
+         self%bounds(1)%lowest(j) = minval(bernstein)
+         self%bounds(1)%highest(j) = maxval(bernstein)
       end do
    end subroutine bound_heights
 
@@ -182,8 +186,8 @@ contains
       real(dp) :: mean_of(self%solid%n), weights(self%solid%n, self%degree)
       integer :: j
 
-      allocate (self%head(self%solid%n, (self%n + small_block - 1)/small_block))
-      allocate (self%pressure_sum(0:self%n), self%work_sum(0:self%n), self%least_pressure(self%n))
+      allocate (self%head(self%solid%n, (self%n + head_distance - 1)/head_distance))
+      allocate (self%pressure_sum(0:self%n), self%work_sum(0:self%n), self%bounds(1)%pressure(self%n))
       allocate (self%first_length(self%solid%n), source=0.0_dp)
       allocate (self%moments(self%solid%n, self%degree), self%work_moments(self%solid%n, self%degree))
       call set_weights(self, total, work, weights, mean_of)
@@ -205,7 +209,7 @@ contains
       self%pressure_sum(0) = 0
       self%work_sum(0) = 0
       do j = 1, self%n
-         if (mod(j - 1, small_block) == 0) self%head(:, (j - 1)/small_block + 1) = state
+         if (mod(j - 1, head_distance) == 0) self%head(:, (j - 1)/head_distance + 1) = state
          call add_piece(self, j, state, total, work, mean_of)
          call step_arms(self, j, state)
       end do
@@ -331,10 +335,11 @@ contains
       real(dp), intent(in) :: state(:)
       !> Weights, see `set_weights`.
       real(dp), intent(in) :: total(:), work(:, :), mean_of(:)
-      real(dp) :: stretch(self%solid%n), pressure, energy, slopes(0:self%degree - 1), bound
-      integer :: i, m
+      real(dp) :: stretch(self%solid%n), pressure, energy, slopes(0:self%degree - 1), least_slope, above, below
+      integer :: m
 
-      associate (c => self%coefficients(:, j), low => self%lowest(j), high => self%highest(j))
+      associate (c => self%coefficients(:, j), low => self%bounds(1)%lowest(j), &
+            & high => self%bounds(1)%highest(j))
          stretch = state
          where (self%is_slow) stretch = self%coefficients(0, j) - self%first_length - state
          pressure = sum(mean_of*stretch)
@@ -348,20 +353,14 @@ contains
          do m = 0, self%degree
             pressure = pressure + c(m + 1)/(m + 1)
          end do
-         slopes = to_bernstein(slopes)
          self%pressure_sum(j) = self%pressure_sum(j - 1) + pressure*self%step
          self%work_sum(j) = self%work_sum(j - 1) + energy
-         bound = low
-         do i = 1, self%solid%n
-            if (self%is_slow(i)) then
-               ! the dashpot follows the heights, of which the highest draws it fastest
-               bound = bound + self%solid%stiffness(i)*(low - self%coefficients(0, j) + stretch(i) &
-                  & - max(0.0_dp, self%ratio(i)*(high - self%coefficients(0, j) + stretch(i))))
-            else
-               bound = bound + self%solid%stiffness(i)*min(stretch(i), minval(slopes)/self%ratio(i))
-            end if
-         end do
-         self%least_pressure(j) = bound
+         least_slope = minval(to_bernstein(slopes))
+         above = high - self%coefficients(0, j)
+         below = low - self%coefficients(0, j)
+         ! a slow dashpot follows the heights, of which the highest draws it fastest; a fast arm is stretched by slopes
+         self%bounds(1)%pressure(j) = low + sum(self%solid%stiffness*merge(below + stretch &
+            & - max(0.0_dp, self%ratio*(above + stretch)), min(stretch, least_slope*self%solid%time/self%step), self%is_slow))
       end associate
    end subroutine add_piece
 
@@ -370,13 +369,15 @@ contains
       !> The way, whose bounds over pieces are known.
       type(way_t), intent(inout) :: self
 
-      call gather(self%least_pressure, small_block, .true., self%small_pressure)
-      call gather(self%lowest, small_block, .true., self%small_lowest)
-      call gather(self%highest, small_block, .false., self%small_highest)
-      call gather(self%small_pressure, large_block, .true., self%large_pressure)
-      call gather(self%small_lowest, large_block, .true., self%large_lowest)
-      call gather(self%small_highest, large_block, .false., self%large_highest)
-      self%pressure_bound = minval(self%large_pressure)
+      integer :: k
+
+      do k = 2, n_levels
+         associate (length => block_length(k)/block_length(k - 1), fine => self%bounds(k - 1), coarse => self%bounds(k))
+            call gather(fine%pressure, length, .true., coarse%pressure)
+            call gather(fine%lowest, length, .true., coarse%lowest)
+            call gather(fine%highest, length, .false., coarse%highest)
+         end associate
+      end do
    end subroutine bound_blocks
 
    !> Least or greatest values of groups.
@@ -461,9 +462,9 @@ contains
       real(dp) :: state(self%solid%n), height
       integer :: i, block
 
-      block = (j - 1)/small_block
+      block = (j - 1)/head_distance
       state = self%head(:, block + 1)
-      do i = block*small_block + 1, j - 1
+      do i = block*head_distance + 1, j - 1
          call step_arms(self, i, state)
       end do
       if (theta > 0) then
@@ -509,6 +510,7 @@ contains
          end if
          power = power*theta
          growth = growth + term*power
+         if (m > ubound(c, 1) .and. abs(term) < negligible_term) exit
       end do
    end function grown_length
 

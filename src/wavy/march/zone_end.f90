@@ -1,7 +1,7 @@
 !> Where a zone of a march ends: blocks of pieces are passed by their bounds, and only pieces in which it may end are searched.
 module adfric_wavy_march_zone_end
    use adfric_base_kinds, only: dp
-   use adfric_wavy_march_way, only: way_t, decay_of, stretches_at, small_block, large_block
+   use adfric_wavy_march_way, only: way_t, decay_of, stretches_at, n_levels, block_length
    use adfric_wavy_march_zone_curve, only: zone_curve_t, find_first_zero, highest_power
    implicit none (type, external)
    private
@@ -12,6 +12,8 @@ module adfric_wavy_march_zone_end
 
    !> Bounds are given this share of their terms against round-off.
    real(dp), parameter :: guard = 1.0e-13_dp
+   !> Terms of a series of lengths that are left out.
+   real(dp), parameter :: negligible_term = 1.0e-19_dp
    !> A value is zero within this share of its terms.
    real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
 
@@ -56,7 +58,7 @@ contains
          do level = first_level(way, place), 1, -1
             left = excess*what_is_left(way, place, way%ratio, way%decay, level)
             ! what pushes is least at the end, what pulls at the beginning
-            if (least_pressure(way, place, level) + sum(min(excess, max(left, 0.0_dp))) > enough) exit
+            if (way%bounds(level)%pressure(block_of(place, level)) + sum(min(excess, max(left, 0.0_dp))) > enough) exit
          end do
          if (level == 0) then
             call set_contact_curve(way, depth + strength, excess, place, curve)
@@ -104,8 +106,10 @@ contains
       do while (place%piece <= way%n)
          do level = first_level(way, place), 1, -1
             left = y*what_is_left(way, place, way%open_ratio, way%open_decay, level)
-            may_close = base + sum(min(y, max(left, 0.0_dp))) - highest(way, place, level) <= close_gap + guard*terms
-            may_let_go = base + sum(max(y, min(left, 0.0_dp))) - lowest(way, place, level) >= release_gap - guard*terms
+            may_close = base + sum(min(y, max(left, 0.0_dp))) - way%bounds(level)%highest(block_of(place, level)) &
+               & <= close_gap + guard*terms
+            may_let_go = base + sum(max(y, min(left, 0.0_dp))) - way%bounds(level)%lowest(block_of(place, level)) &
+               & >= release_gap - guard*terms
             if (.not. (may_close .or. may_let_go)) exit
          end do
          if (level == 0) then
@@ -157,7 +161,7 @@ contains
       theta = closing
    end subroutine close_first
 
-   !> The largest blocks that begin at a place: 3, 2, or 1 for pieces.
+   !> The level of the largest block that begins at a place; 1 for a piece.
    pure integer function first_level(way, place) result(level)
       !> The way.
       type(way_t), intent(in) :: way
@@ -166,10 +170,12 @@ contains
 
       level = 1
       if (place%theta > 0) return
-      associate (before => place%piece - 1)
-         if (mod(before, small_block) == 0 .and. before + small_block <= way%n) level = 2
-         if (mod(before, small_block*large_block) == 0 .and. before + small_block*large_block <= way%n) level = 3
-      end associate
+      do while (level < n_levels)
+         associate (length => block_length(level + 1))
+            if (mod(place%piece - 1, length) > 0 .or. place%piece - 1 + length > way%n) return
+         end associate
+         level = level + 1
+      end do
    end function first_level
 
    !> Pass the rest of a piece, or a block.
@@ -179,14 +185,7 @@ contains
       !> Level of the block, 0 or 1 for a piece.
       integer, intent(in) :: level
 
-      select case (level)
-      case (3)
-         place%piece = place%piece + small_block*large_block
-      case (2)
-         place%piece = place%piece + small_block
-      case default
-         place%piece = place%piece + 1
-      end select
+      place%piece = place%piece + block_length(max(level, 1))
       place%theta = 0
    end subroutine pass
 
@@ -196,7 +195,7 @@ contains
       type(way_t), intent(in) :: way
       !> The place where the block begins.
       type(place_t), intent(in) :: place
-      !> A piece over the times of relaxation, and what is left after pieces and blocks; shapes `(n_arms)`, `(n_arms, 3)`.
+      !> A piece over the times of relaxation, and what is left after pieces and blocks; shapes `(n_arms)`, `(n_arms, n_levels)`.
       real(dp), intent(in) :: ratio(:), decay(:, :)
       !> Level of the block.
       integer, intent(in) :: level
@@ -206,62 +205,15 @@ contains
       if (level == 1 .and. place%theta > 0) left = decay_of((1 - place%theta)*ratio)
    end function what_is_left
 
-   !> Least pressure of endless contact in a block.
-   pure real(dp) function least_pressure(way, place, level) result(least)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The place where the block begins.
+   !> Number of the block of a place.
+   pure integer function block_of(place, level)
+      !> The place.
       type(place_t), intent(in) :: place
       !> Level of the block.
       integer, intent(in) :: level
 
-      select case (level)
-      case (3)
-         least = way%large_pressure((place%piece - 1)/(small_block*large_block) + 1)
-      case (2)
-         least = way%small_pressure((place%piece - 1)/small_block + 1)
-      case default
-         least = way%least_pressure(place%piece)
-      end select
-   end function least_pressure
-
-   !> Greatest height in a block.
-   pure real(dp) function highest(way, place, level)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The place where the block begins.
-      type(place_t), intent(in) :: place
-      !> Level of the block.
-      integer, intent(in) :: level
-
-      select case (level)
-      case (3)
-         highest = way%large_highest((place%piece - 1)/(small_block*large_block) + 1)
-      case (2)
-         highest = way%small_highest((place%piece - 1)/small_block + 1)
-      case default
-         highest = way%highest(place%piece)
-      end select
-   end function highest
-
-   !> Least height in a block.
-   pure real(dp) function lowest(way, place, level)
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The place where the block begins.
-      type(place_t), intent(in) :: place
-      !> Level of the block.
-      integer, intent(in) :: level
-
-      select case (level)
-      case (3)
-         lowest = way%large_lowest((place%piece - 1)/(small_block*large_block) + 1)
-      case (2)
-         lowest = way%small_lowest((place%piece - 1)/small_block + 1)
-      case default
-         lowest = way%lowest(place%piece)
-      end select
-   end function lowest
+      block_of = (place%piece - 1)/block_length(level) + 1
+   end function block_of
 
    !> The pressure above that at which contact ends, within a piece.
    pure subroutine set_contact_curve(way, level, excess, place, curve)
@@ -300,6 +252,8 @@ contains
                      term = -z(i)*term/m
                   end if
                   curve%power(m) = curve%power(m) - k(i)*term
+                  ! behind the heights terms fall at least as z/m
+                  if (m > d + 1 .and. abs(term) < negligible_term) exit
                end do
             else
                ! a polynomial b, z b_m = (m + 1) (c_(m+1) - b_(m+1)), and what decays
