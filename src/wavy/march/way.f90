@@ -231,7 +231,7 @@ contains
       !> Number of the piece.
       integer, intent(in) :: j
       !> In: the arms where the piece begins. Out: where it ends; shape `(n_arms)`.
-      real(dp), intent(inout) :: state(:)
+      real(dp), intent(inout), contiguous :: state(:)
       integer :: m
 
       state = self%decay(:, 1)*state + self%gain*(self%coefficients(0, j) - self%first_length)
@@ -332,9 +332,9 @@ contains
       !> Number of the piece.
       integer, intent(in) :: j
       !> The arms where the piece begins, as `step_arms` has them; shape `(n_arms)`.
-      real(dp), intent(in) :: state(:)
+      real(dp), intent(in), contiguous :: state(:)
       !> Weights, see `set_weights`.
-      real(dp), intent(in) :: total(:), work(:, :), mean_of(:)
+      real(dp), intent(in), contiguous :: total(:), work(:, :), mean_of(:)
       real(dp) :: stretch(self%solid%n), pressure, energy, slopes(0:self%degree - 1), least_slope, above, below
       integer :: m
 
