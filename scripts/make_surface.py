@@ -27,12 +27,14 @@ def make_heights(cells, hurst, longest, shortest, rms, seed):
 
 
 def write_surface(path, heights, length):
-    """Write the heights and what is known of them; the program reads the heights alone."""
+    """Write the heights [m] and the distances of the samples, which `kind = 'map'` of `wavy_sliding` reads as well."""
     with h5py.File(path, "w") as file:
         dataset = file.create_dataset("heights", data=heights)
         dataset.attrs["units"] = "m"
         dataset.attrs["long_name"] = "height of the rough body, summits positive"
         dataset.attrs["length"] = length
+        for axis, cells in zip(("dy", "dx"), heights.shape):
+            dataset.attrs[axis] = length / cells
 
 
 def main():

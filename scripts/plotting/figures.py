@@ -5,7 +5,7 @@ The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2
 
 import numpy as np
 
-from . import halfspace, sphere
+from . import halfspace, rubber, sphere
 from .curves import draw_panels
 from .results import NothingToDraw
 from .surface import draw_pressure_maps, draw_stresses
@@ -15,6 +15,8 @@ MAIN_RESULTS = ("friction_force", "friction_coefficient", "contact_width", "cont
                 "penetration", "load", "adhesion_area", "adhesion_radius")
 CHECKS = ("error_estimate", "energy_imbalance", "residual", "contact_violation")
 MOST_RESULTS = 6
+# kinds of surfaces whose heights are drawn below the pressure
+ROUGH_LINES = ("profile", "cosines")
 # results drawn against a swept variable, as far as they vary, by model and variable; for others it is all that vary
 SHOWN = {
     ("wavy_sliding", "load"): ("contact_width", "friction_force"),
@@ -42,6 +44,8 @@ def choose_profiles(results):
         return PRESSURE_FIGURES[results.model]
     if results.model == "sphere" and results.several and results.several[-1].name == "tangential_force":
         return sphere.draw_shear_stress
+    if results.words.get("kind") in ROUGH_LINES and {"displacement", "gap"} <= set(results.profiles) and len(results.profile_axes) == 1:
+        return rubber.draw_lines
     return draw_pressure_maps if len(results.profile_axes) == 2 else draw_stresses
 
 
@@ -71,6 +75,7 @@ def _varies(values):
 
 # figures with more in them than results against a variable, by model and the variable that varies fastest
 FIGURES = {
+    ("wavy_sliding", "velocity"): rubber.draw_velocities,
     ("sphere", "contact_radius"): sphere.draw_radii,
     ("sphere", "slip_energy_ratio"): sphere.draw_area_left,
     ("sphere", "tangential_displacement"): sphere.draw_peeling,

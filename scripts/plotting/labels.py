@@ -59,6 +59,7 @@ SYMBOLS = {
     "tangential_force": "T",
     "tangential_load": "T",
     "tangential_traction": "q_0",
+    "temperature": "T",
     "velocity": "V",
     "work_of_adhesion": "w",
 }

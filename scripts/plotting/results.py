@@ -38,6 +38,7 @@ class Results:
     fields    results by name, of the shape of the sweep
     states    the same for enumerated results, as words; None where there is no value
     constants what has one value in the whole run, by name
+    words     the same for what is a word
     profile_axes, profiles    the same for values on the surface; their shape is that of the sweep, then of the axes
     """
 
@@ -69,6 +70,7 @@ class Results:
         self.states = {}
         constants = _text(file["status"].attrs.get("coordinates", "")).split()
         self.constants = {name: _field(file, name) for name in constants if name in file}
+        self.words = {name: _words(file[name])[()] for name in self.constants if "flag_meanings" in file[name].attrs}
         self.profiles = {}
         self.profile_axes = []
         for name, dataset in file.items():
