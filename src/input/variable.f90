@@ -242,12 +242,12 @@ contains
 
       text = ''
       do k = 1, variable%n_attributes()
-         if (k == 1) text = ', with the attributes'
+         if (k == 1) text = ', attributes'
          if (k > 1) text = text//','
          text = text//' '//get_word(variable%attributes, k)
          if (allocated(variable%attribute_units)) text = text//' ['//get_word(variable%attribute_units, k)//']'
       end do
-      if (len(text) > 0) text = text//' where they are there'
+      if (len(text) > 0) text = text//' if there'
    end function describe_attributes
 
    !> Words in quotes, with commas between them.

@@ -190,7 +190,8 @@ contains
       !> Place of the dataset in `variables`.
       integer, intent(in) :: place
       !> Values of the dataset; shape `(n_last, n_first)`, the dimensions of the file in reverse: what h5py shows as `(ny, nx)` is
-      !> `(nx, ny)` here. A dataset of one dimension, or a list of numbers, is `(n, 1)`; the columns of a group are `(n, n_columns)`.
+      !> `(nx, ny)` here. A dataset of one dimension, or a list of numbers, is `(n, 1)`; the columns of a group are
+      !> `(n, n_columns)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems

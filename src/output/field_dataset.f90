@@ -65,8 +65,10 @@ contains
       integer(hid_t) :: space, dataset, scale
       integer :: i
 
-      places = scale_t(name=list%name//'_place', unit='1', long_name='place in '//list%name, &
-         & values=[(real(i, dp), i=1, size(list%values))])
+      places%name = list%name//'_place'
+      places%unit = '1'
+      places%long_name = 'place in '//list%name
+      places%values = [(real(i, dp), i=1, size(list%values))]
       call create_scale(calls, file, places, scale)
       call create_space(calls, [size(list%values, kind=i8)], space)
       call create_real_dataset(calls, file, list%name, space, dataset)

@@ -12,7 +12,8 @@ module adfric_run_dataset
    !> Longest list of which all numbers are shown.
    integer, parameter :: most_shown = 10
 
-   !> A dataset, a group or a list; everything but `text`, `file`, `path` and the `numbers` of an input is known once it has been loaded.
+   !> A dataset, a group or a list; everything but `text`, `file`, `path` and the `numbers` of an input is known once it has been
+   !> loaded.
    type :: dataset_t
       !> Names of file and dataset as the user gave them, FILE:/DATASET, or how many numbers are given; not allocated where there
       !> is neither.
