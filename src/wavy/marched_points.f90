@@ -19,7 +19,7 @@ module adfric_wavy_marched_points
    use adfric_wavy_march_profiles, only: get_march_profiles
    use adfric_wavy_march_relief, only: relief_t
    use adfric_wavy_march_solid, only: solid_t, new_solid
-   use adfric_wavy_march_way, only: new_way
+   use adfric_wavy_march_way, only: way_t, new_way
    use adfric_wavy_marched_case, only: marched_case_t, resolve_marched, get_relief, get_spectrum, has_heights, strip_spacing_of, &
       & period_of, shape_places, foundation_places
    use adfric_wavy_strip, only: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion, &
@@ -230,15 +230,16 @@ contains
       type(relief_t), intent(in) :: relief
       !> The foundation.
       type(solid_t), intent(in) :: solid
+      type(way_t), allocatable :: rows(:)
       integer :: i
 
-      if (allocated(surface%rows)) deallocate (surface%rows)
-      allocate (surface%rows(size(relief%rows)))
-      !$omp parallel do schedule(static)
-      do i = 1, size(relief%rows)
-         call new_way(surface%rows(i), relief%rows(i), solid)
+      allocate (rows(size(relief%rows)))
+      !$omp parallel do schedule(static) if (size(rows) > 1)
+      do i = 1, size(rows)
+         call new_way(rows(i), relief%rows(i), solid)
       end do
       !$omp end parallel do
+      call move_alloc(rows, surface%rows)
    end subroutine lay_ways
 
    !> Adhesion and branch of a surface.

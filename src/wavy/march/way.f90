@@ -37,7 +37,7 @@ module adfric_wavy_march_way
    !> A way.
    type :: way_t
       !> The column.
-      type(solid_t) :: solid
+      type(solid_t), allocatable :: solid
       !> Number of pieces of a period, and the degree of their polynomials.
       integer :: n = 0, degree = 1
       !> Time that a piece takes.
@@ -67,8 +67,8 @@ module adfric_wavy_march_way
       !> Integrals up to each place: of the endless pressure over time; over heights, of what fast arms push and of minus what the
       !> growths of slow ones do. The rest is a function of the heights alone, see `work_of_heights`. Shape `(0:n)`.
       real(dp), allocatable :: pressure_sum(:), work_sum(:)
-      !> Bounds over blocks of each level.
-      type(block_bounds_t) :: bounds(n_levels)
+      !> Bounds over blocks of each level; shape `(n_levels)`.
+      type(block_bounds_t), allocatable :: bounds(:)
       !> Stiffness of the springs that heights alone stretch, those of slow arms and the relaxed one, and what the lengths of slow
       !> dashpots take from their stress where the period begins.
       real(dp) :: elastic_stiffness = 1, elastic_offset = 0
@@ -86,7 +86,8 @@ contains
       type(solid_t), intent(in) :: solid
       integer :: m
 
-      self%solid = solid
+      allocate (self%solid, source=solid)
+      allocate (self%bounds(n_levels))
       self%degree = line%degree
       self%n = size(line%coefficients, 2)
       self%step = 1/real(self%n, dp)
