@@ -299,7 +299,7 @@ contains
          results(r_penetration) = equilibrium%depth*point%height
          if (is_set(values(v_penetration))) results(r_penetration) = values(v_penetration)
          results(r_friction_force) = friction*point%friction_unit
-         if (abs(mean(f%load)) > as_good_as_zero*mean(f%load_scale)) &
+         if (abs(results(r_load)) > as_good_as_zero*mean(f%load_scale)*point%load_unit) &
             & results(r_friction_coefficient) = results(r_friction_force)/results(r_load)
          results(r_contact_area) = mean(f%contact)*point%area_unit
          results(r_adhesion_area) = mean(f%adhesion)*point%area_unit
