@@ -86,7 +86,8 @@ contains
       do k = 1, most_steps
          call evaluate(self, theta, value, slope, bound)
          if (value <= tolerance) then
-            has_zero = k > 1 .or. .not. has_begun
+            ! a curve that rises from zero has begun, or has touched it and turned back
+            has_zero = (k > 1 .or. .not. has_begun) .and. (slope <= 0 .or. value < -tolerance)
             if (has_zero) return
             value = max(value, 0.0_dp)
             if (slope <= 0) then
