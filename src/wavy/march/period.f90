@@ -214,7 +214,7 @@ contains
          call stretches_at(way, zone%start%piece, zone%start%theta, first, first_growth)
          disturbance = current - first
          period%start(:, period%n_zones) = disturbance
-         zone%finish = zone%start
+         zone%finish = place_t(zone%start%piece, zone%start%theta)
          call end_contact(way, depth, law%strength, disturbance, zone%finish, event, is_found)
          period%is_complete = period%is_complete .and. is_found
          is_over = event == period_over
@@ -258,7 +258,7 @@ contains
       pressure = merge(-law%stress, 0.0_dp, zone%kind == in_adhesion)
       close_gap = merge(0.0_dp, law%attach_gap, zone%kind == in_adhesion)
       release_gap = merge(law%release_gap, huge(1.0_dp), zone%kind == in_adhesion)
-      zone%finish = zone%start
+      zone%finish = place_t(zone%start%piece, zone%start%theta)
       call end_open_zone(way, depth, pressure, close_gap, release_gap, current, zone%finish, event, is_found)
       period%is_complete = period%is_complete .and. is_found
       is_over = event == period_over
@@ -289,6 +289,7 @@ contains
       type(zone_t), intent(inout) :: zone
 
       zone%duration = (real(zone%finish%piece - zone%start%piece, dp) + (zone%finish%theta - zone%start%theta))*way%step
+      if (zone%finish%passed >= 0) zone%duration = zone%finish%passed*way%step
       zone%first_height = height_at(way, zone%start%piece, zone%start%theta)
       zone%last_height = height_at(way, zone%finish%piece, zone%finish%theta)
       ! to the last digit, where the friction of a closed contact is a small part of the work

@@ -11,8 +11,8 @@ module adfric_wavy_march_zone_curve
    !> Highest power of theta.
    integer, parameter :: highest_power = 21
    !> Most steps towards a zero.
-   integer, parameter :: most_steps = 400
-   !> The least step in theta, which is lost in round-off no more.
+   integer, parameter :: most_steps = 2000
+   !> The least step in theta, and in shares of what has passed, which is lost in round-off no more.
    real(dp), parameter :: least_step = 4.0e-16_dp
 
    !> A curve h(theta), positive where the zone lasts.
@@ -30,18 +30,19 @@ module adfric_wavy_march_zone_curve
 contains
 
    !> Value and slope at a place, and a bound of minus the second derivative from there to the end of the piece.
-   pure subroutine evaluate(self, theta, value, slope, bound)
+   pure subroutine evaluate(self, passed, value, slope, bound)
       !> The curve.
       type(zone_curve_t), intent(in) :: self
-      !> Place, from the anchor to 1.
-      real(dp), intent(in) :: theta
+      !> Place, as the share of the piece since the anchor.
+      real(dp), intent(in) :: passed
       !> Receives value and derivative.
       real(dp), intent(out) :: value, slope
       !> Receives the bound, >= 0.
       real(dp), intent(out) :: bound
-      real(dp) :: left
+      real(dp) :: theta, left
       integer :: i, m
 
+      theta = self%anchor + passed
       value = 0
       slope = 0
       bound = 0
@@ -55,7 +56,7 @@ contains
          if (self%power(m) < 0) bound = bound - m*(m - 1)*self%power(m)
       end do
       do i = 1, self%n
-         left = self%rate(i)*(theta - self%anchor)
+         left = self%rate(i)*passed
          if (left > 700) cycle
          left = self%amplitude(i)*exp(-left)
          value = value + left
@@ -64,16 +65,17 @@ contains
       end do
    end subroutine evaluate
 
-   !> Find the first place in a piece where the curve falls to zero.
-   pure subroutine find_first_zero(self, tolerance, has_begun, theta, has_zero, is_found)
+   !> Find the first place in a piece, from the anchor on, where the curve falls to zero. What has passed since the anchor is kept apart
+   !> from theta, since arms may relax in less than the round-off of a place.
+   pure subroutine find_first_zero(self, tolerance, has_begun, passed, has_zero, is_found)
       !> The curve.
       type(zone_curve_t), intent(in) :: self
       !> Value that is as good as zero, > 0.
       real(dp), intent(in) :: tolerance
       !> Has the zone just begun, so that the curve may rise from zero?
       logical, intent(in) :: has_begun
-      !> In: where the zone or the piece begins. Out: the zero, if there is one.
-      real(dp), intent(inout) :: theta
+      !> Receives the zero, if there is one, as the share of the piece since the anchor.
+      real(dp), intent(out) :: passed
       !> Is there a zero in the piece?
       logical, intent(out) :: has_zero
       !> Has the search ended? Else it was given up.
@@ -83,18 +85,19 @@ contains
 
       is_found = .true.
       has_zero = .false.
+      passed = 0
       do k = 1, most_steps
-         call evaluate(self, theta, value, slope, bound)
+         call evaluate(self, passed, value, slope, bound)
          if (value <= tolerance) then
             ! a curve that rises from zero has begun, or has touched it and turned back
             has_zero = (k > 1 .or. .not. has_begun) .and. (slope <= 0 .or. value < -tolerance)
             if (has_zero) return
-            value = max(value, 0.0_dp)
+            ! nowhere near, the curve is below zero by more than is as good as zero
+            value = max(value, 0.0_dp) + tolerance
             if (slope <= 0) then
                ! it touches where it begins: the zone is as short as can be
-               theta = theta + least_step
-               if (theta >= 1) return
-               has_zero = .true.
+               passed = least_step
+               has_zero = self%anchor + passed < 1
                return
             end if
          end if
@@ -105,8 +108,8 @@ contains
          else
             step = 2*value/(root - slope)
          end if
-         theta = theta + max(step, least_step)
-         if (theta >= 1) return
+         passed = passed + max(step, least_step*passed, tiny(step))
+         if (self%anchor + passed >= 1) return
       end do
       is_found = .false.
    end subroutine find_first_zero

@@ -23,6 +23,8 @@ module adfric_wavy_march_zone_end
       integer :: piece = 1
       !> Share of the piece that is passed.
       real(dp) :: theta = 0
+      !> Where a zone ends: share of the piece that is passed since the zone began, to all its digits, if it began in this piece; else -1.
+      real(dp) :: passed = -1
    end type place_t
 
 contains
@@ -43,7 +45,7 @@ contains
       integer, intent(out) :: event
       !> Has the search ended?
       logical, intent(out) :: is_found
-      real(dp) :: excess(way%solid%n), left(way%solid%n), enough, terms
+      real(dp) :: excess(way%solid%n), left(way%solid%n), enough, terms, passed
       type(zone_curve_t) :: curve
       integer :: level
       logical :: has_begun, has_ended
@@ -62,8 +64,9 @@ contains
          end do
          if (level == 0) then
             call set_contact_curve(way, depth + strength, excess, place, curve)
-            call find_first_zero(curve, round_off*terms, has_begun, place%theta, has_ended, is_found)
+            call find_first_zero(curve, round_off*terms, has_begun, passed, has_ended, is_found)
             if (has_ended) event = zone_lets_go
+            if (has_ended) call end_within(place, passed, has_begun)
             if (has_ended .or. .not. is_found) return
          end if
          call pass(place, level)
@@ -90,7 +93,7 @@ contains
       integer, intent(out) :: event
       !> Has the search ended?
       logical, intent(out) :: is_found
-      real(dp) :: y(way%solid%n), left(way%solid%n), base, terms, theta
+      real(dp) :: y(way%solid%n), left(way%solid%n), base, terms, passed
       type(zone_curve_t) :: curve
       integer :: level
       logical :: has_begun, has_ended, may_close, may_let_go
@@ -113,18 +116,17 @@ contains
             if (.not. (may_close .or. may_let_go)) exit
          end do
          if (level == 0) then
-            theta = place%theta
             if (may_let_go) then
                call set_open_curve(way, base - release_gap, -1, y, place, curve)
-               call find_first_zero(curve, round_off*terms, has_begun, theta, has_ended, is_found)
+               call find_first_zero(curve, round_off*terms, has_begun, passed, has_ended, is_found)
                if (has_ended) event = zone_lets_go
                if (.not. is_found) return
             end if
             if (may_close) then
                call set_open_curve(way, base - close_gap, 1, y, place, curve)
-               call close_first(curve, round_off*terms, has_begun, place%theta, theta, event, is_found)
+               call close_first(curve, round_off*terms, has_begun, passed, event, is_found)
             end if
-            if (event /= period_over) place%theta = theta
+            if (event /= period_over) call end_within(place, passed, has_begun)
             if (event /= period_over .or. .not. is_found) return
          end if
          call pass(place, level)
@@ -134,17 +136,15 @@ contains
    end subroutine end_open_zone
 
    !> Look whether the gap closes before it lets go.
-   pure subroutine close_first(curve, tolerance, has_begun, start, theta, event, is_found)
+   pure subroutine close_first(curve, tolerance, has_begun, passed, event, is_found)
       !> Gap above that of closing.
       type(zone_curve_t), intent(in) :: curve
       !> Gap that is as good as zero.
       real(dp), intent(in) :: tolerance
       !> Has the zone just begun?
       logical, intent(in) :: has_begun
-      !> Where the zone or the piece begins.
-      real(dp), intent(in) :: start
-      !> In: where the gap lets go, if it does. Out: where the first of both happens.
-      real(dp), intent(inout) :: theta
+      !> In: share of the piece that is passed where the gap lets go, if it does. Out: where the first of both happens.
+      real(dp), intent(inout) :: passed
       !> In: does the gap let go? Out: what happens first.
       integer, intent(inout) :: event
       !> Has the search ended?
@@ -152,14 +152,26 @@ contains
       real(dp) :: closing
       logical :: has_ended
 
-      closing = start
       call find_first_zero(curve, tolerance, has_begun, closing, has_ended, is_found)
       if (.not. has_ended) return
       ! at one and the same place it closes
-      if (event == zone_lets_go .and. closing > theta) return
+      if (event == zone_lets_go .and. closing > passed) return
       event = zone_closes
-      theta = closing
+      passed = closing
    end subroutine close_first
+
+   !> End a zone within a piece.
+   pure subroutine end_within(place, passed, has_begun)
+      !> In: where the zone or the piece begins. Out: where the zone ends.
+      type(place_t), intent(inout) :: place
+      !> Share of the piece that is passed since then.
+      real(dp), intent(in) :: passed
+      !> Did the zone begin in this piece?
+      logical, intent(in) :: has_begun
+
+      place%theta = min(place%theta + passed, 1.0_dp)
+      place%passed = merge(passed, -1.0_dp, has_begun)
+   end subroutine end_within
 
    !> The level of the largest block that begins at a place; 1 for a piece.
    pure integer function first_level(way, place) result(level)
