@@ -67,13 +67,14 @@ contains
 
    !> Find the first place in a piece, from the anchor on, where the curve falls to zero. What has passed since the anchor is kept apart
    !> from theta, since arms may relax in less than the round-off of a place.
-   pure subroutine find_first_zero(self, tolerance, has_begun, passed, has_zero, is_found)
+   pure subroutine find_first_zero(self, tolerance, has_risen, passed, has_zero, is_found)
       !> The curve.
       type(zone_curve_t), intent(in) :: self
       !> Value that is as good as zero, > 0.
       real(dp), intent(in) :: tolerance
-      !> Has the zone just begun, so that the curve may rise from zero?
-      logical, intent(in) :: has_begun
+      !> Has the curve been above zero since the zone began? Until then it ends where the curve is clearly below zero, for a column that
+      !> touches and turns back has not changed its zone.
+      logical, intent(inout) :: has_risen
       !> Receives the zero, if there is one, as the share of the piece since the anchor.
       real(dp), intent(out) :: passed
       !> Is there a zero in the piece?
@@ -89,17 +90,16 @@ contains
       do k = 1, most_steps
          call evaluate(self, passed, value, slope, bound)
          if (value <= tolerance) then
-            ! a curve that rises from zero has begun, or has touched it and turned back
-            has_zero = (k > 1 .or. .not. has_begun) .and. (slope <= 0 .or. value < -tolerance)
-            if (has_zero) return
-            ! nowhere near, the curve is below zero by more than is as good as zero
-            value = max(value, 0.0_dp) + tolerance
-            if (slope <= 0) then
-               ! it touches where it begins: the zone is as short as can be
-               passed = least_step
-               has_zero = self%anchor + passed < 1
+            has_zero = count([has_risen, value < -tolerance, slope <= 0]) >= 2
+            if (has_zero) then
+               ! a zone is not shorter than a place can tell
+               if (k == 1 .and. .not. has_risen) passed = least_step
                return
             end if
+            ! nowhere near, the curve is clearly below zero
+            value = max(value, -tolerance) + 2*tolerance
+         else
+            has_risen = .true.
          end if
          root = sqrt(slope**2 + 2*bound*value)
          if (slope >= 0) then
@@ -108,6 +108,8 @@ contains
          else
             step = 2*value/(root - slope)
          end if
+         ! a step may be as large as a number can be
+         step = min(step, 1.0_dp)
          passed = passed + max(step, least_step*passed, tiny(step))
          if (self%anchor + passed >= 1) return
       end do

@@ -48,11 +48,12 @@ contains
       real(dp) :: excess(way%solid%n), left(way%solid%n), enough, terms, passed
       type(zone_curve_t) :: curve
       integer :: level
-      logical :: has_begun, has_ended
+      logical :: is_first, has_risen, has_ended
 
       is_found = .true.
       event = period_over
-      has_begun = .true.
+      is_first = .true.
+      has_risen = .false.
       excess = way%solid%stiffness*disturbance
       terms = sum(abs(excess)) + way%solid%glassy*(1 + abs(depth)) + strength
       enough = guard*terms - strength - depth
@@ -64,14 +65,16 @@ contains
          end do
          if (level == 0) then
             call set_contact_curve(way, depth + strength, excess, place, curve)
-            call find_first_zero(curve, round_off*terms, has_begun, passed, has_ended, is_found)
+            call find_first_zero(curve, round_off*terms, has_risen, passed, has_ended, is_found)
             if (has_ended) event = zone_lets_go
-            if (has_ended) call end_within(place, passed, has_begun)
+            if (has_ended) call end_within(place, passed, is_first)
             if (has_ended .or. .not. is_found) return
+         else
+            has_risen = .true.
          end if
          call pass(place, level)
          excess = left
-         has_begun = .false.
+         is_first = .false.
       end do
    end subroutine end_contact
 
@@ -96,11 +99,13 @@ contains
       real(dp) :: y(way%solid%n), left(way%solid%n), base, terms, passed
       type(zone_curve_t) :: curve
       integer :: level
-      logical :: has_begun, has_ended, may_close, may_let_go
+      logical :: is_first, may_close, may_let_go, has_closing_risen, has_release_risen, has_ended
 
       is_found = .true.
       event = period_over
-      has_begun = .true.
+      is_first = .true.
+      has_closing_risen = .false.
+      has_release_risen = .false.
       may_close = .true.
       may_let_go = .true.
       y = elements
@@ -115,34 +120,36 @@ contains
                & >= release_gap - guard*terms
             if (.not. (may_close .or. may_let_go)) exit
          end do
+         has_closing_risen = has_closing_risen .or. .not. may_close
+         has_release_risen = has_release_risen .or. .not. may_let_go
          if (level == 0) then
             if (may_let_go) then
                call set_open_curve(way, base - release_gap, -1, y, place, curve)
-               call find_first_zero(curve, round_off*terms, has_begun, passed, has_ended, is_found)
+               call find_first_zero(curve, round_off*terms, has_release_risen, passed, has_ended, is_found)
                if (has_ended) event = zone_lets_go
                if (.not. is_found) return
             end if
             if (may_close) then
                call set_open_curve(way, base - close_gap, 1, y, place, curve)
-               call close_first(curve, round_off*terms, has_begun, passed, event, is_found)
+               call close_first(curve, round_off*terms, has_closing_risen, passed, event, is_found)
             end if
-            if (event /= period_over) call end_within(place, passed, has_begun)
+            if (event /= period_over) call end_within(place, passed, is_first)
             if (event /= period_over .or. .not. is_found) return
          end if
          call pass(place, level)
          y = left
-         has_begun = .false.
+         is_first = .false.
       end do
    end subroutine end_open_zone
 
    !> Look whether the gap closes before it lets go.
-   pure subroutine close_first(curve, tolerance, has_begun, passed, event, is_found)
+   pure subroutine close_first(curve, tolerance, has_risen, passed, event, is_found)
       !> Gap above that of closing.
       type(zone_curve_t), intent(in) :: curve
       !> Gap that is as good as zero.
       real(dp), intent(in) :: tolerance
-      !> Has the zone just begun?
-      logical, intent(in) :: has_begun
+      !> Has the gap been above that of closing?
+      logical, intent(inout) :: has_risen
       !> In: share of the piece that is passed where the gap lets go, if it does. Out: where the first of both happens.
       real(dp), intent(inout) :: passed
       !> In: does the gap let go? Out: what happens first.
@@ -152,7 +159,7 @@ contains
       real(dp) :: closing
       logical :: has_ended
 
-      call find_first_zero(curve, tolerance, has_begun, closing, has_ended, is_found)
+      call find_first_zero(curve, tolerance, has_risen, closing, has_ended, is_found)
       if (.not. has_ended) return
       ! at one and the same place it closes
       if (event == zone_lets_go .and. closing > passed) return
@@ -161,16 +168,16 @@ contains
    end subroutine close_first
 
    !> End a zone within a piece.
-   pure subroutine end_within(place, passed, has_begun)
+   pure subroutine end_within(place, passed, is_first)
       !> In: where the zone or the piece begins. Out: where the zone ends.
       type(place_t), intent(inout) :: place
       !> Share of the piece that is passed since then.
       real(dp), intent(in) :: passed
       !> Did the zone begin in this piece?
-      logical, intent(in) :: has_begun
+      logical, intent(in) :: is_first
 
       place%theta = min(place%theta + passed, 1.0_dp)
-      place%passed = merge(passed, -1.0_dp, has_begun)
+      place%passed = merge(passed, -1.0_dp, is_first)
    end subroutine end_within
 
    !> The level of the largest block that begins at a place; 1 for a piece.
