@@ -102,14 +102,13 @@ contains
             has_risen = .true.
          end if
          root = sqrt(slope**2 + 2*bound*value)
+         ! a step of a whole piece is as good as a longer one, which may be larger than a number can be
+         step = 1
          if (slope >= 0) then
-            if (.not. bound > 0) return
-            step = (slope + root)/bound
+            if (slope + root < bound) step = (slope + root)/bound
          else
-            step = 2*value/(root - slope)
+            if (2*value < root - slope) step = 2*value/(root - slope)
          end if
-         ! a step may be as large as a number can be
-         step = min(step, 1.0_dp)
          passed = passed + max(step, least_step*passed, tiny(step))
          if (self%anchor + passed >= 1) return
       end do

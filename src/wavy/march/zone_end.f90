@@ -123,6 +123,7 @@ contains
          has_closing_risen = has_closing_risen .or. .not. may_close
          has_release_risen = has_release_risen .or. .not. may_let_go
          if (level == 0) then
+            passed = 0
             if (may_let_go) then
                call set_open_curve(way, base - release_gap, -1, y, place, curve)
                call find_first_zero(curve, round_off*terms, has_release_risen, passed, has_ended, is_found)
@@ -162,7 +163,9 @@ contains
       call find_first_zero(curve, tolerance, has_risen, closing, has_ended, is_found)
       if (.not. has_ended) return
       ! at one and the same place it closes
-      if (event == zone_lets_go .and. closing > passed) return
+      if (event == zone_lets_go) then
+         if (closing > passed) return
+      end if
       event = zone_closes
       passed = closing
    end subroutine close_first
