@@ -9,7 +9,7 @@ from pathlib import Path
 import h5py
 
 ROOT = Path(__file__).resolve().parents[1]
-PROGRAM = sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/adfric"
+PROGRAM = Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/adfric").resolve()
 
 
 def solve(name, **changes):
