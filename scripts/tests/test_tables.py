@@ -29,6 +29,10 @@ class TablesTest(unittest.TestCase):
         """Fig. 4 of Goryacheva and Makhovskaya with constants that fit together."""
         self.check("wavy", "0.27428")
 
+    def test_profiles(self):
+        """Friction of rubber on an asphalt-like line, the edge rules on a rough line, and a map."""
+        self.check("profiles", "0.32472", "2.6343", "0.024212")
+
     def test_sphere(self):
         """Fig. 5 of Johnson."""
         self.check("sphere", "136.53", "329.30")
