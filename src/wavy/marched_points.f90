@@ -165,7 +165,7 @@ contains
          return
       end select
       if (has_samples) call find(self%coarse_surface, self%point, coarse)
-      call store(values, self%point, self%equilibrium, results)
+      call store(values, self%point, self%equilibrium, self%relief%crests(1), results)
       error_estimate = get_error(self%equilibrium, coarse, has_samples, self%point%is_load_given)
    end subroutine solve
 
@@ -278,16 +278,18 @@ contains
    end function mean
 
    !> Results of a point in SI units.
-   pure subroutine store(values, point, equilibrium, results)
+   pure subroutine store(values, point, equilibrium, crest, results)
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The point.
       type(marched_case_t), intent(in) :: point
       !> Its equilibrium.
       type(march_equilibrium_t), intent(in) :: equilibrium
+      !> How far the highest place of the first row is from where its way begins, along the way, in periods.
+      real(dp), intent(in) :: crest
       !> Receives the results; those that have no value stay as they are; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      real(dp) :: losses, friction
+      real(dp) :: losses, friction, shift
       integer :: n
 
       n = size(equilibrium%forces)
@@ -299,6 +301,7 @@ contains
          results(r_penetration) = equilibrium%depth*point%height
          if (is_set(values(v_penetration))) results(r_penetration) = values(v_penetration)
          results(r_friction_force) = friction*point%friction_unit
+         ! a load of 0 is given, or is 0 but for round-off
          if (abs(results(r_load)) > as_good_as_zero*mean(f%load_scale)*point%load_unit) &
             & results(r_friction_coefficient) = results(r_friction_force)/results(r_load)
          results(r_contact_area) = mean(f%contact)*point%area_unit
@@ -317,10 +320,13 @@ contains
             & *point%friction_unit
          results(r_regime) = regime_mixed
          if (all(regimes_of(f) == regime_of(f(1)))) results(r_regime) = regime_of(f(1))
-         if (n == 1 .and. f(1)%n_contacts == 1) then
+         if (n == 1 .and. f(1)%n_contacts == 0) then
+            results([r_contact_width, r_contact_shift]) = 0
+         else if (n == 1 .and. f(1)%n_contacts == 1) then
             results(r_contact_width) = f(1)%contact_length*point%period
-            ! the way of a column begins at the highest place and goes to smaller x
-            results(r_contact_shift) = -(f(1)%contact_middle - anint(f(1)%contact_middle))*point%period
+            ! the way of a column goes to smaller x
+            shift = f(1)%contact_middle - crest
+            results(r_contact_shift) = -(shift - anint(shift))*point%period
             if (regime_of(f(1)) == regime_saturated) results(r_contact_shift) = 0
          end if
       end associate

@@ -280,6 +280,7 @@ contains
          if (is_marched(values(:, 1))) then
             call solve_marched_block(self%given, values, results, error_estimate, status)
             counts(1) = n
+            if (nint(values(v_kind, 1)) == kind_map) counts(1) = real(n, dp)*size(self%given%heights, 2)
             return
          end if
       end if

@@ -397,8 +397,8 @@ contains
       !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
       do i = 1, size(surface%rows)
          call get_march_forces(surface%rows(i), surface%law, depth, equilibrium%rows(i)%period, equilibrium%forces(i))
-         ! with the last step, which is round-off
-         equilibrium%forces(i)%load = equilibrium%rows(i)%load
+         ! with the last step, which is round-off; without contact the load is known to the last digit
+         if (equilibrium%forces(i)%n_contacts > 0) equilibrium%forces(i)%load = equilibrium%rows(i)%load
       end do
       !$omp end parallel do
    end subroutine finish

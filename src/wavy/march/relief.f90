@@ -8,6 +8,7 @@ module adfric_wavy_march_relief
    use adfric_shape_height_line, only: height_line_t, new_cosine_line, new_sampled_line
    use adfric_shape_period_seam, only: seam_t
    use adfric_shape_periodic_heights, only: preparation_t, prepare_heights
+   use adfric_shape_polynomial, only: get_turning_places, polynomial_at
    implicit none (type, external)
    private
    public :: relief_t, new_wave_relief, new_measured_relief
@@ -22,6 +23,8 @@ module adfric_wavy_march_relief
       type(height_line_t), allocatable :: rows(:)
       !> Where the ways of the rows begin, x in periods, 0 to 1; shape `(n_rows)`.
       real(dp), allocatable :: starts(:)
+      !> How far their highest places are from there along the ways, in periods; shape `(n_rows)`.
+      real(dp), allocatable :: crests(:)
       !> Steps of measured heights, before their ends were brought together.
       type(seam_t) :: seam
    end type relief_t
@@ -90,7 +93,7 @@ contains
       real(dp) :: lowest(size(self%rows)), highest(size(self%rows)), unit
       integer :: first(size(self%rows)), i
 
-      allocate (self%starts(size(self%rows)))
+      allocate (self%starts(size(self%rows)), self%crests(size(self%rows)))
       do i = 1, size(self%rows)
          call self%rows(i)%get_extremes(lowest(i), highest(i), first(i))
       end do
@@ -101,10 +104,28 @@ contains
          associate (c => self%rows(i)%coefficients)
             c(0, :) = c(0, :) - maxval(highest)
             c = c/unit
+            self%crests(i) = highest_place(c(:, first(i)))/size(c, 2)
             self%starts(i) = modulo(-(first(i) - 1)/real(size(c, 2), dp), 1.0_dp)
          end associate
          call self%rows(i)%rotate(first(i))
       end do
    end subroutine reduce
+
+   !> Where a piece is highest, 0 to 1; its ends are where others are higher, unless it begins with its highest place.
+   pure real(dp) function highest_place(c) result(place)
+      !> Coefficients of the piece; shape `(0:degree)`.
+      real(dp), intent(in) :: c(0:)
+      real(dp) :: places(4), highest
+      integer :: i, n_places
+
+      place = 0
+      highest = c(0)
+      call get_turning_places(c, places, n_places)
+      do i = 1, n_places
+         if (.not. polynomial_at(c, places(i)) > highest) cycle
+         place = places(i)
+         highest = polynomial_at(c, place)
+      end do
+   end function highest_place
 
 end module adfric_wavy_march_relief
