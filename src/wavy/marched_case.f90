@@ -22,7 +22,7 @@ module adfric_wavy_marched_case
    implicit none (type, external)
    private
    public :: marched_case_t, is_marched, has_heights, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
-      & period_of, &
+      & samples_of, period_of, &
       & time_temperature_of, shape_places, foundation_places
 
    !> Place of the word in the choice of the interpolation.
@@ -98,16 +98,25 @@ contains
       real(dp), intent(in) :: values(:)
       !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
-      type(preparation_t) :: preparation
 
       if (has_heights(values)) then
-         preparation = preparation_of(values)
-         period = closed_length(size(given%heights, 1), preparation%closing, preparation%share) &
-            & *spacing_of(values, given)
+         period = samples_of(values, given)*spacing_of(values, given)
       else
          period = values(v_period)
       end if
    end function period_of
+
+   !> Number of samples of one period, after the ends of heights have been brought together.
+   pure integer function samples_of(values, given) result(n)
+      !> Values of all variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+      type(preparation_t) :: preparation
+
+      preparation = preparation_of(values)
+      n = closed_length(size(given%heights, 1), preparation%closing, preparation%share)
+   end function samples_of
 
    !> What makes one period of measured heights.
    pure type(preparation_t) function preparation_of(values) result(preparation)

@@ -1,6 +1,7 @@
 !> What is missing, contradictory or impossible in an input of `wavy_sliding` on heights or with a spectrum.
 module adfric_wavy_marched_check
    use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: get_word
@@ -11,7 +12,9 @@ module adfric_wavy_marched_check
    use adfric_model_table, only: variable_t
    use adfric_wavy_case, only: kind_2d, kind_3d, kind_cosines, kind_map
    use adfric_wavy_given_surface, only: given_surface_t
-   use adfric_wavy_marched_case, only: get_spectrum, period_of, spacing_of, strip_spacing_of, time_temperature_of
+   use adfric_wavy_march_relief, only: relief_t
+   use adfric_wavy_marched_case, only: marched_case_t, get_relief, get_spectrum, has_heights, resolve_marched, samples_of, &
+      & spacing_of, strip_spacing_of, time_temperature_of
    use adfric_wavy_variables, only: v_activation_energy, v_amplitudes, v_blend_share, v_detrend, v_height, &
       & v_heights, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_n_x, v_penetration, v_period, &
       & v_periodise, v_phases, v_poisson_ratio, v_profiles, v_pull_off, v_range, v_reference_temperature, v_relaxation_time, &
@@ -26,6 +29,8 @@ module adfric_wavy_marched_check
    integer, parameter :: fewest_samples = 4
    !> Place of the word in the choice of the slope.
    integer, parameter :: slope_finite = 2
+   !> Beyond it a number in the units of the march is an input's mistake.
+   real(dp), parameter :: largest = 1.0e100_dp
 
 contains
 
@@ -177,7 +182,8 @@ contains
          if (is_set(values(v_shift))) word = nint(values(v_shift))
          select case (word)
          case (1)
-            call refuse([v_temperature, v_wlf_c1, v_wlf_c2, v_activation_energy], 'has no meaning without shift')
+            call refuse([v_temperature, v_reference_temperature, v_wlf_c1, v_wlf_c2, v_activation_energy], &
+               & 'has no meaning without shift')
             return
          case (2)
             call require(variables, values, [v_wlf_c1, v_wlf_c2, v_temperature], problems)
@@ -188,7 +194,7 @@ contains
          end select
          if (.not. (is_set(values(v_reference_temperature)) .or. is_set(given%master_temperature))) call add( &
             & v_reference_temperature, 'is missing [K]; shift = '''//get_word(variables(v_shift)%choices, word)//''' needs it')
-         if (.not. is_set(values(v_temperature))) return
+         if (.not. is_set(values(v_temperature)) .or. problems%count() > before) return
          law = time_temperature_of(values, given)
          call law%get_shift_factor(values(v_temperature), factor, is_valid)
          if (.not. is_valid) call add(v_temperature, 'is out of the range of the law of the shift (for WLF, above T0 - c2)')
@@ -206,11 +212,21 @@ contains
          end do
       end subroutine check_profiles
 
-      !> Values that are possible one by one, and beyond all numbers together, and what a fit makes of a master curve.
+      !> Values that are possible one by one, and beyond all numbers together: the spectrum, the rows, and both.
       subroutine check_numbers()
          type(prony_t) :: prony
+         type(relief_t) :: relief
+
+         call check_spectrum(prony)
+         call check_rows(relief)
+         if (problems%count() == before) call check_reduced(prony, relief)
+      end subroutine check_numbers
+
+      !> What a fit makes of a master curve, and arms whose stiffness is a number.
+      subroutine check_spectrum(prony)
+         !> Receives the spectrum.
+         type(prony_t), intent(out) :: prony
          type(master_curve_fit_t) :: fit
-         real(dp), parameter :: largest = 1.0e100_dp
 
          if (is_set(values(v_master_curve))) then
             if (.not. all(given%master_curve(:, 1) > 0)) then
@@ -231,13 +247,63 @@ contains
             end if
             if (.not. (fit%is_solved .and. fit%is_solid)) return
          end if
-         if (.not. prony%relaxed > 0) then
-            call add(v_stiffness, 'is not > 0')
-         else if (size(prony%times) > 0) then
-            if (.not. sum(prony%moduli)/prony%relaxed*values(v_velocity)*maxval(prony%times)/period_of(values, given) < largest) &
-               & call add(v_velocity, 'times the longest retardation time is too large for the period')
+         associate (instantaneous => prony%relaxed + sum(prony%moduli))
+            if (.not. (prony%relaxed > tiny(1.0_dp) .and. prony%relaxed > instantaneous/largest)) call add(merge(v_stiffness, &
+               & v_young_modulus, is_set(values(v_stiffness))), 'is too small, or other moduli are too large, for a foundation')
+         end associate
+      end subroutine check_spectrum
+
+      !> Heights that make rows.
+      subroutine check_rows(relief)
+         !> Receives the rows.
+         type(relief_t), intent(out) :: relief
+         type(error_t), allocatable :: error
+         real(dp), parameter :: round_off = 100*epsilon(1.0_dp)
+
+         if (.not. has_heights(values)) then
+            call get_relief(values, given, .false., relief, error)
+            return
          end if
-      end subroutine check_numbers
+         if (samples_of(values, given) < fewest_samples) then
+            call add(v_heights, 'have too few samples once their ends have been brought together, 4 are needed')
+            return
+         end if
+         call get_relief(values, given, .false., relief, error)
+         if (allocated(error)) then
+            call add(v_heights, 'cannot be prepared: '//error%message)
+         else if (.not. relief%height > round_off*maxval(abs(given%heights))) then
+            call add(v_heights, 'are flat once trend and short waves are taken out')
+         end if
+      end subroutine check_rows
+
+      !> Sizes in the units of the march.
+      subroutine check_reduced(prony, relief)
+         !> The spectrum.
+         type(prony_t), intent(in) :: prony
+         !> The rows.
+         type(relief_t), intent(in) :: relief
+         type(marched_case_t) :: point
+
+         call resolve_marched(values, given, relief, prony, point)
+         if (.not. (point%pressure_unit > tiny(1.0_dp) .and. point%friction_unit > tiny(1.0_dp) &
+            & .and. max(point%pressure_unit, point%load_unit, point%friction_unit) < largest)) then
+            call add(v_kind, 'has heights and a period that are too small or too large for the stiffness')
+            return
+         end if
+         if (.not. point%pace < largest) then
+            call add(v_velocity, 'is too large for the period')
+         else if (size(prony%times) > 0) then
+            if (.not. sum(prony%moduli)/prony%relaxed*point%pace*maxval(prony%times) < largest) call add(v_velocity, &
+               & 'times the longest retardation time is too large for the period')
+         end if
+         if (.not. max(point%stress, point%range) < largest) call add(v_stress, &
+            & 'or its range is too large for these heights and this stiffness')
+         if (.not. max(abs(point%load), abs(point%penetration)) < largest) then
+            if (is_set(values(v_load))) call add(v_load, 'is too large for these heights and this stiffness')
+            if (is_set(values(v_mean_pressure))) call add(v_mean_pressure, 'is too large for these heights and this stiffness')
+            if (is_set(values(v_penetration))) call add(v_penetration, 'is too large for these heights')
+         end if
+      end subroutine check_reduced
 
    end subroutine check_marched_values
 
