@@ -6,10 +6,10 @@ module adfric_wavy_check
    use adfric_model_check, only: require
    use adfric_model_table, only: variable_t
    use adfric_wavy_case, only: wavy_case_t, resolve_case
-   use adfric_wavy_marched_check, only: check_adhesion_values, check_load_values
+   use adfric_wavy_marched_check, only: check_adhesion_values, check_load_values, require_modulus, require_single_time
    use adfric_wavy_variables, only: v_activation_energy, v_amplitudes, v_blend_share, v_detrend, v_height, v_height_factor, &
       & v_heights, v_interpolation, v_kind, v_load, v_moduli, v_n_x, v_n_y, v_penetration, v_period, v_periodise, v_phases, &
-      & v_poisson_ratio, v_profiles, v_reference_temperature, v_relaxation_time, v_retardation_ratio, v_reverse, v_shift, &
+      & v_poisson_ratio, v_profiles, v_reference_temperature, v_reverse, v_shift, &
       & v_shortest_wavelength, v_spacing, v_stiffness, v_stress, v_strip_spacing, v_temperature, v_terms_per_decade, v_thickness, &
       & v_time_factor, v_velocity, v_wlf_c1, v_wlf_c2, v_young_moduli, v_young_modulus
    implicit none (type, external)
@@ -66,12 +66,10 @@ contains
          if (is_set(values(v_stiffness)) .and. any(has_layer)) then
             call add(v_stiffness, 'stands beside '//variables(layer(findloc(has_layer, .true., 1)))%name// &
                & '; give stiffness, or young_modulus, poisson_ratio and thickness')
-         else if (.not. is_set(values(v_stiffness)) .and. .not. any(has_layer)) then
-            call add(v_stiffness, 'is missing [Pa/m]; give it, or young_modulus, poisson_ratio and thickness')
-         else if (any(has_layer)) then
-            call require(variables, values, layer, problems)
+         else if (.not. is_set(values(v_stiffness))) then
+            call require_modulus(variables, values, problems)
          end if
-         call require(variables, values, [v_relaxation_time, v_retardation_ratio], problems)
+         call require_single_time(variables, values, problems)
       end subroutine check_foundation
 
       !> Refuse what belongs to heights and spectra.

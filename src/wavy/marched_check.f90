@@ -23,7 +23,8 @@ module adfric_wavy_marched_check
       & v_wlf_c1, v_wlf_c2, v_young_moduli, v_young_modulus
    implicit none (type, external)
    private
-   public :: check_marched_values, check_adhesion_values, check_load_values
+   public :: check_marched_values, check_adhesion_values, check_load_values, require_modulus, &
+      & require_single_time
 
    !> Fewest samples of a row.
    integer, parameter :: fewest_samples = 4
@@ -146,12 +147,12 @@ contains
             call refuse([v_young_modulus, of_layer, v_young_moduli], &
                & 'stands beside stiffness; give stiffness and moduli, or young_modulus, young_moduli, poisson_ratio and thickness')
          else
-            call require(variables, values, [v_young_modulus, of_layer], problems)
+            call require_modulus(variables, values, problems)
             call refuse([v_moduli], 'needs stiffness; young_moduli stand beside young_modulus')
          end if
          if (.not. is_set(values(v_relaxation_times))) then
             call refuse([v_moduli, v_young_moduli], 'needs relaxation_times')
-            call require(variables, values, single, problems)
+            call require_single_time(variables, values, problems)
             return
          end if
          call refuse(single, 'stands beside relaxation_times; give one or the other')
@@ -306,6 +307,44 @@ contains
       end subroutine check_reduced
 
    end subroutine check_marched_values
+
+   !> Without a stiffness all of a layer is asked for.
+   subroutine require_modulus(variables, values, problems)
+      !> Table of the variables; their names stand in the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values in the order of `variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (.not. any(is_set(values([v_young_modulus, v_poisson_ratio, v_thickness])))) then
+         call problems%add(variables(v_stiffness)%group, variables(v_stiffness)%name, &
+            & 'is missing [Pa/m]; give it, or young_modulus, poisson_ratio and thickness, or master_curve')
+         return
+      end if
+      if (.not. is_set(values(v_young_modulus))) call problems%add(variables(v_young_modulus)%group, &
+         & variables(v_young_modulus)%name, 'is missing [Pa]; a layer has it, or master_curve')
+      call require(variables, values, [v_poisson_ratio, v_thickness], problems)
+   end subroutine require_modulus
+
+   !> The standard solid, which is asked for where there is no spectrum.
+   subroutine require_single_time(variables, values, problems)
+      !> Table of the variables; their names stand in the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values in the order of `variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(*), parameter :: instead = ']; it is needed without relaxation_times or master_curve'
+      integer, parameter :: single(2) = [v_relaxation_time, v_retardation_ratio]
+      integer :: k
+
+      do k = 1, size(single)
+         associate (v => variables(single(k)))
+            if (.not. is_set(values(single(k)))) call problems%add(v%group, v%name, 'is missing ['//v%unit//instead)
+         end associate
+      end do
+   end subroutine require_single_time
 
    !> Adhesion: a stress with an energy or a range, and nothing of it without a stress.
    subroutine check_adhesion_values(variables, values, problems)
