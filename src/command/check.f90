@@ -5,6 +5,7 @@ module adfric_command_check
    use adfric_base_text, only: newline, show_count, show_number
    use adfric_command_case, only: open_case
    use adfric_command_line, only: command_t
+   use adfric_command_doubts, only: describe_doubts_of
    use adfric_command_durations, only: show_duration
    use adfric_command_outcome, only: outcome_t, exit_success
    use adfric_command_plausibility, only: warn_of_values
@@ -46,7 +47,7 @@ contains
          if (text(len(text):) /= newline) call outcome%say(newline)
       end if
       call run%model%prepare()
-      call outcome%say(run%model%describe_doubts(run%plan%base))
+      call outcome%say(describe_doubts_of(run))
       call outcome%say(describe_sweep(run))
       call outcome%say(pad('points', name_width)//show_count(run%plan%n_points())//newline)
       call outcome%say(pad('estimated time', name_width)//describe_time(run)//newline)

@@ -4,6 +4,7 @@ module adfric_command_run
    use adfric_base_printable, only: shell_word
    use adfric_base_text, only: newline, show_count
    use adfric_command_case, only: open_case
+   use adfric_command_doubts, only: describe_doubts_of
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_success, exit_not_converged, exit_signal
    use adfric_command_solve, only: solve_case, is_begun
@@ -69,7 +70,7 @@ contains
          if (summary%by_status(status_not_converged) > 0) outcome%exit_status = exit_not_converged
          if (command%is_quiet .or. .not. world%is_first()) return
          call outcome%say(new_run_table(summary, run%model%describe_results(run%plan%base), run%output))
-         call outcome%say(run%model%describe_doubts(run%plan%base))
+         call outcome%say(describe_doubts_of(run))
          if (is_complete) call outcome%say('this run was complete already'//newline)
       end if
    end subroutine run_case

@@ -10,6 +10,7 @@ module adfric_wavy_marched_points
    use adfric_material_master_curve, only: master_curve_fit_t
    use adfric_material_prony, only: prony_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_numerics_correlated_mean, only: error_of_mean
    use adfric_wavy_case, only: kind_2d, kind_map
    use adfric_wavy_given_surface, only: given_surface_t
    use adfric_wavy_march_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load, &
@@ -315,9 +316,7 @@ contains
          results(r_adhesion_count) = sum(f%n_adhesions)
          results(r_snap_count) = sum(f%n_snaps)
          results(r_saturated_share) = count(regimes_of(f) == regime_saturated)/real(n, dp)
-         results(r_friction_sample_error) = 0
-         if (n > 1) results(r_friction_sample_error) = sqrt(sum((f%friction - friction)**2)/(real(n, dp)*(n - 1))) &
-            & *point%friction_unit
+         results(r_friction_sample_error) = error_of_mean(f%friction)*point%friction_unit
          results(r_regime) = regime_mixed
          if (all(regimes_of(f) == regime_of(f(1)))) results(r_regime) = regime_of(f(1))
          if (n == 1 .and. f(1)%n_contacts == 0) then
