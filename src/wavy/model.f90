@@ -10,7 +10,7 @@ module adfric_wavy_model
    use adfric_model_rows, only: count_row, set_coordinate
    use adfric_model_status, only: status_solved, status_no_equilibrium
    use adfric_model_table, only: result_t, profile_axis_t
-   use adfric_wavy_adhesion, only: edge_front
+   use adfric_wavy_adhesion, only: adhesion_t, strip_adhesion_t, new_strip_adhesion, edge_front
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d, kind_map
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_crosswise, only: memory_t
@@ -390,7 +390,8 @@ contains
          results(r_contact_width) = width/two_pi*point%period
          results(r_contact_shift) = merge(crest%shift, 0.0_dp, width > 0 .and. crest%half_width < pi)/two_pi*point%period
          results(r_regime) = crest%regime
-         if (.not. point%surface%shape%is_3d) call count_zones(crest, results)
+         if (.not. point%surface%shape%is_3d) call count_zones(crest, point%surface%adhesion, &
+            & point%surface%foundation%beta, results)
       end associate
       if (.not. point%wants_pull_off .or. .not. pull_off%is_converged) return
       results(r_pull_off_load) = pull_off%load*point%load_unit
@@ -398,19 +399,26 @@ contains
    end subroutine store
 
    !> Numbers of zones of the one strip of a 2-D wave.
-   pure subroutine count_zones(state, results)
+   pure subroutine count_zones(state, adhesion, beta, results)
       !> Its steady state.
       type(steady_state_t), intent(in) :: state
+      !> Adhesion of the surface.
+      type(adhesion_t), intent(in) :: adhesion
+      !> Ratio of retardation to relaxation time [-].
+      real(dp), intent(in) :: beta
       !> Receives the counts; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
+      type(strip_adhesion_t) :: law
       logical :: has_contact, has_free
 
+      call new_strip_adhesion(law, adhesion, 0.5_dp, beta)
       has_contact = state%regime /= regime_free .and. state%regime /= regime_adhesion_only
       has_free = state%regime == regime_adhesion_zones
       results(r_contact_count) = merge(1, 0, has_contact)
       results(r_adhesion_count) = merge(1, 0, state%regime == regime_adhesion_only .or. state%regime == regime_saturated_adhesion)
       if (has_free) results(r_adhesion_count) = count([state%trailing, state%leading] > 0)
-      results(r_snap_count) = merge(1, 0, has_free .and. state%entry > 0)
+      results(r_snap_count) = merge(1, 0, (has_free .or. (state%regime == regime_adhesion_only .and. state%half_width < pi)) &
+         & .and. law%jump > 0)
       results(r_saturated_share) = merge(1, 0, state%regime == regime_saturated)
       results(r_friction_sample_error) = 0
    end subroutine count_zones

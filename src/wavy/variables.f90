@@ -178,7 +178,8 @@ contains
          & long_name='penetration of the least load of the adhered branch')
       r(r_contact_count) = result_row(name='contact_count', unit='-', long_name='contacts on one period, of all strips')
       r(r_adhesion_count) = result_row(name='adhesion_count', unit='-', long_name='zones of adhesion on one period, of all strips')
-      r(r_snap_count) = result_row(name='snap_count', unit='-', long_name='snaps into contact on one period, of all strips')
+      r(r_snap_count) = result_row(name='snap_count', unit='-', &
+         & long_name='edges where the displacement jumps and adhesion is lost on one period, of all strips')
       r(r_saturated_share) = result_row(name='saturated_share', unit='-', long_name='share of strips in contact everywhere')
       r(r_friction_sample_error) = result_row(name='friction_sample_error', unit=force, &
          & long_name='standard error of the friction force from the scatter of the strips')

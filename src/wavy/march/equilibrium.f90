@@ -24,6 +24,8 @@ module adfric_wavy_march_equilibrium
    integer, parameter :: march_solved = 0, march_no_equilibrium = 1, march_failed = 2
    !> Loads and penetrations are known to this share.
    real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
+   !> By this penetration more than that of the draw-in, in lengths of 1, round-off does not hide that adhesion has taken hold.
+   real(dp), parameter :: drawn_in = 1.0e-11_dp
    !> Most penetrations that one search looks at.
    integer, parameter :: most_penetrations = 20000
    !> Penetrations of a scan for tensions on the approach branch.
@@ -282,14 +284,26 @@ contains
 
       status = march_failed
       limit = largest_depth(surface, load)
-      depth = -surface%law%attach_gap*(1 - round_off)
+      depth = -surface%law%attach_gap + drawn_in*(1 + surface%law%attach_gap)
       call start(surface, depth, .true., states)
       call start(surface, depth, .false., least_here)
       call find_greatest(surface, depth, states, least_here)
       if (states%have_failed) return
-      if (states%load > load) call scan_for_fall(surface, load, limit, depth, states)
-      if (states%have_failed) return
-      if (states%load > load .or. limit <= depth) then
+      if (states%load > load) then
+         ! a tension: there is a state if there is a last one, and one before it if the load falls below it once more
+         call find_last_state(surface, load, limit, beyond, status)
+         if (status /= march_solved) return
+         status = march_failed
+         call scan_for_fall(surface, load, limit, depth, states)
+         if (states%have_failed) return
+         if (states%load > load) then
+            depth = limit
+            call move_alloc(beyond%rows, states%rows)
+            status = march_solved
+            return
+         end if
+      end if
+      if (limit <= depth) then
          status = march_no_equilibrium
          return
       end if
@@ -301,7 +315,9 @@ contains
       do k = 1, most_penetrations
          if (states%have_failed .or. least%have_failed) return
          step = (load - states%load)/slope
-         if (step <= round_off*(1 + abs(depth)) .or. load - states%load <= states%least_load + round_off*abs(load)) then
+         ! the penetration has met one that carries the load or more
+         if (step <= round_off*(1 + abs(depth)) .or. depth >= limit .or. &
+            & load - states%load <= states%least_load + round_off*abs(load)) then
             status = march_solved
             return
          end if
@@ -332,6 +348,43 @@ contains
          call find_greatest(surface, depth, states, least_here)
       end do
    end subroutine search_upwards
+
+   !> The largest penetration at which the greatest state carries a load: steps of the excess over the slope pass none.
+   subroutine find_last_state(surface, load, depth, states, status)
+      !> The surface.
+      type(march_surface_t), intent(in) :: surface
+      !> Mean load of the rows.
+      real(dp), intent(in) :: load
+      !> In: a penetration beyond which none carries the load. Out: the last one that does, if there is one.
+      real(dp), intent(inout) :: depth
+      !> Receives the greatest states there.
+      type(states_t), intent(inout) :: states
+      !> Receives how the search ended.
+      integer, intent(out) :: status
+      type(states_t) :: least
+      real(dp) :: step
+      integer :: k
+
+      status = march_failed
+      do k = 1, most_penetrations
+         call start(surface, depth, .true., states)
+         call start(surface, depth, .false., least)
+         call find_greatest(surface, depth, states, least)
+         if (states%have_failed) return
+         if (.not. states%slope > 0 .and. states%load > load) then
+            ! nothing touches: no smaller penetration carries less
+            status = march_no_equilibrium
+            return
+         end if
+         step = 0
+         if (states%slope > 0) step = (states%load - load)/states%slope
+         if (states%load - load <= states%least_load + round_off*abs(load) .or. step <= round_off*(1 + abs(depth))) then
+            status = march_solved
+            return
+         end if
+         depth = depth - step
+      end do
+   end subroutine find_last_state
 
    !> Look for a penetration that carries no more than a load, behind the draw-in that carries more: for tensions alone. The load may
    !> fall anywhere, where adhesion takes hold, so a fall and rise within one step of the scan is not seen.

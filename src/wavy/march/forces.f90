@@ -27,7 +27,7 @@ module adfric_wavy_march_forces
       real(dp) :: load_mismatch = 0, energy_mismatch = 0
       !> Sizes of the terms of load and friction.
       real(dp) :: load_scale = 0, friction_scale = 0
-      !> Numbers of contacts, adhesion zones, free zones and snaps.
+      !> Numbers of contacts, adhesion zones, free zones, and of edges where the surface snaps off.
       integer :: n_contacts = 0, n_adhesions = 0, n_free = 0, n_snaps = 0
       !> Middle and length of the contact if there is one, in periods from where the period begins, along the way.
       real(dp) :: contact_middle = 0, contact_length = 0
@@ -57,10 +57,9 @@ contains
          else
             call add_open_zone(way, law, period%zones(i), period%start(:, i), forces, displacement)
          end if
-         if (period%zones(i)%is_snap) forces%n_snaps = forces%n_snaps + 1
          forces%load_scale = forces%load_scale + abs(period%zones(i)%load)
       end do
-      call count_zones(period, forces)
+      call count_zones(law, period, forces)
       call find_single_contact(way, period, forces)
       forces%load = period%load
       forces%edge_loss = get_edge_loss(way, law, period)
@@ -234,13 +233,20 @@ contains
    end subroutine add_open_zone
 
    !> Count zones round the period: one that its end cuts counts once.
-   pure subroutine count_zones(period, forces)
+   pure subroutine count_zones(law, period, forces)
+      !> The law of adhesion.
+      type(march_law_t), intent(in) :: law
       !> The period.
       type(period_t), intent(in) :: period
       !> Receives the counts.
       type(march_forces_t), intent(inout) :: forces
       integer :: i
 
+      ! the surface snaps off where the displacement jumps and nothing pulls any more
+      do i = 2, period%n_zones
+         if (law%jump > 0 .and. period%zones(i)%kind == in_free .and. period%zones(i - 1)%kind /= in_free) &
+            & forces%n_snaps = forces%n_snaps + 1
+      end do
       do i = 1, period%n_zones
          if (i == 1 .and. period%n_zones > 1) then
             if (period%zones(1)%kind == period%zones(period%n_zones)%kind) cycle

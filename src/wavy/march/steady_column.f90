@@ -18,6 +18,10 @@ module adfric_wavy_march_steady_column
 
    !> Steps that are smaller than this share of lengths are round-off.
    real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
+   !> Steps of this share of lengths may be all that round-off leaves to do.
+   real(dp), parameter :: small_step = 1.0e-12_dp
+   !> So often such steps must not have become smaller.
+   integer, parameter :: most_stuck = 4
    !> Most periods of one search.
    integer, parameter :: most_periods = 20000
    !> Starts are beyond all steady states by this, so that none is met by chance.
@@ -33,6 +37,8 @@ module adfric_wavy_march_steady_column
       real(dp), allocatable :: step(:)
       !> The largest component of the step.
       real(dp) :: largest_step = huge(1.0_dp)
+      !> How often small steps have not become smaller.
+      integer :: n_stuck = 0
       !> Load of the period with its step, and its change with the penetration while zones are as they are.
       real(dp) :: load = 0, load_slope = 0
       !> Change of the state with the penetration while zones are as they are; shape `(n_arms)`.
@@ -136,6 +142,8 @@ contains
       do k = 1, most_periods
          if (self%has_failed) return
          call march(self, way, law, depth)
+         ! 1, 2, 4, ...
+         if (iand(k, k - 1) == 0) call raise_bound(self, least%period, way, law, depth, steps)
          if (.not. changes_flag(self, law)) self%step = product_of(steps(:, :way%solid%n), self%period%growth)
          call judge_step(self, law, depth)
          if (self%is_steady) exit
@@ -147,6 +155,40 @@ contains
       call get_displacement_sums(way, self%period, 0*self%step, steps(:, way%solid%n + 1), sums)
       self%load_slope = sums(2)
    end subroutine find_approach
+
+   !> Find a better bound of the response below the greatest state. The step with the response of the state itself may lead to a state that
+   !> a period raises. Periods from there rise to a steady state, which is not above the greatest one: so the new state is below that,
+   !> and its response is a bound.
+   pure subroutine raise_bound(self, bound, way, law, depth, steps)
+      !> A state above the greatest one, with its period.
+      type(steady_column_t), intent(in) :: self
+      !> In: the period whose response is used. Out: a better one, if there is one.
+      type(period_t), intent(inout) :: bound
+      !> The way.
+      type(way_t), intent(in) :: way
+      !> The law of adhesion.
+      type(march_law_t), intent(in) :: law
+      !> Penetration.
+      real(dp), intent(in) :: depth
+      !> In: (I - J0)^-1 of the bound. Out: that of the better one.
+      real(dp), intent(inout) :: steps(:, :)
+      type(steady_column_t) :: below
+      real(dp) :: own(size(steps, 1), size(steps, 2))
+      logical :: is_solved
+
+      if (changes_flag(self, law) .or. way%solid%n == 0) return
+      call get_steps(way, self%period, own, is_solved)
+      if (.not. is_solved) return
+      below%state%length = self%state%length + product_of(own(:, :way%solid%n), self%period%growth)
+      below%state%is_attached = self%state%is_attached
+      if (.not. all(abs(below%state%length) <= huge(1.0_dp))) return
+      call march(below, way, law, depth)
+      if (below%has_failed .or. changes_flag(below, law) .or. .not. all(below%period%growth >= 0)) return
+      call get_steps(way, below%period, own, is_solved)
+      if (.not. is_solved) return
+      steps = own
+      bound = below%period
+   end subroutine raise_bound
 
    !> March a period and find the step that follows from it, and how the load changes.
    pure subroutine take_step(self, way, law, depth)
@@ -211,9 +253,19 @@ contains
       type(march_law_t), intent(in) :: law
       !> Penetration.
       real(dp), intent(in) :: depth
+      real(dp) :: previous, lengths
 
+      previous = self%largest_step
+      lengths = 1 + abs(depth) + law%stress + law%shift
       self%largest_step = maxval([0.0_dp, abs(self%step)])
-      self%is_steady = self%largest_step <= round_off*(1 + abs(depth) + law%stress + law%shift) .and. .not. changes_flag(self, law)
+      ! steps that are small and do not become smaller are the round-off of a response that is large
+      if (self%largest_step > small_step*lengths) then
+         self%n_stuck = 0
+      else if (self%largest_step >= previous) then
+         self%n_stuck = self%n_stuck + 1
+      end if
+      self%is_steady = self%largest_step <= round_off*lengths .or. self%n_stuck >= most_stuck
+      self%is_steady = self%is_steady .and. .not. changes_flag(self, law)
    end subroutine judge_step
 
    !> Take the step.
