@@ -53,7 +53,9 @@ def show_temperatures():
         mu = solve("rubber_velocity", operating__temperature=repr(temperature), operating__velocity=fine)["friction_coefficient"]
         same = solve("rubber_velocity", operating__temperature=ROOM, operating__velocity=fine * factor)["friction_coefficient"]
         place = mu.argmax()
-        row(f"{temperature:g}", factor, mu[place], f"{fine[place]:.3g}", f"{factor * fine[place]:.3g}", f"{np.abs(mu / same - 1).max():.1g}")
+        difference = np.abs(mu / same - 1).max()
+        row(f"{temperature:g}", factor, mu[place], f"{fine[place]:.3g}", f"{factor * fine[place]:.3g}",
+            "below 1e-11" if difference < 1e-11 else f"{difference:.1g}")
 
 
 def show_master_curve():
