@@ -3,6 +3,7 @@
 !> Rows and spectrum are found once for neighbouring points that share them, and so are the ways of the rows for points of one velocity and
 !> temperature. A point has no other memory of its neighbours.
 module adfric_wavy_marched_points
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
@@ -158,6 +159,8 @@ contains
       call find(self%surface, self%point, self%equilibrium)
       select case (self%equilibrium%status)
       case (march_solved)
+         ! a state whose forces are no numbers is none
+         if (.not. has_numbers(self%equilibrium)) return
          status = status_solved
       case (march_no_equilibrium)
          status = status_no_equilibrium
@@ -169,6 +172,17 @@ contains
       call store(values, self%point, self%equilibrium, self%relief%crests(1), results)
       error_estimate = get_error(self%equilibrium, coarse, has_samples, self%point%is_load_given)
    end subroutine solve
+
+   !> Are penetration and forces numbers?
+   pure logical function has_numbers(equilibrium)
+      !> The equilibrium.
+      type(march_equilibrium_t), intent(in) :: equilibrium
+
+      associate (f => equilibrium%forces)
+         has_numbers = ieee_is_finite(equilibrium%depth) .and. all(ieee_is_finite(f%load)) .and. all(ieee_is_finite(f%friction)) &
+            & .and. all(ieee_is_finite(f%dissipation)) .and. all(ieee_is_finite(f%edge_loss))
+      end associate
+   end function has_numbers
 
    !> Rows, spectrum, ways and law for a point.
    subroutine prepare_rows(self, values, given, has_samples, error)
