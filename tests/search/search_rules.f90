@@ -8,10 +8,12 @@ module search_rules
    use adfric_model_model, only: model_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_model_table, only: result_t, kind_real
-   use adfric_wavy_case, only: wavy_case_t, resolve_case
+   use adfric_model_derived, only: derived_t
+   use adfric_wavy_case, only: kind_map, wavy_case_t, resolve_case
+   use adfric_wavy_marched_case, only: is_marched
    use adfric_wavy_surface, only: negligible
    use adfric_wavy_variables, only: r_adhesion_area, r_contact_area, r_friction_coefficient, r_friction_force, r_load, &
-      & r_penetration, v_height, v_period, v_stress
+      & r_penetration, v_kind, v_stress
    use model_calls, only: solve_values
    use random_dice, only: dice_t
    use search_data, only: give_data, rescale_data
@@ -263,7 +265,7 @@ contains
    !> What a difference of a result is measured by, where the result itself is smaller: a component of a field by the whole field;
    !> load and friction by a share of the tractions they are made of, and friction that is nothing beside the load by that
    !> (`docs/wavy.md`).
-   pure real(dp) function least_size(model, results, values, found, k) result(least)
+   real(dp) function least_size(model, results, values, found, k) result(least)
       class(model_t), intent(in) :: model
       type(result_t), intent(in) :: results(:)
       real(dp), intent(in) :: values(:), found(:)
@@ -277,29 +279,38 @@ contains
             if (results(i)%unit == results(k)%unit .and. .not. ieee_is_nan(found(i))) least = max(least, abs(found(i)))
          end do
       else if (model%name == 'wavy_sliding') then
-         least = least_wavy_size(values, found, k)
+         least = least_wavy_size(model, values, found, k)
       end if
    end function least_size
 
    !> The same for the wavy surface.
-   pure real(dp) function least_wavy_size(values, found, k) result(least)
+   real(dp) function least_wavy_size(model, values, found, k) result(least)
+      class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:), found(:)
       integer, intent(in) :: k
       real(dp), parameter :: share_of_scale = 0.01_dp
       type(wavy_case_t) :: case
       real(dp) :: adhesion, steepness
 
-      call resolve_case(values, case)
       adhesion = 0
       if (is_set(values(v_stress))) adhesion = values(v_stress)*(found(r_contact_area) + found(r_adhesion_area))
-      steepness = values(v_height)/values(v_period)
+      if (is_marched(values)) then
+         case%period = derived_value(model, values, 'period')
+         case%height = derived_value(model, values, 'height')
+         case%load_unit = derived_value(model, values, 'pressure_unit')*case%period
+         if (nint(values(v_kind)) == kind_map) case%load_unit = case%load_unit/case%period*(found(r_contact_area) + &
+            & found(r_adhesion_area))
+      else
+         call resolve_case(values, case)
+      end if
+      steepness = case%height/case%period
       least = 0
       select case (k)
       case (r_load)
          least = share_of_scale*adhesion
       case (r_penetration)
          ! a load within its tolerance
-         least = (abs(found(r_load)) + adhesion)/case%load_unit*case%height
+         if (case%load_unit > 0) least = (abs(found(r_load)) + adhesion)/case%load_unit*case%height
       case (r_friction_force)
          least = max(negligible*abs(found(r_load)), share_of_scale*adhesion)*steepness
       case (r_friction_coefficient)
@@ -307,6 +318,21 @@ contains
          if (abs(found(r_load)) > 0) least = max(least, share_of_scale*adhesion*(steepness + abs(found(k)))/abs(found(r_load)))
       end select
    end function least_wavy_size
+
+   !> A quantity that follows from the values.
+   real(dp) function derived_value(model, values, name) result(value)
+      class(model_t), intent(in) :: model
+      real(dp), intent(in) :: values(:)
+      character(*), intent(in) :: name
+      type(derived_t), allocatable :: derived(:)
+      integer :: i
+
+      value = 0
+      allocate (derived, source=model%derive_quantities(values))
+      do i = 1, size(derived)
+         if (derived(i)%name == name) value = derived(i)%value
+      end do
+   end function derived_value
 
    !> What must not fall as the swept variable rises.
    subroutine judge_order(model, results, drawn, answer, fault)

@@ -20,6 +20,8 @@ contains
       integer :: first, last
 
       powers = 0
+      ! an energy for each mole counts in that of the gas constant, which is the same number in all units of a case
+      if (index(unit, '/mol') > 0) return
       sign = 1
       first = 1
       do while (first <= len(unit))
