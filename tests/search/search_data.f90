@@ -58,7 +58,7 @@ contains
             allocate (list(n)%values(min(n_x, v%most_count), n_y))
             call draw_shape(v, dice, list(n)%values)
             if (.not. v%lower < 0) list(n)%values = abs(list(n)%values)
-            if (v%lower_open .and. .not. v%lower < 0) list(n)%values = list(n)%values + 1
+            if (v%lower > 0 .or. (v%lower_open .and. .not. v%lower < 0)) list(n)%values = list(n)%values + 1
             do j = 1, n_y
                list(n)%values(:, j) = list(n)%values(:, j) &
                   *10.0_dp**max(-60.0_dp, min(60.0_dp, dot_product(logarithm, dimensions_of(unit_of_column(v, j)))))

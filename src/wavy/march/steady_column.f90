@@ -207,7 +207,8 @@ contains
       if (self%has_failed) return
       call get_steps(way, self%period, steps, is_solved, self%period%growth)
       if (.not. changes_flag(self, law)) self%step = steps(:, 1)
-      self%response = steps(:, 2)
+      if (.not. allocated(self%response)) allocate (self%response(way%solid%n))
+      self%response(:) = steps(:, 2)
       self%has_failed = .not. is_solved .or. .not. all(abs(steps) <= huge(1.0_dp))
       if (self%has_failed) return
       call get_displacement_sums(way, self%period, self%step, self%response, sums)
