@@ -27,7 +27,9 @@ module adfric_wavy_march_equilibrium
    !> By this penetration more than that of the draw-in, in lengths of 1, round-off does not hide that adhesion has taken hold.
    real(dp), parameter :: drawn_in = 1.0e-11_dp
    !> Most penetrations that one search looks at.
-   integer, parameter :: most_penetrations = 20000
+   integer, parameter :: most_penetrations = 2000
+   !> Most periods of a row that one search marches; what takes more is not converged.
+   integer, parameter :: most_periods = 10000
    !> Penetrations of a scan for tensions on the approach branch.
    integer, parameter :: steps_of_scan = 64
 
@@ -201,7 +203,7 @@ contains
             states%slope = states%slope + weight*row%load_slope
             states%least_load = states%least_load + weight*round_off*sum(abs(row%period%zones(:row%period%n_zones)%load))
             states%are_steady = states%are_steady .and. row%is_steady
-            states%have_failed = states%have_failed .or. row%has_failed
+            states%have_failed = states%have_failed .or. row%has_failed .or. row%n_periods > most_periods
          end associate
       end do
       states%least_load = states%least_load + round_off*abs(depth)*states%slope

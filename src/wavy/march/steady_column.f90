@@ -23,7 +23,7 @@ module adfric_wavy_march_steady_column
    !> So often such steps must not have become smaller.
    integer, parameter :: most_stuck = 4
    !> Most periods of one search.
-   integer, parameter :: most_periods = 20000
+   integer, parameter :: most_periods = 3000
    !> Starts are beyond all steady states by this, so that none is met by chance.
    real(dp), parameter :: beyond = 1.0e-3_dp
 
