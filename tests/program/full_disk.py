@@ -65,12 +65,16 @@ class FullDisk(Runs):
             file.write(bytes(100_000))
         (disk / "more").unlink()
 
-    def begin(self, text):
-        """A whole run to compare with, and another one on the disk that has just begun."""
+    def run_whole(self, text):
+        """A whole run to compare with; the size of its file."""
         self.write(text)
         self.run_program("run", "run.nml", "--output", "whole.h5")
+        return (self.folder / "whole.h5").stat().st_size
+
+    def begin(self):
+        """The same run on the disk, just begun."""
         process = self.start("run", "--quiet", "run.nml", "--output", "disk/run.h5", threads=1)
-        self.wait_for("disk/run.h5.partial")
+        self.wait_for("disk/run.h5.partial", process)
         return process
 
     def check_resumed(self):
@@ -91,8 +95,9 @@ class FullDisk(Runs):
         self.assertEqual(self.files("disk"), ["others"])
 
     def test_full_meanwhile_in_memory(self):
-        disk = self.small_memory_disk("3m")
-        process = self.begin(PROFILES.format(strips=16, count=400))
+        n_bytes = self.run_whole(PROFILES.format(strips=16, count=400))
+        disk = self.small_memory_disk(n_bytes + 2*MEGABYTE)
+        process = self.begin()
         self.fill(disk)
         # the file has all its room from the start
         _, errors = process.communicate(timeout=120)
@@ -100,10 +105,12 @@ class FullDisk(Runs):
         self.assert_same(self.snapshot("whole.h5"), self.snapshot("disk/run.h5"))
 
     def test_full_meanwhile(self):
-        # the run lasts longer than it takes to fill the disk, and has 1.5 kB a point
+        # the run lasts longer than it takes to fill the disk
         count = 3 * self.count_of_lasting(PROFILES)
-        disk = self.small_disk(self.folder / "image", 8*MEGABYTE + 3*count*1700)
-        process = self.begin(PROFILES.format(strips=16, count=count))
+        n_bytes = self.run_whole(PROFILES.format(strips=16, count=count))
+        # an eighth and more of the disk is for its journal and its lists of files
+        disk = self.small_disk(self.folder / "image", 8*MEGABYTE + n_bytes*5//4)
+        process = self.begin()
         entry = (disk / "run.h5.partial").stat()
         self.assertGreater(512*entry.st_blocks, entry.st_size - DESCRIPTIONS, "the file has holes")
         self.fill(disk)
@@ -134,9 +141,10 @@ class FullDisk(Runs):
         self.check_resumed()
 
     def test_disk_that_fails(self):
+        n_bytes = self.run_whole(self.case_of(5.0))
         image = self.folder / "image"
-        disk = self.small_disk(image, 32*MEGABYTE)
-        process = self.begin(self.case_of(5.0))
+        disk = self.small_disk(image, 32*MEGABYTE + 2*n_bytes)
+        process = self.begin()
         time.sleep(1.5)
         # what stands in the file is on the disk; from now on the file system takes nothing more
         self.do("sync", "-f", disk)

@@ -122,10 +122,12 @@ class Runs(unittest.TestCase):
         (self.folder / "trial.nml").unlink()
         return count, duration
 
-    def wait_for(self, name, patience=60):
-        """Wait until there is a file of this name."""
+    def wait_for(self, name, process=None, patience=60):
+        """Wait until there is a file of this name, which a process that has ended will not write any more."""
         end = time.monotonic() + patience
         while not (self.folder / name).exists():
+            if process is not None and process.poll() is not None:
+                self.fail(f"no {name}: {process.communicate()[1]}")
             self.assertLess(time.monotonic(), end)
             time.sleep(0.01)
 
@@ -152,7 +154,7 @@ class Runs(unittest.TestCase):
     def meet(self, number, n_parts, patience=60):
         """Wait until a part of big.h5 has results on the disk; its process."""
         partial = f"big.part-{number:04}-of-{n_parts:04}.h5.partial"
-        self.wait_for(partial, patience)
+        self.wait_for(partial, patience=patience)
         self.wait_for_points(partial, patience=patience)
         process = self.process_of(f"{number}/{n_parts}")
         self.assertIsNotNone(process, "this part has ended already")

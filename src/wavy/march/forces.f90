@@ -5,12 +5,12 @@
 !> energy that is stored. Beside them edges of adhesion may take energy.
 module adfric_wavy_march_forces
    use adfric_base_kinds, only: dp
-   use adfric_numerics_phi_functions, only: get_phi_functions, get_exponential_moments
+   use adfric_numerics_phi_functions, only: get_exponential_moments
    use adfric_wavy_march_law, only: march_law_t
    use adfric_wavy_march_period, only: period_t, zone_t, in_contact, in_adhesion, in_free
    use adfric_wavy_march_solid, only: product_of
    use adfric_wavy_march_way, only: way_t, decay_of, expm1_of, get_double_moment, stretches_at, work_of_heights
-   use adfric_wavy_march_zone_end, only: place_t, zone_lets_go
+   use adfric_wavy_march_zone_end, only: place_t
    implicit none (type, external)
    private
    public :: march_forces_t, get_march_forces
@@ -81,13 +81,12 @@ contains
       type(march_forces_t), intent(inout) :: forces
       !> Integral of the displacement over the period.
       real(dp), intent(inout) :: displacement
-      real(dp), dimension(way%solid%n) :: first, last, growth, r
+      real(dp), dimension(way%solid%n) :: first, last, growth
       real(dp) :: work, size_of_work, stored, heights
 
       call stretches_at(way, zone%start%piece, zone%start%theta, first, growth)
       first = first + disturbance
-      r = first
-      call integrate_contact(way, zone%start, zone%finish, r, heights, work, size_of_work)
+      call integrate_contact(way, zone%start, zone%finish, disturbance, heights, work, size_of_work)
       call stretches_at(way, zone%finish%piece, zone%finish%theta, last, growth)
       last = last + disturbance*decay_of(zone%duration/way%solid%time)
       ! the penetration adds work to that of the spring that is relaxed
@@ -102,13 +101,13 @@ contains
    end subroutine add_contact
 
    !> Integrals over a contact, piece by piece.
-   pure subroutine integrate_contact(way, start, finish, stretch, heights, work, size_of_work)
+   pure subroutine integrate_contact(way, start, finish, first_disturbance, heights, work, size_of_work)
       !> The way.
       type(way_t), intent(in) :: way
       !> Where the contact begins and ends.
       type(place_t), intent(in) :: start, finish
-      !> In: stretches where it begins. Out: near its end; shape `(n_arms)`.
-      real(dp), intent(inout) :: stretch(:)
+      !> Stretches less those of endless contact where it begins; shape `(n_arms)`.
+      real(dp), intent(in) :: first_disturbance(:)
       !> Receives the integral of the heights over time.
       real(dp), intent(out) :: heights
       !> Receives the integral of the pressure over heights, without the penetration, and the size of its terms.
@@ -121,8 +120,7 @@ contains
       heights = 0
       work = 0
       size_of_work = 0
-      call stretches_at(way, start%piece, start%theta, first, growth)
-      disturbance = stretch - first
+      disturbance = first_disturbance
       from_height = 0
       to_height = 0
       do j = start%piece, finish%piece

@@ -9,9 +9,9 @@ module adfric_wavy_march_steady_column
    use adfric_base_kinds, only: dp
    use adfric_numerics_lapack, only: dgesv
    use adfric_wavy_march_law, only: march_law_t
-   use adfric_wavy_march_period, only: column_state_t, period_t, march_period, in_contact, in_adhesion
+   use adfric_wavy_march_period, only: column_state_t, period_t, march_period, in_contact
    use adfric_wavy_march_solid, only: multiply, product_of
-   use adfric_wavy_march_way, only: way_t, decay_of, expm1_of
+   use adfric_wavy_march_way, only: way_t, expm1_of
    implicit none (type, external)
    private
    public :: steady_column_t, take_step, find_adhered, find_approach, start_from_below, start_from_free, move
@@ -53,22 +53,6 @@ module adfric_wavy_march_steady_column
 
 contains
 
-   !> The state of endless contact.
-   pure subroutine start_from_endless_contact(self, way, law, depth)
-      !> Receives the state.
-      type(steady_column_t), intent(inout) :: self
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
-      real(dp), intent(in) :: depth
-
-      self%state%length = depth + way%coefficients(0, 1) - way%head(:, 1) - law%shift
-      where (way%is_slow) self%state%length = depth + way%first_length - law%shift
-      self%state%is_attached = .true.
-   end subroutine start_from_endless_contact
-
    !> A state below all that are steady: in endless contact or, where that is lower, attached everywhere. Both are states that a
    !> period raises, and so is the higher one of both for each arm.
    pure subroutine start_from_below(self, way, law, depth)
@@ -81,7 +65,9 @@ contains
       !> Penetration.
       real(dp), intent(in) :: depth
 
-      call start_from_endless_contact(self, way, law, depth)
+      self%state%length = depth + way%coefficients(0, 1) - way%head(:, 1) - law%shift
+      where (way%is_slow) self%state%length = depth + way%first_length - law%shift
+      self%state%is_attached = .true.
       if (law%stress > 0) self%state%length = max(self%state%length, -law%stress - law%shift - beyond)
    end subroutine start_from_below
 

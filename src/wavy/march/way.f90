@@ -16,7 +16,7 @@ module adfric_wavy_march_way
    implicit none (type, external)
    private
    public :: way_t, new_way, height_at, steepness_at, stretches_at, pressure_sum_at, decay_of, expm1_of, &
-      & get_double_moment, work_of_heights, n_levels, block_length
+      & get_double_moment, work_of_heights, n_levels, block_length, negligible_term
 
    !> Levels of blocks: pieces, and blocks of them.
    integer, parameter :: n_levels = 4
@@ -25,7 +25,7 @@ module adfric_wavy_march_way
    integer, parameter :: head_distance = block_length(2)
    !> Most terms of the series of a slow arm within a piece.
    integer, parameter :: most_terms = 20
-   !> Terms of this series that are left out; they fall at least as z/m.
+   !> Terms of series of lengths that are left out; they fall at least as z/m.
    real(dp), parameter :: negligible_term = 1.0e-19_dp
 
    !> Bounds over blocks of one level.

@@ -1,7 +1,7 @@
 !> Where a zone of a march ends: blocks of pieces are passed by their bounds, and only pieces in which it may end are searched.
 module adfric_wavy_march_zone_end
    use adfric_base_kinds, only: dp
-   use adfric_wavy_march_way, only: way_t, decay_of, stretches_at, n_levels, block_length
+   use adfric_wavy_march_way, only: way_t, decay_of, stretches_at, n_levels, block_length, negligible_term
    use adfric_wavy_march_zone_curve, only: zone_curve_t, find_first_zero, highest_power
    implicit none (type, external)
    private
@@ -12,8 +12,6 @@ module adfric_wavy_march_zone_end
 
    !> Bounds are given this share of their terms against round-off.
    real(dp), parameter :: guard = 1.0e-13_dp
-   !> Terms of a series of lengths that are left out.
-   real(dp), parameter :: negligible_term = 1.0e-19_dp
    !> A value is zero within this share of its terms.
    real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
 
