@@ -10,11 +10,13 @@ module adfric_wavy_march_steady_column
    use adfric_numerics_lapack, only: dgesv
    use adfric_wavy_march_law, only: march_law_t
    use adfric_wavy_march_period, only: column_state_t, period_t, march_period, in_contact
+   use adfric_wavy_march_response, only: get_edge_steps
    use adfric_wavy_march_solid, only: multiply, product_of
    use adfric_wavy_march_way, only: way_t, expm1_of
    implicit none (type, external)
    private
-   public :: steady_column_t, take_step, find_adhered, find_approach, start_from_below, start_from_free, move
+   public :: steady_column_t, take_step, take_edge_step, find_adhered, start_from_below, start_from_free, march, changes_flag, &
+      & judge_step, move, get_steps, get_matrix, get_displacement_sums, most_edge_steps, most_periods
 
    !> Steps that are smaller than this share of lengths are round-off.
    real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
@@ -24,6 +26,8 @@ module adfric_wavy_march_steady_column
    integer, parameter :: most_stuck = 4
    !> Most periods of one search.
    integer, parameter :: most_periods = 3000
+   !> Most steps of Newton's method with edges, which are few where it converges.
+   integer, parameter :: most_edge_steps = 12
    !> Starts are beyond all steady states by this, so that none is met by chance.
    real(dp), parameter :: beyond = 1.0e-3_dp
 
@@ -105,76 +109,29 @@ contains
       self%has_failed = .true.
    end subroutine find_adhered
 
-   !> The greatest steady state, from the state that stands in `self`, which lies above it.
-   pure subroutine find_approach(self, least, way, law, depth)
-      !> In: where to start. Out: the steady state.
+   !> March a period and find Newton's step towards a steady state, with the edges, and how the load changes.
+   pure subroutine take_edge_step(self, way, law, depth)
+      !> The state; receives period and step.
       type(steady_column_t), intent(inout) :: self
-      !> In: a state below all that are steady. Out: the least steady state.
-      type(steady_column_t), intent(inout) :: least
       !> The way.
       type(way_t), intent(in) :: way
       !> The law of adhesion.
       type(march_law_t), intent(in) :: law
       !> Penetration.
       real(dp), intent(in) :: depth
-      real(dp) :: steps(way%solid%n, way%solid%n + 1), sums(2)
-      integer :: k
+      real(dp) :: load_step
       logical :: is_solved
 
-      self%is_steady = .false.
-      call find_adhered(least, way, law, depth)
-      call get_steps(way, least%period, steps, is_solved)
-      self%has_failed = least%has_failed .or. .not. is_solved
-      do k = 1, most_periods
-         if (self%has_failed) return
-         call march(self, way, law, depth)
-         ! 1, 2, 4, ...
-         if (iand(k, k - 1) == 0) call raise_bound(self, least%period, way, law, depth, steps)
-         if (.not. changes_flag(self, law)) self%step = product_of(steps(:, :way%solid%n), self%period%growth)
-         call judge_step(self, law, depth)
-         if (self%is_steady) exit
-         call move(self)
-      end do
-      self%has_failed = self%has_failed .or. .not. self%is_steady
-      ! the load of the greatest state changes with its own zones
-      call get_steps(way, self%period, steps, is_solved)
-      call get_displacement_sums(way, self%period, 0*self%step, steps(:, way%solid%n + 1), sums)
-      self%load_slope = sums(2)
-   end subroutine find_approach
-
-   !> Find a better bound of the response below the greatest state. The step with the response of the state itself may lead to a state that
-   !> a period raises. Periods from there rise to a steady state, which is not above the greatest one: so the new state is below that,
-   !> and its response is a bound.
-   pure subroutine raise_bound(self, bound, way, law, depth, steps)
-      !> A state above the greatest one, with its period.
-      type(steady_column_t), intent(in) :: self
-      !> In: the period whose response is used. Out: a better one, if there is one.
-      type(period_t), intent(inout) :: bound
-      !> The way.
-      type(way_t), intent(in) :: way
-      !> The law of adhesion.
-      type(march_law_t), intent(in) :: law
-      !> Penetration.
-      real(dp), intent(in) :: depth
-      !> In: (I - J0)^-1 of the bound. Out: that of the better one.
-      real(dp), intent(inout) :: steps(:, :)
-      type(steady_column_t) :: below
-      real(dp) :: own(size(steps, 1), size(steps, 2))
-      logical :: is_solved
-
-      if (changes_flag(self, law) .or. way%solid%n == 0) return
-      call get_steps(way, self%period, own, is_solved)
-      if (.not. is_solved) return
-      below%state%length = self%state%length + product_of(own(:, :way%solid%n), self%period%growth)
-      below%state%is_attached = self%state%is_attached
-      if (.not. all(abs(below%state%length) <= huge(1.0_dp))) return
-      call march(below, way, law, depth)
-      if (below%has_failed .or. changes_flag(below, law) .or. .not. all(below%period%growth >= 0)) return
-      call get_steps(way, below%period, own, is_solved)
-      if (.not. is_solved) return
-      steps = own
-      bound = below%period
-   end subroutine raise_bound
+      call march(self, way, law, depth)
+      self%has_failed = self%has_failed .or. changes_flag(self, law)
+      if (self%has_failed) return
+      if (.not. allocated(self%response)) allocate (self%response(way%solid%n))
+      call get_edge_steps(way, law, self%period, self%step, self%response, load_step, self%load_slope, is_solved)
+      self%has_failed = .not. is_solved
+      if (self%has_failed) return
+      self%load = self%load + load_step
+      call judge_step(self, law, depth)
+   end subroutine take_edge_step
 
    !> March a period and find the step that follows from it, and how the load changes.
    pure subroutine take_step(self, way, law, depth)
@@ -295,6 +252,25 @@ contains
       call dgesv(way%solid%n, size(steps, 2), grown, way%solid%n, pivots, steps, way%solid%n, info)
       is_solved = info == 0
    end subroutine get_steps
+
+   !> I - J0 of a period.
+   pure subroutine get_matrix(way, period, matrix)
+      !> The way.
+      type(way_t), intent(in) :: way
+      !> The period, of which the zones are taken.
+      type(period_t), intent(in) :: period
+      !> Receives it; shape `(n_arms, n_arms)`.
+      real(dp), intent(out) :: matrix(:, :)
+      real(dp) :: vectors(way%solid%n, way%solid%n + 1), grown(way%solid%n, way%solid%n + 1)
+      integer :: i
+
+      vectors = 0
+      do i = 1, way%solid%n
+         vectors(i, i) = 1
+      end do
+      call pass_zones(way, period, vectors, grown)
+      matrix = -grown(:, :way%solid%n)
+   end subroutine get_matrix
 
    !> Send disturbances of the lengths through the zones of a period. The last one has a unit of penetration with it.
    pure subroutine pass_zones(way, period, vectors, grown)
