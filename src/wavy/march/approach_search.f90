@@ -33,7 +33,7 @@ contains
       type(march_states_t), intent(inout) :: states
       !> Receives how the search ended.
       integer, intent(out) :: status
-      type(march_states_t) :: least, least_here
+      type(march_states_t) :: least
       real(dp) :: limit, slope, slope_limit, step
       integer :: k
       logical :: is_proved
@@ -66,9 +66,7 @@ contains
          step = min(step, limit - depth)
          depth = depth + step
          call shift(states, step)
-         least_here = least
-         call shift(least_here, depth - limit)
-         call find_greatest(surface, depth, states, least_here)
+         call find_greatest(surface, depth, states)
       end do
       if (k <= most_penetrations) status = march_solved
    end subroutine search_upwards
@@ -106,13 +104,12 @@ contains
       type(march_states_t), intent(inout) :: states
       !> Receives how the search ended.
       integer, intent(out) :: status
-      type(march_states_t) :: least, beyond
+      type(march_states_t) :: beyond
       real(dp) :: last_depth
 
       depth = -surface%law%attach_gap + drawn_in*(1 + surface%law%attach_gap)
       call start(surface, depth, .true., states)
-      call start(surface, depth, .false., least)
-      call find_greatest(surface, depth, states, least)
+      call find_greatest(surface, depth, states)
       status = merge(march_failed, march_solved, states%have_failed)
       if (states%have_failed .or. states%load <= load) return
       ! a tension: there is a state if there is a last one, and one before it if the load falls below it once more
@@ -139,15 +136,13 @@ contains
       type(march_states_t), intent(inout) :: states
       !> Receives how the search ended.
       integer, intent(out) :: status
-      type(march_states_t) :: least
       real(dp) :: step
       integer :: k
 
       status = march_failed
       do k = 1, most_penetrations
          call start(surface, depth, .true., states)
-         call start(surface, depth, .false., least)
-         call find_greatest(surface, depth, states, least)
+         call find_greatest(surface, depth, states)
          if (states%have_failed) return
          if (.not. states%slope > 0 .and. states%load > load) then
             ! nothing touches: no smaller penetration carries less
@@ -177,7 +172,6 @@ contains
       real(dp), intent(inout) :: depth
       !> In: the greatest states there. Out: those of the last penetration that was looked at.
       type(march_states_t), intent(inout) :: states
-      type(march_states_t) :: least
       real(dp) :: step
       integer :: k
 
@@ -186,8 +180,7 @@ contains
       do k = 1, steps_of_scan
          depth = depth + step
          call shift(states, step)
-         call start(surface, depth, .false., least)
-         call find_greatest(surface, depth, states, least)
+         call find_greatest(surface, depth, states)
          if (states%have_failed .or. states%load <= load) return
       end do
    end subroutine scan_for_fall
@@ -208,7 +201,7 @@ contains
       type(march_states_t), intent(in) :: states
       !> Receives the bound, and the penetration to which it holds.
       real(dp), intent(out) :: slope, slope_limit
-      type(march_states_t) :: beyond, least_there
+      type(march_states_t) :: beyond
       real(dp) :: guess
 
       slope = least%slope
@@ -219,9 +212,7 @@ contains
       if (guess >= limit) return
       beyond = states
       call shift(beyond, guess - depth)
-      least_there = least
-      call shift(least_there, guess - limit)
-      call find_greatest(surface, guess, beyond, least_there)
+      call find_greatest(surface, guess, beyond)
       if (beyond%have_failed) return
       slope = beyond%slope
       slope_limit = guess

@@ -13,7 +13,7 @@ module adfric_wavy_march_approach_state
    use adfric_wavy_march_period, only: period_t
    use adfric_wavy_march_response, only: bound_response
    use adfric_wavy_march_solid, only: product_of
-   use adfric_wavy_march_steady_column, only: steady_column_t, find_adhered, take_edge_step, march, changes_flag, judge_step, &
+   use adfric_wavy_march_steady_column, only: steady_column_t, start_from_below, take_edge_step, march, changes_flag, judge_step, &
       & move, get_steps, get_matrix, get_displacement_sums, most_edge_steps, most_periods
    use adfric_wavy_march_way, only: way_t
    implicit none (type, external)
@@ -26,11 +26,9 @@ module adfric_wavy_march_approach_state
 contains
 
    !> The greatest steady state, from the state that stands in `self`, which lies above it.
-   pure subroutine find_approach(self, least, way, law, depth)
+   pure subroutine find_approach(self, way, law, depth)
       !> In: where to start. Out: the steady state.
       type(steady_column_t), intent(inout) :: self
-      !> In: a state below all that are steady. Out: the least steady state.
-      type(steady_column_t), intent(inout) :: least
       !> The way.
       type(way_t), intent(in) :: way
       !> The law of adhesion.
@@ -40,18 +38,20 @@ contains
       real(dp) :: steps(way%solid%n, way%solid%n + 1), sums(2)
       integer :: k
       logical :: is_solved
+      type(steady_column_t) :: below
 
       self%is_steady = .false.
-      call find_adhered(least, way, law, depth)
-      call get_steps(way, least%period, steps, is_solved)
-      self%has_failed = least%has_failed .or. .not. is_solved
+      call start_from_below(below, way, law, depth)
+      call march(below, way, law, depth)
+      call get_steps(way, below%period, steps, is_solved)
+      self%has_failed = below%has_failed .or. .not. is_solved
       do k = 1, most_periods
          if (self%has_failed) return
          call march(self, way, law, depth)
          ! 1, 2, 4, ...
          if (iand(k, k - 1) == 0) then
-            call raise_bound(self, least%period, way, law, depth, steps)
-            call jump_to_proved(self, least%period, way, law, depth, steps)
+            call raise_bound(self, below%period, way, law, depth, steps)
+            call jump_to_proved(self, below%period, way, law, depth, steps)
             if (self%is_steady) exit
          end if
          if (.not. changes_flag(self, law)) then

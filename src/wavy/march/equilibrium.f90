@@ -47,12 +47,11 @@ contains
       real(dp), intent(in) :: depth
       !> Receives the equilibrium.
       type(march_equilibrium_t), intent(out) :: equilibrium
-      type(march_states_t) :: states, least
+      type(march_states_t) :: states
 
       if (surface%is_approach) then
-         call start(surface, depth, .false., least)
          call start(surface, depth, .true., states)
-         call find_greatest(surface, depth, states, least)
+         call find_greatest(surface, depth, states)
       else
          call start(surface, depth, .false., states)
          call find_least(surface, depth, states)

@@ -94,20 +94,18 @@ contains
    end subroutine find_least
 
    !> The greatest states.
-   subroutine find_greatest(surface, depth, states, least)
+   subroutine find_greatest(surface, depth, states)
       !> The surface.
       type(march_surface_t), intent(in) :: surface
       !> Penetration.
       real(dp), intent(in) :: depth
       !> In: states above. Out: the greatest states.
       type(march_states_t), intent(inout) :: states
-      !> In: states below. Out: the least states.
-      type(march_states_t), intent(inout) :: least
       integer :: i
 
       !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
       do i = 1, size(surface%rows)
-         call find_approach(states%rows(i), least%rows(i), surface%rows(i), surface%law, depth)
+         call find_approach(states%rows(i), surface%rows(i), surface%law, depth)
       end do
       !$omp end parallel do
       call sum_up(depth, states)
