@@ -87,9 +87,14 @@ contains
       real(dp), intent(inout) :: products(n, n_vectors)
       integer :: i, k
 
+      ! four columns at once: the loops over so few components are short
       do i = 1, n_vectors
          if (.not. is_added) products(:, i) = 0
-         do k = 1, n
+         do k = 1, n - 3, 4
+            products(:, i) = products(:, i) + (vectors(k, i)*matrix(:, k) + vectors(k + 1, i)*matrix(:, k + 1) &
+               & + vectors(k + 2, i)*matrix(:, k + 2) + vectors(k + 3, i)*matrix(:, k + 3))
+         end do
+         do k = n - mod(n, 4) + 1, n
             products(:, i) = products(:, i) + vectors(k, i)*matrix(:, k)
          end do
       end do
