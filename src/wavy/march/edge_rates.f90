@@ -9,7 +9,7 @@ module adfric_wavy_march_edge_rates
    private
    public :: time_of, gap_at, least_rate, rate_difference
 
-   !> Most pieces between the edges of two states.
+   !> Edges of two states are closer than so many pieces.
    integer, parameter :: most_pieces = 16
 
 contains
@@ -40,7 +40,8 @@ contains
       gap = sum(period%start(:, i)*decay_of(passed/way%solid%retardation)) - height_at(way, place%piece, place%theta)
    end function gap_at
 
-   !> The least rate at which m of a state and the surface meet (free) or part (else), between two places of a zone or behind it.
+   !> A lower bound of the rate at which m of a state and the surface meet (free) or part (else), between two places of a zone or behind it;
+   !> negative where these are too far apart for one of use.
    pure real(dp) function least_rate(way, zone, start, early, late, first, second) result(rate)
       !> The way.
       type(way_t), intent(in) :: way
@@ -55,6 +56,8 @@ contains
       real(dp) :: lowest, highest
       real(dp), dimension(way%solid%n) :: stretch, growth, left
 
+      rate = -1
+      if (late%piece - early%piece >= most_pieces) return
       call bound_steepness(way, early, late, lowest, highest)
       associate (s => way%solid)
          select case (zone%kind)
@@ -85,12 +88,6 @@ contains
 
       lowest = huge(1.0_dp)
       highest = -huge(1.0_dp)
-      if (late%piece - early%piece >= most_pieces) then
-         ! too far apart for a bound that is of use
-         lowest = -huge(1.0_dp)
-         highest = huge(1.0_dp)
-         return
-      end if
       do j = early%piece, late%piece
          from = merge(early%theta, 0.0_dp, j == early%piece)
          to = merge(late%theta, 1.0_dp, j == late%piece)
