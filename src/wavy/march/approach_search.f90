@@ -57,7 +57,7 @@ contains
          if (states%have_failed .or. least%have_failed) return
          ! the penetration has met one that carries the load or more
          if (depth >= limit .or. load - states%load <= states%least_load + round_off*abs(load)) exit
-         call find_proved(surface, load, depth, states, slope, slope_limit, is_proved)
+         call find_proved(surface, load, limit, depth, states, slope, slope_limit, is_proved)
          if (is_proved) exit
          step = load - states%load
          if (step <= round_off*(1 + abs(depth))) exit
@@ -221,11 +221,13 @@ contains
    !> Go to the smallest penetration beyond one that carries a load, if Newton's method with edges finds a state with the load there
    !> and there is proof that no smaller penetration carries it: every greatest state between has the same zones, is the only one
    !> between these two, and the load rises.
-   subroutine find_proved(surface, load, depth, states, slope, slope_limit, is_proved)
+   subroutine find_proved(surface, load, limit, depth, states, slope, slope_limit, is_proved)
       !> The surface.
       type(march_surface_t), intent(in) :: surface
       !> Mean load of the rows.
       real(dp), intent(in) :: load
+      !> A penetration beyond which nothing is sought.
+      real(dp), intent(in) :: limit
       !> In: a penetration that carries less. Out: the one that carries the load, if it is proved.
       real(dp), intent(inout) :: depth
       !> In: the greatest states there. Out: those of the load, if it is proved.
@@ -242,7 +244,7 @@ contains
       slope_limit = depth
       trial = states
       trial_depth = depth
-      call find_with_edges(surface, load, trial_depth, trial)
+      call find_with_edges(surface, load, limit, trial_depth, trial)
       states%rows%n_periods = trial%rows%n_periods
       is_proved = trial%are_steady .and. trial_depth >= depth
       if (.not. is_proved) return
@@ -268,20 +270,23 @@ contains
    end subroutine find_proved
 
    !> Newton's method with edges for states and penetration that carry a load.
-   subroutine find_with_edges(surface, load, depth, states)
+   subroutine find_with_edges(surface, load, limit, depth, states)
       !> The surface.
       type(march_surface_t), intent(in) :: surface
       !> Mean load of the rows.
       real(dp), intent(in) :: load
+      !> A penetration beyond which nothing is sought.
+      real(dp), intent(in) :: limit
       !> In: where to start. Out: the penetration.
       real(dp), intent(inout) :: depth
       !> In: where to start. Out: states that are steady if the method converges.
       type(march_states_t), intent(inout) :: states
-      real(dp) :: change, last_change
+      real(dp) :: first, change, last_change
       integer :: n_zones(size(surface%rows)), i, k
       logical :: is_over
 
       n_zones = states%rows%period%n_zones
+      first = depth
       do k = 1, most_edge_steps
          !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
          do i = 1, size(surface%rows)
@@ -289,7 +294,7 @@ contains
          end do
          !$omp end parallel do
          call sum_up(depth, states)
-         if (states%have_failed .or. .not. states%slope > 0) exit
+         if (states%have_failed .or. .not. states%slope*(limit - first) > abs(load - states%load)) exit
          change = (load - states%load)/states%slope
          is_over = abs(load - states%load) <= states%least_load + round_off*abs(load) .or. &
             & abs(change) <= round_off*(1 + abs(depth))

@@ -26,6 +26,8 @@ module adfric_wavy_march_response
 
    !> Edges of two states may be in the wrong order by this share of a period, which is round-off.
    real(dp), parameter :: same_time = 1.0e-13_dp
+   !> Where gap and reach meet at a smaller rate, in lengths of 1 a period, the edge has no derivative.
+   real(dp), parameter :: least_useful_rate = 1.0e-30_dp
 
 contains
 
@@ -85,7 +87,7 @@ contains
          span%duration = zone%duration
          if (.not. lets_jump(period, i)) return
          rate = least_rate(way, zone, period%start(:, i), zone%finish, zone%finish, zone%duration, zone%duration)
-         is_set = rate > 0
+         is_set = rate > least_useful_rate
          if (.not. is_set) return
          span%delay = 1/rate
          call get_jumps(law, zone%kind, period%zones(i + 1)%kind, 0.0_dp, span)
@@ -258,7 +260,7 @@ contains
          rate = longer_rate(lower)
       end if
       rate = rate - rate_difference(way, lower, lower_depth, upper, upper_depth, i, last, first)
-      is_set = rate > 0
+      is_set = rate > least_useful_rate
       if (.not. is_set) return
       excess = 0
       if (lower%zones(i)%kind == in_free) then

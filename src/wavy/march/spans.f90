@@ -10,6 +10,9 @@ module adfric_wavy_march_spans
    private
    public :: span_t, get_response, solve
 
+   !> Solutions that are larger are none: the system is singular.
+   real(dp), parameter :: largest = 1.0e30_dp
+
    !> A part of a period, and the edge behind it.
    type :: span_t
       !> Is it contact? Else it is open.
@@ -151,7 +154,7 @@ contains
       if (size(growth, 1) == 0) return
       matrix = -growth
       call dgesv(size(growth, 1), size(vectors, 2), matrix, size(growth, 1), pivots, vectors, size(growth, 1), info)
-      is_solved = info == 0 .and. all(abs(vectors) <= huge(1.0_dp))
+      is_solved = info == 0 .and. all(abs(vectors) <= largest)
    end subroutine solve
 
 end module adfric_wavy_march_spans

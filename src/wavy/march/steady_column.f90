@@ -28,6 +28,8 @@ module adfric_wavy_march_steady_column
    integer, parameter :: most_periods = 3000
    !> Most steps of Newton's method with edges, which are few where it converges.
    integer, parameter :: most_edge_steps = 12
+   !> Newton's method with edges has failed where it goes so many times as far as lengths are.
+   real(dp), parameter :: farthest = 1.0e3_dp
    !> Starts are beyond all steady states by this, so that none is met by chance.
    real(dp), parameter :: beyond = 1.0e-3_dp
 
@@ -128,6 +130,7 @@ contains
       if (.not. allocated(self%response)) allocate (self%response(way%solid%n))
       call get_edge_steps(way, law, self%period, self%step, self%response, load_step, self%load_slope, is_solved)
       self%has_failed = .not. is_solved
+      if (is_solved) self%has_failed = maxval([0.0_dp, abs(self%step)]) > farthest*(1 + abs(depth) + law%stress + law%shift)
       if (self%has_failed) return
       self%load = self%load + load_step
       call judge_step(self, law, depth)
