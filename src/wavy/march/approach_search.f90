@@ -287,6 +287,7 @@ contains
 
       n_zones = states%rows%period%n_zones
       first = depth
+      last_change = huge(1.0_dp)
       do k = 1, most_edge_steps
          !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
          do i = 1, size(surface%rows)
