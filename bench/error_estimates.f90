@@ -17,6 +17,8 @@ program error_estimates
    use adfric_wavy_foundation, only: new_foundation
    use adfric_wavy_surface, only: surface_t, negligible
    use estimate_counts, only: counts_t, count_case, report_counts
+   use adfric_shape_height_line, only: cubic_pieces, linear_pieces
+   use marched_estimates, only: count_cosines, count_lines, count_maps
    use measure, only: print_heading, text_argument, integer_argument, open_table
    use periodic_estimates, only: count_waves_1d, count_waves_2d
    use quad_dugdale, only: state_t, of_radius, of_load, of_approach, pull_off_of_load, pull_off_of_approach, &
@@ -29,7 +31,7 @@ program error_estimates
    integer, parameter :: n_strips = 20000, n_surfaces = 400, n_spheres = 4000
    !> Sums below this share of their terms are as good as zero, as the solver has it.
    real(dp), parameter :: share_of_scale = 0.01_dp
-   type(counts_t) :: counts(8)
+   type(counts_t) :: counts(16)
    integer :: table, seed
 
    call print_heading('Error estimates beside true errors')
@@ -40,6 +42,10 @@ program error_estimates
    call count_spheres(counts(6), 1, 'sphere, auto')
    call count_waves_1d(counts(7))
    call count_waves_2d(counts(8))
+   call count_cosines(counts(9), counts(10), seed + 3)
+   call count_lines(counts(11), counts(12), cubic_pieces, seed + 4)
+   call count_lines(counts(13), counts(14), linear_pieces, seed + 5)
+   call count_maps(counts(15), counts(16), seed + 6)
    table = open_table(text_argument(1, 'error_estimates.csv'), 'cases,decade,count')
    call report_counts(table, counts)
    close (table)

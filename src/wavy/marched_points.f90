@@ -12,6 +12,7 @@ module adfric_wavy_marched_points
    use adfric_material_prony, only: prony_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_numerics_correlated_mean, only: error_of_mean
+   use adfric_shape_height_line, only: linear_pieces
    use adfric_wavy_case, only: kind_2d, kind_map
    use adfric_wavy_given_surface, only: given_surface_t
    use adfric_wavy_march_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load, &
@@ -36,6 +37,11 @@ module adfric_wavy_marched_points
 
    !> Load or friction below this share of the sum of its terms is zero but for round-off.
    real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
+   !> Round-off of load and friction over the sizes of their terms and over the pressure that a glassy column has for lengths of the state.
+   real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
+   !> Chords through half the samples err four times as much as through all, splines sixteen times; so the difference of chords, but three times
+   !> the error, is taken twice.
+   real(dp), parameter :: share_of_chords = 2
 
    !> Points of one surface, and what the last one leaves for the next.
    type :: marched_points_t
@@ -170,7 +176,7 @@ contains
       end select
       if (has_samples) call find(self%coarse_surface, self%point, coarse)
       call store(values, self%point, self%equilibrium, self%relief%crests(1), results)
-      error_estimate = get_error(self%equilibrium, coarse, has_samples, self%point%is_load_given)
+      error_estimate = get_error(self, coarse, has_samples)
    end subroutine solve
 
    !> Are penetration and forces numbers?
@@ -375,38 +381,57 @@ contains
       end if
    end function regime_of
 
-   !> The larger of the relative errors of load and friction: what the balances leave over, what every second sample changes, and
-   !> what every second row does.
-   pure real(dp) function get_error(equilibrium, coarse, has_samples, is_load_given) result(error)
-      !> The equilibrium.
-      type(march_equilibrium_t), intent(in) :: equilibrium
-      !> That of every second sample.
+   !> The larger of the relative errors of load and friction: what the balances leave over and round-off, what every second sample
+   !> changes, and what every second row does. A difference may be 0 by chance where it changes its sign, so changes of the areas
+   !> count as well.
+   pure real(dp) function get_error(self, coarse, has_samples) result(error)
+      !> The points, of which the last one has its equilibrium.
+      class(marched_points_t), intent(in) :: self
+      !> The equilibrium on every second sample.
       type(march_equilibrium_t), intent(in) :: coarse
       !> Is there one?
       logical, intent(in) :: has_samples
-      !> Is the load given, so that it has no error?
-      logical, intent(in) :: is_load_given
-      real(dp) :: errors(2), sizes(2)
-      integer :: n
+      real(dp) :: errors(2), sizes(2), change(2), lengths
 
-      n = size(equilibrium%forces)
-      associate (f => equilibrium%forces)
+      associate (f => self%equilibrium%forces, rows => self%equilibrium%rows, law => self%surface%law)
          sizes = [max(abs(mean(f%load)), 0.01_dp*mean(f%load_scale)), max(abs(mean(f%friction)), 0.01_dp*mean(f%friction_scale))]
-         errors = [mean(abs(f%load_mismatch)), mean(abs(f%energy_mismatch))]
+         ! places are known to the round-off of lengths, to which a column answers at once; states to their last step; where nothing touches,
+         ! all forces are 0
+         lengths = 1 + abs(self%equilibrium%depth) + law%stress + law%shift
+         errors = 0
+         if (any(f%n_contacts + f%n_adhesions > 0)) errors = [mean(abs(f%load_mismatch)), mean(abs(f%energy_mismatch))] &
+            & + round_off*([mean(f%load_scale), mean(f%friction_scale)] + self%surface%rows(1)%solid%glassy*lengths) &
+            & + maxval(rows%largest_step)
          if (has_samples) then
-            if (coarse%status == march_solved) then
-               errors = errors + abs([mean(coarse%forces%load) - mean(f%load), mean(coarse%forces%friction) - mean(f%friction)])
-            else
-               errors = errors + sizes
-            end if
+            change = sizes
+            if (coarse%status == march_solved) change = get_change(f, coarse%forces, sizes)
+            if (self%relief%rows(1)%degree == linear_pieces) change = share_of_chords*change
+            errors = errors + change
          end if
-         if (n > 1) errors = errors + abs([mean(f(1::2)%load) - mean(f(2::2)%load), &
-            & mean(f(1::2)%friction) - mean(f(2::2)%friction)])/2
+         if (size(f) > 1) then
+            change = get_change(f(1::2), f(2::2), sizes)/2
+            ! under the same load rows would be at other penetrations
+            if (self%point%is_load_given) change(2) = change(2) + sizes(2)*min(1.0_dp, change(1)/max(sizes(1), tiny(1.0_dp)))
+            errors = errors + change
+         end if
       end associate
-      if (is_load_given) errors(1) = 0
+      if (self%point%is_load_given) errors(1) = 0
       error = 0
       if (any(errors > 0)) error = maxval(min(1.0_dp, errors/max(sizes, errors, tiny(1.0_dp))))
    end function get_error
+
+   !> By how much load and friction differ between two sets of rows, and by how much they would if they were in proportion to areas.
+   pure function get_change(one, other, sizes) result(change)
+      !> Forces of the rows of both sets.
+      type(march_forces_t), intent(in) :: one(:), other(:)
+      !> What load and friction are relative to.
+      real(dp), intent(in) :: sizes(2)
+      real(dp) :: change(2), area
+
+      change = abs([mean(one%load) - mean(other%load), mean(one%friction) - mean(other%friction)])
+      area = max(mean(one%contact) + mean(one%adhesion), mean(other%contact) + mean(other%adhesion), tiny(1.0_dp))
+      change = change + sizes*(abs(mean(one%contact) - mean(other%contact)) + abs(mean(one%adhesion) - mean(other%adhesion)))/area
+   end function get_change
 
    !> Profiles of the point that was solved last, in SI units.
    subroutine get_profiles(self, x, profiles)
