@@ -20,6 +20,7 @@ module marched_estimates
    use adfric_wavy_marched_case, only: marched_case_t, get_relief, get_spectrum, resolve_marched
    use adfric_wavy_marched_points, only: solve_marched_block
    use adfric_wavy_model, only: wavy_model_t, new_wavy_model
+   use adfric_wavy_surface, only: negligible, share_of_scale
    use adfric_wavy_variables
    use estimate_counts, only: counts_t, count_case
    use march_cases, only: march_case_t
@@ -34,9 +35,7 @@ module marched_estimates
    !> Samples in the shortest wave, of a map from twice to half as many; rows.
    integer, parameter :: fewest_samples = 4, most_samples = 64, fewest_rows = 8, most_rows = 32
    !> The map that tells the truth: rows, and samples in the shortest wave.
-   integer, parameter :: true_rows = 128, true_samples = 48
-   !> Sums below this share of their terms are as good as zero, as the solver has it.
-   real(dp), parameter :: share_of_scale = 0.01_dp
+   integer, parameter :: true_rows = 96, true_samples = 48
 
    !> Load and friction, and the sizes of their terms.
    type :: forces_t
@@ -396,6 +395,7 @@ contains
       real(dp) :: sizes(2), errors(2)
 
       sizes = max(abs([truth%load, truth%friction]), share_of_scale*[truth%load_scale, truth%friction_scale], tiny(1.0_dp))
+      sizes(2) = max(sizes(2), negligible*sizes(1))
       errors = abs([load - truth%load, friction - truth%friction])
       if (is_load_given) errors(1) = 0
       error = min(1.0_dp, maxval(errors/sizes))

@@ -27,6 +27,7 @@ module adfric_wavy_marched_points
       & period_of, shape_places, foundation_places
    use adfric_wavy_strip, only: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion, &
       & regime_adhesion_zones, regime_saturated, regime_several_contacts, regime_mixed
+   use adfric_wavy_surface, only: negligible, share_of_scale
    use adfric_wavy_variables, only: n_wavy_results, r_adhesion_area, r_adhesion_count, r_contact_area, r_contact_count, &
       & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, r_friction_coefficient, &
       & r_friction_force, r_friction_sample_error, r_load, r_penetration, r_regime, r_saturated_share, r_snap_count, v_kind, &
@@ -37,11 +38,11 @@ module adfric_wavy_marched_points
 
    !> Load or friction below this share of the sum of its terms is zero but for round-off.
    real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
-   !> Round-off of load and friction over the sizes of their terms and over the pressure that a glassy column has for lengths of the state.
+   !> Round-off of load and friction, over the sizes of their terms and over the pressure with which a glassy column answers to lengths.
    real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
-   !> Chords through half the samples err four times as much as through all, splines sixteen times; so the difference of chords, but three times
-   !> the error, is taken twice.
-   real(dp), parameter :: share_of_chords = 2
+   !> Chords through half the samples err four times as much as through all, splines sixteen times: the change is 3 and 15 times the
+   !> error, if all goes well, so that of chords counts this often.
+   real(dp), parameter :: share_of_chords = 3
 
    !> Points of one surface, and what the last one leaves for the next.
    type :: marched_points_t
@@ -382,8 +383,8 @@ contains
    end function regime_of
 
    !> The larger of the relative errors of load and friction: what the balances leave over and round-off, what every second sample
-   !> changes, and what every second row does. A difference may be 0 by chance where it changes its sign, so changes of the areas
-   !> count as well.
+   !> changes, and what every second row does. A change may be 0 by chance, where its sign turns, so those of load, friction and areas
+   !> count together; under a load that of friction would be alone.
    pure real(dp) function get_error(self, coarse, has_samples) result(error)
       !> The points, of which the last one has its equilibrium.
       class(marched_points_t), intent(in) :: self
@@ -391,46 +392,43 @@ contains
       type(march_equilibrium_t), intent(in) :: coarse
       !> Is there one?
       logical, intent(in) :: has_samples
-      real(dp) :: errors(2), sizes(2), change(2), lengths
+      real(dp) :: errors(2), sizes(2), change, lengths
 
       associate (f => self%equilibrium%forces, rows => self%equilibrium%rows, law => self%surface%law)
-         sizes = [max(abs(mean(f%load)), 0.01_dp*mean(f%load_scale)), max(abs(mean(f%friction)), 0.01_dp*mean(f%friction_scale))]
-         ! places are known to the round-off of lengths, to which a column answers at once; states to their last step; where nothing touches,
-         ! all forces are 0
+         sizes = max(abs([mean(f%load), mean(f%friction)]), share_of_scale*[mean(f%load_scale), mean(f%friction_scale)])
+         ! a friction that is nothing beside the load has no digits of its own
+         sizes(2) = max(sizes(2), negligible*sizes(1))
+         ! places are known to the round-off of lengths, to which a column answers at once, and states to their last step
          lengths = 1 + abs(self%equilibrium%depth) + law%stress + law%shift
          errors = 0
+         ! where nothing touches all forces are 0
          if (any(f%n_contacts + f%n_adhesions > 0)) errors = [mean(abs(f%load_mismatch)), mean(abs(f%energy_mismatch))] &
             & + round_off*([mean(f%load_scale), mean(f%friction_scale)] + self%surface%rows(1)%solid%glassy*lengths) &
             & + maxval(rows%largest_step)
+         change = 0
          if (has_samples) then
-            change = sizes
+            change = 1
             if (coarse%status == march_solved) change = get_change(f, coarse%forces, sizes)
             if (self%relief%rows(1)%degree == linear_pieces) change = share_of_chords*change
-            errors = errors + change
          end if
-         if (size(f) > 1) then
-            change = get_change(f(1::2), f(2::2), sizes)/2
-            ! under the same load rows would be at other penetrations
-            if (self%point%is_load_given) change(2) = change(2) + sizes(2)*min(1.0_dp, change(1)/max(sizes(1), tiny(1.0_dp)))
-            errors = errors + change
-         end if
+         if (size(f) > 1) change = change + get_change(f(1::2), f(2::2), sizes)/2
       end associate
       if (self%point%is_load_given) errors(1) = 0
-      error = 0
-      if (any(errors > 0)) error = maxval(min(1.0_dp, errors/max(sizes, errors, tiny(1.0_dp))))
+      error = min(1.0_dp, maxval(errors/max(sizes, errors, tiny(1.0_dp))) + change)
    end function get_error
 
-   !> By how much load and friction differ between two sets of rows, and by how much they would if they were in proportion to areas.
-   pure function get_change(one, other, sizes) result(change)
+   !> By how much two sets of rows differ in load, friction and areas, as a share of each.
+   pure real(dp) function get_change(one, other, sizes) result(change)
       !> Forces of the rows of both sets.
       type(march_forces_t), intent(in) :: one(:), other(:)
       !> What load and friction are relative to.
       real(dp), intent(in) :: sizes(2)
-      real(dp) :: change(2), area
+      real(dp) :: differences(2), area
 
-      change = abs([mean(one%load) - mean(other%load), mean(one%friction) - mean(other%friction)])
       area = max(mean(one%contact) + mean(one%adhesion), mean(other%contact) + mean(other%adhesion), tiny(1.0_dp))
-      change = change + sizes*(abs(mean(one%contact) - mean(other%contact)) + abs(mean(one%adhesion) - mean(other%adhesion)))/area
+      differences = abs([mean(one%load) - mean(other%load), mean(one%friction) - mean(other%friction)])
+      change = sum(differences/max(sizes, differences, tiny(1.0_dp))) &
+         & + (abs(mean(one%contact) - mean(other%contact)) + abs(mean(one%adhesion) - mean(other%adhesion)))/area
    end function get_change
 
    !> Profiles of the point that was solved last, in SI units.
