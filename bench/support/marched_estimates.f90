@@ -31,7 +31,7 @@ module marched_estimates
    public :: count_cosines, count_lines, count_maps
 
    !> Lines, and maps.
-   integer, parameter :: n_lines = 1000, n_maps = 40
+   integer, parameter :: n_lines = 1000, n_maps = 160
    !> Samples in the shortest wave, of a map from twice to half as many; rows.
    integer, parameter :: fewest_samples = 4, most_samples = 64, fewest_rows = 8, most_rows = 32
    !> The map that tells the truth: rows, and samples in the shortest wave.
@@ -144,7 +144,8 @@ contains
          call find_truth(values, given, truth)
          call find_halves(values, given, truth, half)
          call keep(counts, of_rows, sampled, truth, half)
-         if (.not. (truth%is_solved .and. truth%load_scale > 0)) cycle
+         ! loads take long
+         if (mod(k, 4) > 0 .or. .not. (truth%is_solved .and. truth%load_scale > 0)) cycle
          call load_point(values, truth%load)
          call load_point(of_rows, truth%load)
          call find_truth(values, given, truth)
