@@ -286,7 +286,6 @@ contains
       logical :: is_over
 
       n_zones = states%rows%period%n_zones
-      last_change = huge(1.0_dp)
       first = depth
       last_change = huge(1.0_dp)
       do k = 1, most_edge_steps
