@@ -6,7 +6,7 @@ module adfric_wavy_march_approach_search
    use adfric_base_kinds, only: dp
    use adfric_wavy_march_response, only: bound_response
    use adfric_wavy_march_states, only: march_surface_t, march_states_t, start, find_least, find_greatest, sum_up, shift, &
-      & largest_depth, march_solved, march_no_equilibrium, march_failed, round_off
+      & largest_depth, is_shared, march_solved, march_no_equilibrium, march_failed, round_off
    use adfric_wavy_march_steady_column, only: take_step, take_edge_step, move, most_edge_steps
    implicit none (type, external)
    private
@@ -16,6 +16,9 @@ module adfric_wavy_march_approach_search
    real(dp), parameter :: drawn_in = 1.0e-11_dp
    !> Most penetrations that one search looks at.
    integer, parameter :: most_penetrations = 2000
+   !> Bounds of the slope are looked for at so many distances, and taken where they lead so many times less far.
+   integer, parameter :: most_reaches = 10
+   real(dp), parameter :: enough = 3
    !> Penetrations of a scan for tensions on the approach branch.
    integer, parameter :: steps_of_scan = 64
 
@@ -62,7 +65,11 @@ contains
          step = load - states%load
          if (step <= round_off*(1 + abs(depth))) exit
          if (.not. slope_limit > depth) call find_slope(surface, load, limit, least, depth, states, slope, slope_limit)
-         step = min(step/slope, max(step, slope_limit - depth))
+         if (slope*(slope_limit - depth) > step) then
+            step = step/slope
+         else
+            step = max(step, slope_limit - depth)
+         end if
          step = min(step, limit - depth)
          depth = depth + step
          call shift(states, step)
@@ -202,20 +209,28 @@ contains
       !> Receives the bound, and the penetration to which it holds.
       real(dp), intent(out) :: slope, slope_limit
       type(march_states_t) :: beyond
-      real(dp) :: guess
+      real(dp) :: lack, reach
+      integer :: k
 
       slope = least%slope
       slope_limit = limit
-      if (.not. states%slope > 0) return
+      lack = load - states%load
+      reach = limit - depth
       ! so far if the slope did not rise
-      guess = depth + (load - states%load)/states%slope
-      if (guess >= limit) return
-      beyond = states
-      call shift(beyond, guess - depth)
-      call find_greatest(surface, guess, beyond)
-      if (beyond%have_failed) return
-      slope = beyond%slope
-      slope_limit = guess
+      if (states%slope*reach > lack) reach = lack/states%slope
+      do k = 1, most_reaches
+         if (k > 1 .or. reach < limit - depth) then
+            beyond = states
+            call shift(beyond, reach)
+            call find_greatest(surface, depth + reach, beyond)
+            if (beyond%have_failed) return
+            slope = beyond%slope
+            slope_limit = depth + reach
+         end if
+         ! where it rises much on the way, a shorter one has a smaller bound
+         if (slope*reach <= enough*lack) return
+         reach = reach/enough**2
+      end do
    end subroutine find_slope
 
    !> Go to the smallest penetration beyond one that carries a load, if Newton's method with edges finds a state with the load there
@@ -289,7 +304,7 @@ contains
       first = depth
       last_change = huge(1.0_dp)
       do k = 1, most_edge_steps
-         !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
+         !$omp parallel do schedule(dynamic) if (is_shared(surface))
          do i = 1, size(surface%rows)
             call take_edge_step(states%rows(i), surface%rows(i), surface%law, depth)
          end do

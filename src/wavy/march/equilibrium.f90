@@ -13,7 +13,7 @@ module adfric_wavy_march_equilibrium
    use adfric_wavy_march_approach_search, only: search_upwards
    use adfric_wavy_march_forces, only: march_forces_t, get_march_forces
    use adfric_wavy_march_states, only: march_surface_t, march_states_t, start, find_least, find_greatest, sum_up, largest_depth, &
-      & march_solved, march_no_equilibrium, march_failed, round_off
+      & is_shared, march_solved, march_no_equilibrium, march_failed, round_off
    use adfric_wavy_march_steady_column, only: steady_column_t, take_step, move
    implicit none (type, external)
    private
@@ -73,11 +73,33 @@ contains
 
       if (surface%is_approach .and. surface%law%stress > 0) then
          call search_upwards(surface, load, depth, states, status)
+      else if (.not. (surface%law%stress > 0 .or. load > 0)) then
+         call start_at_touch(surface, depth, states)
+         status = merge(march_no_equilibrium, march_solved, load < 0)
       else
          call search_downwards(surface, load, depth, states, status)
       end if
       call finish(surface, depth, states, status, equilibrium)
    end subroutine find_at_load
+
+   !> Without adhesion nothing is carried up to the penetration 0, at which the surface touches, and more beyond.
+   subroutine start_at_touch(surface, depth, states)
+      !> The surface.
+      type(march_surface_t), intent(in) :: surface
+      !> Receives the penetration.
+      real(dp), intent(out) :: depth
+      !> Receives the states.
+      type(march_states_t), intent(inout) :: states
+      integer :: i
+
+      depth = 0
+      call start(surface, depth, .true., states)
+      do i = 1, size(surface%rows)
+         states%rows(i)%state%length = 0
+         call take_step(states%rows(i), surface%rows(i), surface%law, depth)
+      end do
+      call sum_up(depth, states)
+   end subroutine start_at_touch
 
    !> The largest penetration that carries a load. States and penetration go on together: a state that is not yet steady is below
    !> the least one, carries less and touches more, so steps are shorter and pass nothing.
@@ -99,7 +121,7 @@ contains
       call start(surface, depth, .false., states)
       status = march_failed
       do k = 1, most_penetrations
-         !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
+         !$omp parallel do schedule(dynamic) if (is_shared(surface))
          do i = 1, size(surface%rows)
             call take_step(states%rows(i), surface%rows(i), surface%law, depth)
          end do
@@ -157,7 +179,7 @@ contains
       call move_alloc(states%rows, equilibrium%rows)
       allocate (equilibrium%forces(size(surface%rows)))
       if (status /= march_solved) return
-      !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
+      !$omp parallel do schedule(dynamic) if (is_shared(surface))
       do i = 1, size(surface%rows)
          call get_march_forces(surface%rows(i), surface%law, depth, equilibrium%rows(i)%period, equilibrium%forces(i))
          ! with the last step, which is round-off; without contact the load is known to the last digit

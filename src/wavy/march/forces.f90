@@ -50,6 +50,9 @@ contains
       real(dp) :: displacement
       integer :: i
 
+      call count_zones(law, period, forces)
+      ! what nothing touches is at rest; its state is 0 but for round-off
+      if (forces%n_contacts + forces%n_adhesions == 0) return
       displacement = 0
       do i = 1, period%n_zones
          if (period%zones(i)%kind == in_contact) then
@@ -59,7 +62,6 @@ contains
          end if
          forces%load_scale = forces%load_scale + abs(period%zones(i)%load)
       end do
-      call count_zones(law, period, forces)
       call find_single_contact(way, period, forces)
       forces%load = period%load
       forces%edge_loss = get_edge_loss(way, law, period)

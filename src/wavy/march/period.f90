@@ -152,7 +152,7 @@ contains
          kind = in_free
          if (is_attached) kind = merge(in_contact, in_adhesion, apart <= law%drop)
       else
-         kind = merge(in_contact, in_free, apart <= 0)
+         kind = merge(in_contact, in_free, apart < 0)
       end if
       select case (kind)
       case (in_contact)

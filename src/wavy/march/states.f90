@@ -7,13 +7,15 @@ module adfric_wavy_march_states
    use adfric_wavy_march_way, only: way_t
    implicit none (type, external)
    private
-   public :: march_surface_t, march_states_t, start, find_least, find_greatest, sum_up, shift, largest_depth
+   public :: march_surface_t, march_states_t, start, find_least, find_greatest, sum_up, shift, largest_depth, is_shared
    public :: march_solved, march_no_equilibrium, march_failed, round_off
 
    !> How a search ends.
    integer, parameter :: march_solved = 0, march_no_equilibrium = 1, march_failed = 2
    !> Loads and penetrations are known to this share.
    real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
+   !> Rows are shared among threads from so many pieces on.
+   integer, parameter :: least_shared = 4096
    !> Most periods of a row that one search marches; what takes more is not converged.
    integer, parameter :: most_periods = 10000
 
@@ -53,6 +55,14 @@ contains
       end do
    end function largest_depth
 
+   !> Are there so many pieces of heights that threads share the rows? They lose more by waiting for each other where there are few.
+   pure logical function is_shared(surface)
+      !> The surface.
+      type(march_surface_t), intent(in) :: surface
+
+      is_shared = size(surface%rows) > 1 .and. sum(surface%rows%n) >= least_shared
+   end function is_shared
+
    !> States to start from.
    subroutine start(surface, depth, is_free, states)
       !> The surface.
@@ -85,7 +95,7 @@ contains
       type(march_states_t), intent(inout) :: states
       integer :: i
 
-      !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
+      !$omp parallel do schedule(dynamic) if (is_shared(surface))
       do i = 1, size(surface%rows)
          call find_adhered(states%rows(i), surface%rows(i), surface%law, depth)
       end do
@@ -103,7 +113,7 @@ contains
       type(march_states_t), intent(inout) :: states
       integer :: i
 
-      !$omp parallel do schedule(dynamic) if (size(surface%rows) > 1)
+      !$omp parallel do schedule(dynamic) if (is_shared(surface))
       do i = 1, size(surface%rows)
          call find_approach(states%rows(i), surface%rows(i), surface%law, depth)
       end do
