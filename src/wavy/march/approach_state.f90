@@ -4,8 +4,8 @@
 !> edges of adhesion move, and are short where the state below has contact that begins only far from where the steps are. So
 !> - of states that are known to be below, which are those that a period raises, the one with the longest step is taken;
 !> - where even that is short, J0 is taken from between, with an obstacle;
-!> - Newton's steps with edges go ahead to a steady state, and `bound_response` may prove that there is no other between it and the state that
-!>   the safe steps have reached. Then it is the one that is sought; else it is one more state below.
+!> - Newton's steps with edges go ahead to a steady state, and `bound_response` may prove that there is no other between it and the
+!>   state that the safe steps have reached. Then it is the one that is sought; else it is one more state below.
 module adfric_wavy_march_approach_state
    use adfric_base_kinds, only: dp
    use adfric_numerics_obstacle, only: solve_above
@@ -23,6 +23,7 @@ module adfric_wavy_march_approach_state
    !> Longer steps are looked for from this period on, where they may be so many times as long, and in so many attempts.
    integer, parameter :: first_long_step = 6, most_shares = 16
    real(dp), parameter :: worth_it = 4
+
 contains
 
    !> The greatest steady state, from the state that stands in `self`, which lies above it.

@@ -4,9 +4,9 @@
 !> Here the lengths of the dashpots are counted from the penetration, c = e - D, and c falls, or D rises, by small amounts: states
 !> are ordered by c, and larger c have more of the period open. With u the amount by which D is smaller, w - D changes by nothing in
 !> contact and by the change of m, which is \( \sum k_i \delta c_i/k_g + u/k_g \), in open zones. Edges of contact with adhesion zones
-!> add nothing: w does not jump there. Where a free column is attached, or an attached one let go, w jumps; such an edge moves by the change
-!> of m over the rate G at which gap and reach meet, and the column is free for so much longer. So a period is linear with a positive matrix,
-!> a zone after the other: `get_response`.
+!> add nothing: w does not jump there. Where a free column is attached, or an attached one let go, w jumps; such an edge moves by the
+!> change of m over the rate G at which gap and reach meet, and the column is free for so much longer. So a period is linear with a
+!> positive matrix, a zone after the other: `get_response`.
 !>
 !> For two states with the same sequence of zones every state z between them has that sequence, too, because zones of one kind hold
 !> each other, and edges between theirs. With the open zones of the upper one and the least rates G between the edges the matrix J bounds

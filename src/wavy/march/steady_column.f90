@@ -3,8 +3,9 @@
 !> A period maps states to states and keeps their order, so there is a least steady state, `adhered`, and a greatest one, `approach`;
 !> without adhesion there is one. A step towards them takes the response of the period with its zones as they are, J0: for states
 !> x <= y the period has F(y) - F(x) >= J0(x) (y - x), and J0 does not fall with x. From below, steps (I - J0)^-1 (F(e) - e) of the state
-!> e itself do not pass the least steady state; from above, with J0 of the least one, they do not pass the greatest. Without adhesion F is convex, J0
-!> is its derivative, and the same steps converge from anywhere. Where the flag changes, the period itself is the step.
+!> e itself do not pass the least steady state; from above, with J0 of any state below the greatest one, they do not pass that
+!> (`adfric_wavy_march_approach_state`). Without adhesion F is convex, J0 is its derivative, and the same steps converge from anywhere.
+!> Where the flag changes, the period itself is the step.
 module adfric_wavy_march_steady_column
    use adfric_base_kinds, only: dp
    use adfric_numerics_lapack, only: dgesv
