@@ -263,9 +263,20 @@ def scenes(folder):
     return table(["saving", "scene", "time without over with", "change of the results", "allowed"], body)
 
 
+def profiles(folder):
+    """A rough profile under a load."""
+    body = []
+    for row in rows_of(folder, "profiles"):
+        plain = float(row["plain_us"])
+        body.append([row["arms"], row["adhesion"].strip(), time(row["prepare_ns"]), time(row["us"]), row["periods"].strip(),
+                     *(("", "") if plain == 0 else (f"{plain / float(row['us']):.0f}", error(row["difference"])))])
+    return table(["relaxation times", "adhesion", "preparation [ns a sample]", "a load [us]", "periods",
+                  "time of the plain march over this", "difference of friction"], body)
+
+
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes)}
+    wave_2d_public, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles)}
 
 
 def main():
