@@ -2,35 +2,61 @@
 !>
 !> A general field of nx by ny samples goes through the real Fourier transform, modes `(nx/2 + 1, ny)`. A field that is even about
 !> the ends of its range, with samples in the middles of nx by ny cells, is a quarter of a period of 2 nx by 2 ny samples and goes
-!> through the cosine transform, modes `(nx, ny)`. A filter owns its plans and its buffers: one for each thread.
+!> through the cosine transform, modes `(nx, ny)`.
+!>
+!> The field passes memory three times: rows there; columns there, times the symbol, and back; rows back. Lines are transformed one
+!> by one, each as any other, by as many threads as OpenMP gives: the result has the same bits for any number of them. A filter
+!> owns its plans and its buffers; one field goes through it at a time.
 module adfric_numerics_spectral_filter
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_null_ptr, c_ptr, c_size_t
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure
-   use adfric_numerics_fftw_bindings, only: fftw_plan_r2r_2d, fftw_plan_dft_r2c_2d, fftw_plan_dft_c2r_2d, fftw_execute, &
-      fftw_destroy_plan, fftw_malloc, fftw_free, fftw_redft10, fftw_redft01, fftw_measure, fftw_estimate
+   use adfric_numerics_fftw_bindings, only: fftw_plan_r2r_1d, fftw_plan_dft_r2c_1d, fftw_plan_dft_c2r_1d, fftw_plan_dft_1d, &
+      fftw_execute_r2r, fftw_execute_dft_r2c, fftw_execute_dft_c2r, fftw_execute_dft, fftw_destroy_plan, fftw_malloc, fftw_free, &
+      fftw_redft10, fftw_redft01, fftw_forward, fftw_backward, fftw_measure, fftw_estimate
    implicit none (type, external)
    private
    public :: spectral_filter_t, new_spectral_filter
+
+   !> Columns that are taken from memory together: a line of the cache has room for so many modes.
+   integer, parameter :: n_together = 4
+   !> Samples that are worth the work of another thread, and the largest number of parts of a field.
+   integer, parameter :: samples_of_part = 2**14, most_parts = 64
 
    !> Plans and buffers of one size. Not to be copied.
    type :: spectral_filter_t
       private
       !> Is the field even about the ends of its range, so that cosine transforms will do?
       logical :: is_even = .false.
+      !> Number of samples in each direction.
+      integer :: n(2) = 0
       !> Factor of a transform followed by its inverse.
       real(dp), public :: gain = 1
       !> Number of modes in each direction.
       integer, public :: n_modes(2) = 0
-      !> FFTW's plans of both directions, and the memory of `field` and `modes`; null where there is none.
-      type(c_ptr) :: forward = c_null_ptr, backward = c_null_ptr, field_memory = c_null_ptr, modes_memory = c_null_ptr
-      !> Shape `(nx, ny)`.
-      real(dp), pointer, contiguous :: field(:, :) => null()
-      !> Shape `(nx/2 + 1, ny)`; not of even fields, which are transformed in place.
-      complex(dp), pointer, contiguous :: modes(:, :) => null()
+      !> Parts of the field that threads share among them; each has a buffer for lines of its own.
+      integer :: n_parts = 1
+      !> FFTW's plans of rows and columns, there and back; null where there is none.
+      type(c_ptr) :: row_there = c_null_ptr, row_back = c_null_ptr, column_there = c_null_ptr, column_back = c_null_ptr
+      !> Memory of the modes, of rows and of columns; null where there is none.
+      type(c_ptr) :: modes_memory = c_null_ptr, rows_memory = c_null_ptr, columns_memory = c_null_ptr
+      !> A row of samples for each part; shape `(nx, n_parts)`, but that rows are a little longer where that keeps them in place.
+      real(dp), pointer, contiguous :: rows(:, :) => null()
+      !> Modes of a general field along x, then along both; shape `(nx/2 + 1, ny)` or a little wider.
+      complex(dp), pointer, contiguous :: waves(:, :) => null()
+      !> Some columns of `waves` for each part; shape `(ny, n_together, n_parts)`.
+      complex(dp), pointer, contiguous :: wave_columns(:, :, :) => null()
+      !> Modes of an even field; shape `(nx, ny)` or a little wider.
+      real(dp), pointer, contiguous :: cosines(:, :) => null()
+      !> Some columns of `cosines` for each part; shape `(ny, n_together, n_parts)` or a little longer.
+      real(dp), pointer, contiguous :: cosine_columns(:, :, :) => null()
    contains
       procedure :: apply
+      procedure, private :: rows_there
+      procedure, private :: columns_of_waves
+      procedure, private :: columns_of_cosines
+      procedure, private :: rows_back
       final :: free
    end type spectral_filter_t
 
@@ -44,7 +70,7 @@ contains
       integer, intent(in) :: nx, ny
       !> Is the field even about the ends of its range?
       logical, intent(in) :: is_even
-      !> Shall trials tell the fastest plan? That takes as long as some hundred transforms, once for each size in a run.
+      !> Shall trials tell the fastest plan? The bits of the results then depend on their outcome.
       logical, intent(in) :: is_measured
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
@@ -55,39 +81,79 @@ contains
          return
       end if
       self%is_even = is_even
+      self%n = [nx, ny]
       self%gain = real(nx, dp)*ny*merge(4, 1, is_even)
       self%n_modes = [merge(nx, nx/2 + 1, is_even), ny]
+      self%n_parts = int(min(real(most_parts, dp), max(1.0_dp, real(nx, dp)*ny/samples_of_part)))
       flag = merge(fftw_measure, fftw_estimate, is_measured)
       ! all of FFTW but the execution works on tables that threads share
       !$omp critical (adfric_fftw)
-      call make_plans(self, int(nx, c_int), int(ny, c_int), flag)
+      call make_buffers(self)
+      if (c_associated(self%columns_memory)) call make_plans(self, int(nx, c_int), int(ny, c_int), flag)
       !$omp end critical (adfric_fftw)
-      if (.not. (c_associated(self%forward) .and. c_associated(self%backward))) &
+      if (.not. (c_associated(self%row_there) .and. c_associated(self%row_back) .and. c_associated(self%column_there) &
+         & .and. c_associated(self%column_back))) &
          call set_error(error, file_failure, 'FFTW has no memory or no plan for a transform')
    end subroutine new_spectral_filter
 
-   !> Buffers and plans; what fails stays null.
+   !> Buffers, in this order; where memory fails it stays null, as do the rest. Lines begin on multiples of 16 bytes.
+   subroutine make_buffers(self)
+      !> In: the numbers of samples and parts are set. Out: with buffers.
+      type(spectral_filter_t), intent(inout) :: self
+      integer(c_size_t), parameter :: n_bytes = storage_size(1.0_dp)/8
+      integer :: wide, width, height
+
+      wide = self%n(1) + mod(self%n(1), 2)
+      height = self%n(2) + mod(self%n(2), 2)
+      width = width_of(self%n_modes(1))
+      self%modes_memory = fftw_malloc(merge(1, 2, self%is_even)*n_bytes*width*self%n(2))
+      if (.not. c_associated(self%modes_memory)) return
+      self%rows_memory = fftw_malloc(n_bytes*wide*self%n_parts)
+      if (.not. c_associated(self%rows_memory)) return
+      self%columns_memory = fftw_malloc(2*n_bytes*height*n_together*self%n_parts)
+      if (.not. c_associated(self%columns_memory)) return
+      call c_f_pointer(self%rows_memory, self%rows, [wide, self%n_parts])
+      if (self%is_even) then
+         call c_f_pointer(self%modes_memory, self%cosines, [width, self%n(2)])
+         call c_f_pointer(self%columns_memory, self%cosine_columns, [height, n_together, self%n_parts])
+         self%cosines(:, :) = 0
+      else
+         call c_f_pointer(self%modes_memory, self%waves, [width, self%n(2)])
+         call c_f_pointer(self%columns_memory, self%wave_columns, [height, n_together, self%n_parts])
+         self%waves(:, :) = 0
+      end if
+   end subroutine make_buffers
+
+   !> Length of the rows of modes in memory: a multiple of what is taken together, but no power of 2, of which a cache would keep
+   !> but few.
+   pure integer function width_of(n_modes)
+      !> Number of modes along x.
+      integer, intent(in) :: n_modes
+      integer, parameter :: avoided = 64
+
+      width_of = (n_modes + n_together - 1)/n_together*n_together
+      if (mod(width_of, avoided) == 0) width_of = width_of + n_together
+   end function width_of
+
+   !> Plans of a row and a column; what fails stays null.
    subroutine make_plans(self, nx, ny, flag)
-      !> In: `is_even` is set. Out: with buffers and plans; what failed is null.
+      !> In: with its buffers. Out: with plans for lines of them.
       type(spectral_filter_t), intent(inout) :: self
       !> Number of samples in each direction, 1 or more.
       integer(c_int), intent(in) :: nx, ny
       !> `fftw_measure` or `fftw_estimate`.
       integer(c_int), intent(in) :: flag
-      integer(c_size_t), parameter :: n_bytes = storage_size(1.0_dp)/8
 
-      self%field_memory = fftw_malloc(n_bytes*nx*ny)
-      if (.not. c_associated(self%field_memory)) return
-      call c_f_pointer(self%field_memory, self%field, [nx, ny])
       if (self%is_even) then
-         self%forward = fftw_plan_r2r_2d(ny, nx, self%field, self%field, fftw_redft10, fftw_redft10, flag)
-         self%backward = fftw_plan_r2r_2d(ny, nx, self%field, self%field, fftw_redft01, fftw_redft01, flag)
+         self%row_there = fftw_plan_r2r_1d(nx, self%rows, self%cosines, fftw_redft10, flag)
+         self%row_back = fftw_plan_r2r_1d(nx, self%cosines, self%rows, fftw_redft01, flag)
+         self%column_there = fftw_plan_r2r_1d(ny, self%cosine_columns, self%cosine_columns, fftw_redft10, flag)
+         self%column_back = fftw_plan_r2r_1d(ny, self%cosine_columns, self%cosine_columns, fftw_redft01, flag)
       else
-         self%modes_memory = fftw_malloc(2*n_bytes*(nx/2 + 1)*ny)
-         if (.not. c_associated(self%modes_memory)) return
-         call c_f_pointer(self%modes_memory, self%modes, [nx/2 + 1, ny])
-         self%forward = fftw_plan_dft_r2c_2d(ny, nx, self%field, self%modes, flag)
-         self%backward = fftw_plan_dft_c2r_2d(ny, nx, self%modes, self%field, flag)
+         self%row_there = fftw_plan_dft_r2c_1d(nx, self%rows, self%waves, flag)
+         self%row_back = fftw_plan_dft_c2r_1d(nx, self%waves, self%rows, flag)
+         self%column_there = fftw_plan_dft_1d(ny, self%wave_columns, self%wave_columns, fftw_forward, flag)
+         self%column_back = fftw_plan_dft_1d(ny, self%wave_columns, self%wave_columns, fftw_backward, flag)
       end if
    end subroutine make_plans
 
@@ -95,27 +161,158 @@ contains
    subroutine apply(self, symbol, x, y)
       !> The filter, whose buffers are overwritten.
       class(spectral_filter_t), intent(inout) :: self
-      !> Factor of each mode; shape `(n_modes(1), n_modes(2))`; it has to contain the division by `gain`.
-      real(dp), intent(in) :: symbol(:, :)
+      !> Factor of each mode; shape `(n_modes(2), n_modes(1))`, y first; it has to contain the division by `gain`.
+      real(dp), intent(in), contiguous :: symbol(:, :)
       !> The field; shape `(nx, ny)`.
-      real(dp), intent(in) :: x(:, :)
+      real(dp), intent(in), contiguous :: x(:, :)
       !> Receives the field with its modes multiplied; shape `(nx, ny)`.
-      real(dp), intent(out) :: y(:, :)
+      real(dp), intent(out), contiguous :: y(:, :)
+      integer :: part
 
-      if (has_asserts) call assert(all(shape(x) == shape(self%field)) .and. all(shape(y) == shape(self%field)), &
+      if (has_asserts) call assert(all(shape(x) == self%n) .and. all(shape(y) == self%n), &
          & 'apply: fields have the shape of the plans')
-      if (has_asserts) call assert(size(symbol, 1) == self%n_modes(1) .and. size(symbol, 2) == self%n_modes(2), &
+      if (has_asserts) call assert(size(symbol, 1) == self%n_modes(2) .and. size(symbol, 2) == self%n_modes(1), &
          & 'apply: there is a factor for each mode')
-      self%field(:, :) = x
-      call fftw_execute(self%forward)
-      if (self%is_even) then
-         self%field(:, :) = self%field*symbol
-      else
-         self%modes(:, :) = self%modes*symbol
-      end if
-      call fftw_execute(self%backward)
-      y = self%field
+      !$omp parallel if(self%n_parts > 1) default(none) shared(self, symbol, x, y) private(part)
+      !$omp do schedule(dynamic)
+      do part = 1, self%n_parts
+         call self%rows_there(part, x)
+      end do
+      !$omp end do
+      !$omp do schedule(dynamic)
+      do part = 1, self%n_parts
+         if (self%is_even) then
+            call self%columns_of_cosines(part, symbol)
+         else
+            call self%columns_of_waves(part, symbol)
+         end if
+      end do
+      !$omp end do
+      !$omp do schedule(dynamic)
+      do part = 1, self%n_parts
+         call self%rows_back(part, y)
+      end do
+      !$omp end do
+      !$omp end parallel
    end subroutine apply
+
+   !> The first of the lines, or groups of them, of a part.
+   pure integer function first_of(part, n_parts, n_lines)
+      !> Number of the part, from 1; beyond the last one for the end of that.
+      integer, intent(in) :: part
+      !> Number of parts.
+      integer, intent(in) :: n_parts
+      !> Number of lines, or groups of them, of all parts.
+      integer, intent(in) :: n_lines
+
+      first_of = int((part - 1)*real(n_lines, dp)/n_parts) + 1
+   end function first_of
+
+   !> Transform the rows of a part.
+   subroutine rows_there(self, part, x)
+      !> The filter, whose modes along x are set.
+      class(spectral_filter_t), intent(inout) :: self
+      !> Number of the part, from 1.
+      integer, intent(in) :: part
+      !> The field; shape `(nx, ny)`.
+      real(dp), intent(in), contiguous :: x(:, :)
+      integer :: j
+
+      do j = first_of(part, self%n_parts, self%n(2)), first_of(part + 1, self%n_parts, self%n(2)) - 1
+         self%rows(:self%n(1), part) = x(:, j)
+         if (self%is_even) then
+            call fftw_execute_r2r(self%row_there, self%rows(:, part), self%cosines(:, j))
+         else
+            call fftw_execute_dft_r2c(self%row_there, self%rows(:, part), self%waves(:, j))
+         end if
+      end do
+   end subroutine rows_there
+
+   !> Transform the columns of a part of a general field, multiply, and transform back.
+   subroutine columns_of_waves(self, part, symbol)
+      !> The filter, whose modes along x are multiplied.
+      class(spectral_filter_t), intent(inout) :: self
+      !> Number of the part, from 1.
+      integer, intent(in) :: part
+      !> Factor of each mode; shape `(n_modes(2), n_modes(1))`.
+      real(dp), intent(in), contiguous :: symbol(:, :)
+      integer :: group, n_groups, first, i, j, n
+
+      n_groups = (self%n_modes(1) + n_together - 1)/n_together
+      associate (columns => self%wave_columns(:, :, part))
+         do group = first_of(part, self%n_parts, n_groups), first_of(part + 1, self%n_parts, n_groups) - 1
+            first = (group - 1)*n_together
+            n = min(n_together, self%n_modes(1) - first)
+            do j = 1, self%n(2)
+               columns(j, :) = self%waves(first + 1:first + n_together, j)
+            end do
+            do i = 1, n
+               if (self%n(2) > 1) call fftw_execute_dft(self%column_there, columns(:, i), columns(:, i))
+               do j = 1, self%n(2)
+                  associate (c => columns(j, i), factor => symbol(j, first + i))
+                     c = cmplx(real(c, dp)*factor, aimag(c)*factor, dp)
+                  end associate
+               end do
+               if (self%n(2) > 1) call fftw_execute_dft(self%column_back, columns(:, i), columns(:, i))
+            end do
+            do j = 1, self%n(2)
+               self%waves(first + 1:first + n_together, j) = columns(j, :)
+            end do
+         end do
+      end associate
+   end subroutine columns_of_waves
+
+   !> Transform the columns of a part of an even field, multiply, and transform back.
+   subroutine columns_of_cosines(self, part, symbol)
+      !> The filter, whose modes along x are multiplied.
+      class(spectral_filter_t), intent(inout) :: self
+      !> Number of the part, from 1.
+      integer, intent(in) :: part
+      !> Factor of each mode; shape `(n_modes(2), n_modes(1))`.
+      real(dp), intent(in), contiguous :: symbol(:, :)
+      integer :: group, n_groups, first, i, j, n
+
+      n_groups = (self%n_modes(1) + n_together - 1)/n_together
+      associate (columns => self%cosine_columns(:, :, part))
+         do group = first_of(part, self%n_parts, n_groups), first_of(part + 1, self%n_parts, n_groups) - 1
+            first = (group - 1)*n_together
+            n = min(n_together, self%n_modes(1) - first)
+            do j = 1, self%n(2)
+               columns(j, :) = self%cosines(first + 1:first + n_together, j)
+            end do
+            do i = 1, n
+               call fftw_execute_r2r(self%column_there, columns(:, i), columns(:, i))
+               do j = 1, self%n(2)
+                  columns(j, i) = columns(j, i)*symbol(j, first + i)
+               end do
+               call fftw_execute_r2r(self%column_back, columns(:, i), columns(:, i))
+            end do
+            do j = 1, self%n(2)
+               self%cosines(first + 1:first + n_together, j) = columns(j, :)
+            end do
+         end do
+      end associate
+   end subroutine columns_of_cosines
+
+   !> Transform the rows of a part back.
+   subroutine rows_back(self, part, y)
+      !> The filter, whose modes along x are used up.
+      class(spectral_filter_t), intent(inout) :: self
+      !> Number of the part, from 1.
+      integer, intent(in) :: part
+      !> Receives the rows of the part; shape `(nx, ny)`.
+      real(dp), intent(inout), contiguous :: y(:, :)
+      integer :: j
+
+      do j = first_of(part, self%n_parts, self%n(2)), first_of(part + 1, self%n_parts, self%n(2)) - 1
+         if (self%is_even) then
+            call fftw_execute_r2r(self%row_back, self%cosines(:, j), self%rows(:, part))
+         else
+            call fftw_execute_dft_c2r(self%row_back, self%waves(:, j), self%rows(:, part))
+         end if
+         y(:, j) = self%rows(:self%n(1), part)
+      end do
+   end subroutine rows_back
 
    !> Give back plans and buffers.
    impure elemental subroutine free(self)
@@ -123,16 +320,33 @@ contains
       type(spectral_filter_t), intent(inout) :: self
 
       !$omp critical (adfric_fftw)
-      if (c_associated(self%forward)) call fftw_destroy_plan(self%forward)
-      if (c_associated(self%backward)) call fftw_destroy_plan(self%backward)
-      if (c_associated(self%field_memory)) call fftw_free(self%field_memory)
-      if (c_associated(self%modes_memory)) call fftw_free(self%modes_memory)
+      call free_plan(self%row_there)
+      call free_plan(self%row_back)
+      call free_plan(self%column_there)
+      call free_plan(self%column_back)
+      call free_memory(self%modes_memory)
+      call free_memory(self%rows_memory)
+      call free_memory(self%columns_memory)
       !$omp end critical (adfric_fftw)
-      self%forward = c_null_ptr
-      self%backward = c_null_ptr
-      self%field_memory = c_null_ptr
-      self%modes_memory = c_null_ptr
-      nullify (self%field, self%modes)
+      nullify (self%rows, self%waves, self%wave_columns, self%cosines, self%cosine_columns)
    end subroutine free
+
+   !> Give back a plan, if there is one.
+   subroutine free_plan(plan)
+      !> The plan; null at the end.
+      type(c_ptr), intent(inout) :: plan
+
+      if (c_associated(plan)) call fftw_destroy_plan(plan)
+      plan = c_null_ptr
+   end subroutine free_plan
+
+   !> Give back memory, if there is any.
+   subroutine free_memory(memory)
+      !> What `fftw_malloc` gave; null at the end.
+      type(c_ptr), intent(inout) :: memory
+
+      if (c_associated(memory)) call fftw_free(memory)
+      memory = c_null_ptr
+   end subroutine free_memory
 
 end module adfric_numerics_spectral_filter

@@ -9,23 +9,26 @@
 !> this is a linear complementarity problem without a constraint, and close to full contact nothing cancels: the few gaps are what
 !> is solved for. Off its diagonal A is negative (1-D) or nearly so (2-D), a discrete fractional Laplacian. For such matrices the
 !> primal-dual active-set method, which is Newton's, converges from any start (M. Hintermueller, K. Ito, K. Kunisch, SIAM J.
-!> Optim. 13, 2002, 865): solve for the gap over the open region, close the cells whose gap is negative, open those that pull.
-!> Should the number of wrong cells not fall any more, only the last wrong cell is changed, which ends for every positive definite
-!> matrix (J. J. Judice, F. M. Pires, Comput. Oper. Res. 21, 1994, 587).
+!> Optim. 13, 2002, 865): solve for the gap over the open region (`adfric_periodic_gap_solver`), close the cells whose gap is
+!> negative, open those that pull, each time as soon as it is clear which these are (`adfric_periodic_region_search`, which sees to it
+!> that this ends). Pressure and gap are carried along; what counts in the end is the pressure that is found from the gap anew.
 !>
 !> The pressure cannot be more accurate than the round-off of A g0. Surfaces with steps under very light load, where that is more
 !> than the tolerance, are reported as not converged, with the residual that was reached.
 module adfric_periodic_contact
    use adfric_base_kinds, only: dp
-   use adfric_periodic_gap_solver, only: gap_solver_t
+   use adfric_periodic_gap_solver, only: gap_solver_t, extremes_t
+   use adfric_periodic_maps, only: is_shared
    use adfric_periodic_operator, only: periodic_operator_t
+   use adfric_periodic_region_search, only: region_search_t, verdict_t, new_region_search
    implicit none (type, external)
    private
    public :: contact_state_t, solve_contact, start_contact, residual_of
 
-   integer, parameter :: max_rounds = 300
-   !> How far the pressure of the open cells is reduced while the region still changes.
-   real(dp), parameter :: loose = 0.1_dp
+   !> Changes of the region and steps that are never needed: it takes about ten and twenty-five.
+   integer, parameter :: max_rounds = 300, max_iterations = 3000
+   !> How often the solution is begun again where its pressure, found anew, is not as good as it seemed.
+   integer, parameter :: most_checks = 3
 
    !> Contact on one grid; arrays have the shape of its cells.
    type :: contact_state_t
@@ -45,11 +48,11 @@ module adfric_periodic_contact
       logical :: has_fixed_mean = .false.
       !> Pressure and gap that the residual is measured in.
       real(dp) :: pressure_scale = 1, gap_scale = 1
-      !> -A g0.
-      real(dp), allocatable :: rest_pressure(:, :)
-      !> Rounds without fewer wrong cells before cells are changed one by one.
-      integer :: patience = 5
-      !> Rounds of the active set, and conjugate gradients in all of them.
+      !> Mean stiffness of the cells: the pressure of a gap of 1 in a single one [E*].
+      real(dp) :: cell_stiffness = 1
+      !> Rounds without fewer wrong cells before more is asked of a round; below 0 cells are changed one by one.
+      integer :: patience = 3
+      !> Changes of the open region, and steps in all of them.
       integer :: n_rounds = 0, n_iterations = 0
       !> Has the residual come below the tolerance?
       logical :: is_converged = .false.
@@ -65,32 +68,17 @@ contains
       type(periodic_operator_t), intent(inout) :: operator
       real(dp) :: depth
 
-      call prepare(state, operator)
       state%gap = 0*state%shape
       if (state%has_fixed_mean) then
          depth = sum(state%shape)/size(state%shape) - state%mean_gap
          state%is_open = state%shape > depth
          state%gap(:, :) = max(state%shape - depth, 0.0_dp)
       else
-         state%is_open = state%mean_pressure + state%rest_pressure < 0
+         allocate (state%pressure, mold=state%shape)
+         call update_pressure(state, operator)
+         state%is_open = state%pressure < 0
       end if
    end subroutine start_contact
-
-   !> Find once what depends on the shape and on what is given alone.
-   subroutine prepare(state, operator)
-      !> In: the shape and what is given. Out: also rest pressure, scales, and room for the pressure.
-      type(contact_state_t), intent(inout) :: state
-      !> Operator of this grid, which counts how often it is applied.
-      type(periodic_operator_t), intent(inout) :: operator
-
-      if (allocated(state%rest_pressure)) return
-      allocate (state%rest_pressure, mold=state%shape)
-      allocate (state%pressure, source=0*state%shape)
-      call operator%apply_stiffness(state%shape, state%rest_pressure)
-      state%rest_pressure(:, :) = -state%rest_pressure
-      state%gap_scale = maxval(state%shape) - minval(state%shape)
-      state%pressure_scale = maxval(state%rest_pressure) + max(state%mean_pressure, 0.0_dp)
-   end subroutine prepare
 
    !> Solve from the gap and the open region in `state`.
    subroutine solve_contact(state, operator, gap_solver, tolerance)
@@ -102,70 +90,82 @@ contains
       type(gap_solver_t), intent(inout) :: gap_solver
       !> Largest residual that is allowed [-], see `residual_of`.
       real(dp), intent(in) :: tolerance
-      logical, allocatable :: is_wrong(:, :)
-      integer :: round, n_wrong, n_wrong_before, fewest, patience, n
-      logical :: is_exact
-      real(dp) :: aim
+      type(region_search_t) :: search
+      type(verdict_t) :: verdict
+      type(extremes_t) :: extremes
+      integer :: n_checks
+      logical :: is_stuck, has_ended
 
-      call prepare(state, operator)
-      allocate (is_wrong, mold=state%is_open)
-      is_exact = .false.
-      n_wrong_before = size(is_wrong)
-      fewest = size(is_wrong)
-      patience = state%patience
-      do round = 1, max_rounds
-         call keep_region_sound(state)
-         call update_pressure(state, operator)
-         aim = tolerance*state%pressure_scale/2
-         if (.not. is_exact) aim = max(aim, loose*maxval(abs(state%pressure), mask=state%is_open))
-         call gap_solver%solve(operator, state%is_open, state%has_fixed_mean, aim, state%pressure, state%gap, &
-            & state%mean_pressure, n)
-         call update_pressure(state, operator)
-         state%n_iterations = state%n_iterations + n
-         state%n_rounds = round
-         if (any(state%pressure > 0)) state%pressure_scale = maxval(state%pressure)
-         call find_wrong_cells(state, tolerance, is_wrong)
-         n_wrong = count(is_wrong)
-         state%is_converged = is_exact .and. n_wrong == 0 .and. residual_of(state) <= tolerance
-         if (state%is_converged) exit
-         if (is_exact) then
-            patience = merge(state%patience, patience - 1, n_wrong < fewest)
-            fewest = min(fewest, n_wrong)
-            ! no wrong cell and yet no better: round-off
-            if (patience < 0 .and. n_wrong == 0) exit
-            if (patience < 0) call keep_last(is_wrong)
+      call begin(state, operator, gap_solver, extremes)
+      call new_region_search(search, state%patience)
+      n_checks = 0
+      is_stuck = .false.
+      do while (state%n_iterations < max_iterations .and. state%n_rounds < max_rounds)
+         call judge(state, extremes, tolerance, verdict)
+         call search%note_step(verdict)
+         has_ended = verdict%left <= tolerance*state%pressure_scale/2 .or. is_stuck .or. search%is_stalled()
+         if (verdict%violation > 0 .and. (has_ended .or. search%is_due(verdict, tolerance*state%pressure_scale/2))) then
+            call change_region(state, tolerance, search)
+            call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, .true.)
+         else if (has_ended) then
+            call update_pressure(state, operator)
+            state%is_converged = residual_of(state) <= tolerance
+            n_checks = n_checks + 1
+            if (state%is_converged .or. n_checks > most_checks) exit
+            call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, .false.)
+            call search%note_region()
          end if
-         is_exact = n_wrong == 0 .or. n_wrong >= n_wrong_before .or. patience < 0
-         n_wrong_before = n_wrong
-         state%is_open = state%is_open .neqv. is_wrong
+         call gap_solver%improve(operator, state%is_open, state%mean_gap, state%gap, state%pressure, state%mean_pressure, &
+            & extremes, is_stuck)
+         if (is_stuck) call gap_solver%advance(0.0_dp, state%gap, state%pressure, extremes)
+         state%n_iterations = state%n_iterations + 1
       end do
       state%mean_gap = sum(state%gap)/size(state%gap)
    end subroutine solve_contact
 
-   !> See to it that the gap is zero in contact, that there is contact, and under a given mean gap that there are open cells and
-   !> that the mean is as given.
+   !> See to it that gap, region and pressure are those of one contact.
+   subroutine begin(state, operator, gap_solver, extremes)
+      !> In: gap and open region to begin from. Out: with pressure and scales.
+      type(contact_state_t), intent(inout) :: state
+      !> Operator of this grid, which counts how often it is applied.
+      type(periodic_operator_t), intent(inout) :: operator
+      !> Workspace for the cells of this grid; receives the region.
+      type(gap_solver_t), intent(inout) :: gap_solver
+      !> Receives the largest values of gap and pressure.
+      type(extremes_t), intent(out) :: extremes
+      real(dp) :: total
+
+      if (.not. allocated(state%pressure)) allocate (state%pressure, mold=state%shape)
+      call keep_region_sound(state)
+      where (.not. state%is_open) state%gap = 0
+      if (state%has_fixed_mean) then
+         total = sum(state%gap)
+         if (.not. total > 0) then
+            state%gap(:, :) = merge(1.0_dp, 0.0_dp, state%is_open)
+            total = sum(state%gap)
+         end if
+         state%gap(:, :) = state%gap*(state%mean_gap*size(state%gap)/total)
+      end if
+      call update_pressure(state, operator)
+      state%gap_scale = maxval(state%shape) - minval(state%shape)
+      state%cell_stiffness = operator%mean_stiffness(operator%n_cells)
+      call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, .false.)
+      call gap_solver%advance(0.0_dp, state%gap, state%pressure, extremes)
+   end subroutine begin
+
+   !> See to it that there is contact, and under a given mean gap that there are open cells.
    pure subroutine keep_region_sound(state)
-      !> Contact whose open region and gap are mended.
+      !> Contact whose open region is mended.
       type(contact_state_t), intent(inout) :: state
       integer :: cell(2)
-      real(dp) :: total
 
       if (all(state%is_open)) then
          cell = minloc(state%shape)
          state%is_open(cell(1), cell(2)) = .false.
-      end if
-      if (state%has_fixed_mean .and. .not. any(state%is_open)) then
+      else if (state%has_fixed_mean .and. .not. any(state%is_open)) then
          cell = maxloc(state%shape)
          state%is_open(cell(1), cell(2)) = .true.
       end if
-      where (.not. state%is_open) state%gap = 0
-      if (.not. state%has_fixed_mean) return
-      total = sum(state%gap)
-      if (.not. total > 0) then
-         state%gap(:, :) = merge(1.0_dp, 0.0_dp, state%is_open)
-         total = sum(state%gap)
-      end if
-      state%gap(:, :) = state%gap*(state%mean_gap*size(state%gap)/total)
    end subroutine keep_region_sound
 
    !> Find the pressure of the present gap.
@@ -175,33 +175,59 @@ contains
       !> Operator of this grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
 
-      call operator%apply_stiffness(state%gap, state%pressure)
-      state%pressure(:, :) = state%mean_pressure + state%rest_pressure + state%pressure
+      call operator%apply_stiffness(state%gap - state%shape, state%pressure)
+      state%pressure(:, :) = state%mean_pressure + state%pressure
    end subroutine update_pressure
 
-   !> Find open cells that overlap and closed cells that pull, by more than the tolerance.
-   pure subroutine find_wrong_cells(state, tolerance, is_wrong)
-      !> Contact whose gap and pressure are judged.
-      type(contact_state_t), intent(in) :: state
+   !> Find what is wrong by more than the tolerance.
+   pure subroutine judge(state, extremes, tolerance, verdict)
+      !> Contact whose gap and pressure are judged; its scale of pressure is set.
+      type(contact_state_t), intent(inout) :: state
+      !> Largest values of its gap and pressure.
+      type(extremes_t), intent(in) :: extremes
       !> Violation that is allowed, in the contact's scales of gap and pressure [-].
       real(dp), intent(in) :: tolerance
-      !> Is the cell wrong? Shape of the cells.
-      logical, intent(out) :: is_wrong(:, :)
+      !> Receives what is wrong.
+      type(verdict_t), intent(out) :: verdict
 
-      is_wrong = merge(state%gap < -tolerance*state%gap_scale, state%pressure < -tolerance*state%pressure_scale, state%is_open)
-   end subroutine find_wrong_cells
+      if (extremes%peak > 0) state%pressure_scale = extremes%peak
+      verdict%left = extremes%left
+      if (extremes%overlap > tolerance*state%gap_scale) verdict%violation = state%cell_stiffness*extremes%overlap
+      if (extremes%pull > tolerance*state%pressure_scale) verdict%violation = max(verdict%violation, extremes%pull)
+   end subroutine judge
 
-   !> Keep the last of the wrong cells only.
-   pure subroutine keep_last(is_wrong)
-      !> In: the wrong cells. Out: the last of them alone; none if there is none.
-      logical, intent(inout) :: is_wrong(:, :)
-      integer :: cell(2)
+   !> Close open cells that overlap, and open closed ones that pull.
+   subroutine change_region(state, tolerance, search)
+      !> Contact whose open region is changed.
+      type(contact_state_t), intent(inout) :: state
+      !> Violation that is allowed, in the contact's scales of gap and pressure [-].
+      real(dp), intent(in) :: tolerance
+      !> Says whether only the last wrong cell is changed; takes note of the number of wrong cells.
+      type(region_search_t), intent(inout) :: search
+      logical, allocatable :: is_wrong(:, :)
+      integer :: cell(2), j, n_wrong
 
-      if (.not. any(is_wrong)) return
-      cell = findloc(is_wrong, .true., back=.true.)
-      is_wrong(:, :) = .false.
-      is_wrong(cell(1), cell(2)) = .true.
-   end subroutine keep_last
+      allocate (is_wrong, mold=state%is_open)
+      n_wrong = 0
+      !$omp parallel do if(is_shared(size(is_wrong))) default(none) shared(state, tolerance, is_wrong) private(j) &
+      !$omp& reduction(+:n_wrong)
+      do j = 1, size(is_wrong, 2)
+         is_wrong(:, j) = merge(state%gap(:, j) < -tolerance*state%gap_scale, &
+            & state%pressure(:, j) < -tolerance*state%pressure_scale, state%is_open(:, j))
+         n_wrong = n_wrong + count(is_wrong(:, j))
+      end do
+      !$omp end parallel do
+      call search%note_region()
+      call search%get_stricter(n_wrong)
+      if (search%is_one_by_one .and. n_wrong > 0) then
+         cell = findloc(is_wrong, .true., back=.true.)
+         is_wrong(:, :) = .false.
+         is_wrong(cell(1), cell(2)) = .true.
+      end if
+      state%is_open = state%is_open .neqv. is_wrong
+      call keep_region_sound(state)
+      state%n_rounds = state%n_rounds + 1
+   end subroutine change_region
 
    !> Largest violation of p >= 0, g >= 0, p g = 0 in any cell, |min(p, g)|, with p in units of the largest pressure and g in
    !> units of the range of the undeformed gap.

@@ -1,33 +1,66 @@
-!> The gap over a given open region, by conjugate gradients.
+!> The gap over a given open region, step by step by conjugate gradients.
 !>
 !> Where the surfaces are apart the pressure q + s + A g is zero (`adfric_periodic_contact`), where they touch the gap g
-!> is zero. On the open region O that is A_OO g = -(q + s), symmetric and positive definite. The compliance restricted to O is the
-!> preconditioner: operators of opposite order leave a condition number that hardly depends on the number of cells (O. Steinbach,
-!> W. L. Wendland, Adv. Comput. Math. 9, 1998, 191).
+!> is zero. On the open region O that is A_OO g = -(q + s), symmetric and positive definite. The sum over grids of
+!> `adfric_periodic_levels` is the preconditioner, so a step takes one application of A, a pair of transforms. Gap and pressure go on
+!> together, in all cells, so nothing has to be computed anew where the region changes; gaps that are left in closed cells are taken
+!> away by the first step in the new region, which has the length of the last one.
 !>
 !> Under given load q is known. Under given penetration the mean of g is, and q is the multiplier of this constraint; the
 !> directions are kept in the constraint by a projection in the preconditioner (N. I. M. Gould, M. E. Hribar, J. Nocedal,
 !> SIAM J. Sci. Comput. 23, 2001, 1376).
 module adfric_periodic_gap_solver
    use adfric_base_kinds, only: dp
+   use adfric_periodic_levels, only: levels_t, new_levels
+   use adfric_periodic_maps, only: sum_of, dot_of, add_multiple, is_shared
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
-   public :: gap_solver_t, new_gap_solver
+   public :: gap_solver_t, extremes_t, new_gap_solver
 
-   !> Iterations that are never needed: it takes about ten for ten digits.
-   integer, parameter :: max_iterations = 500
+   !> Length of a step before there was one.
+   real(dp), parameter :: first_length = 0.5_dp
 
-   !> Workspace of the iterations.
+   !> Largest values over the cells, 0 where there is none above 0.
+   type :: extremes_t
+      !> Pressure or tension of open cells [E*].
+      real(dp) :: left = 0
+      !> Overlap of the surfaces.
+      real(dp) :: overlap = 0
+      !> Tension of closed cells [E*].
+      real(dp) :: pull = 0
+      !> Pressure [E*].
+      real(dp) :: peak = 0
+   end type extremes_t
+
+   !> Region and workspace of the steps.
    type :: gap_solver_t
       private
-      !> 1 where open, 0 where in contact; shape of the cells, as are the others.
-      real(dp), allocatable :: open(:, :)
-      !> Residual, preconditioned residual, direction, stiffness times direction, preconditioned constant.
-      real(dp), allocatable, dimension(:, :) :: r, z, d, ad, w
+      !> Grids of the preconditioner; not allocated before the first region.
+      type(levels_t), allocatable :: levels
+      !> Preconditioned pressure, direction, and stiffness times direction; shape of the cells.
+      real(dp), allocatable, dimension(:, :) :: correction, direction, stiff
+      !> Preconditioned constant, under a given mean gap alone; shape of the cells.
+      real(dp), allocatable :: constant(:, :)
+      !> Sum of `constant`.
+      real(dp) :: sum_of_constant = 0
+      !> Is the mean gap given, and the mean pressure not?
+      logical :: has_fixed_mean = .false.
+      !> Is there a direction in this region already?
+      logical :: has_direction = .false.
+      !> Are there gaps left in closed cells?
+      logical :: has_remains = .false.
+      !> Direction times stiffness times direction.
+      real(dp) :: curvature = 0
+      !> Length of the last step along a direction.
+      real(dp) :: length = first_length
    contains
-      procedure :: solve
+      procedure :: set_region
+      procedure :: improve
+      procedure :: advance
       procedure, private :: precondition
+      procedure, private :: set_direction
+      procedure, private :: set_first_step
    end type gap_solver_t
 
 contains
@@ -39,74 +72,220 @@ contains
       !> Number of cells in each direction.
       integer, intent(in) :: n_cells(2)
 
-      allocate (self%open(n_cells(1), n_cells(2)), source=0.0_dp)
-      allocate (self%r, self%z, self%d, self%ad, self%w, mold=self%open)
+      allocate (self%correction(n_cells(1), n_cells(2)), source=0.0_dp)
+      allocate (self%direction, self%stiff, source=self%correction)
    end subroutine new_gap_solver
 
-   !> Improve the gap in the open region until the pressure there is small.
-   subroutine solve(self, operator, is_open, has_fixed_mean, tolerance, pressure, gap, mean_pressure, n_iterations)
+   !> Begin with another region.
+   subroutine set_region(self, operator, is_open, has_fixed_mean, has_remains)
+      !> Workspace for the cells of the operator.
+      class(gap_solver_t), intent(inout) :: self
+      !> Operator of the same cells.
+      type(periodic_operator_t), intent(in) :: operator
+      !> Is the cell in the open region? Shape of the cells.
+      logical, intent(in), contiguous :: is_open(:, :)
+      !> Is the mean gap given, and the mean pressure not?
+      logical, intent(in) :: has_fixed_mean
+      !> Are there gaps left in closed cells, or is the mean gap not as given?
+      logical, intent(in) :: has_remains
+      real(dp) :: sums(2)
+
+      if (.not. allocated(self%levels)) then
+         allocate (self%levels)
+         call new_levels(self%levels, operator)
+      end if
+      call self%levels%set_open(is_open)
+      self%has_direction = .false.
+      self%has_remains = has_remains
+      self%has_fixed_mean = has_fixed_mean
+      if (.not. has_fixed_mean) return
+      if (.not. allocated(self%constant)) allocate (self%constant, mold=self%correction)
+      self%direction(:, :) = 1
+      call self%levels%apply(self%direction, self%direction, self%constant, sums)
+      self%sum_of_constant = sums(1)
+   end subroutine set_region
+
+   !> Improve the gap in the open region by one step, so that the pressure there becomes small.
+   subroutine improve(self, operator, is_open, mean_gap, gap, pressure, mean_pressure, extremes, is_stuck)
       !> Workspace for the cells of the operator.
       class(gap_solver_t), intent(inout) :: self
       !> Operator of the same cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       !> Is the cell in the open region? Shape of the cells, as that of `pressure` and `gap`.
-      logical, intent(in) :: is_open(:, :)
-      !> Is the mean gap given, and the mean pressure not?
-      logical, intent(in) :: has_fixed_mean
-      !> Largest pressure that may be left in the open region [E*].
-      real(dp), intent(in) :: tolerance
-      !> Pressure that belongs to `gap` and `mean_pressure` on entry [E*].
-      real(dp), intent(in) :: pressure(:, :)
-      !> Gap, which is improved in the open region; zero outside.
-      real(dp), intent(inout) :: gap(:, :)
+      logical, intent(in), contiguous :: is_open(:, :)
+      !> The given mean gap, if it is given.
+      real(dp), intent(in) :: mean_gap
+      !> Gap; zero in closed cells but for remains, which are taken away.
+      real(dp), intent(inout), contiguous :: gap(:, :)
+      !> Pressure of `gap` and `mean_pressure`, in all cells [E*].
+      real(dp), intent(inout), contiguous :: pressure(:, :)
       !> Mean pressure q [E*]; it changes under a given mean gap only.
       real(dp), intent(inout) :: mean_pressure
-      !> Number of iterations that were done.
-      integer, intent(out) :: n_iterations
-      real(dp) :: rz, rz_before, curvature, shift
+      !> Receives the largest values after the step.
+      type(extremes_t), intent(out) :: extremes
+      !> Is there nothing to be improved, but for round-off? Nothing is changed then.
+      logical, intent(out) :: is_stuck
+      real(dp) :: sums(2), length
 
-      self%open(:, :) = merge(1.0_dp, 0.0_dp, is_open)
-      self%r(:, :) = -pressure*self%open
-      self%d(:, :) = 0
-      rz_before = 1
-      if (has_fixed_mean) then
-         call operator%apply_compliance(self%open, self%w)
-         self%w(:, :) = self%w*self%open
+      extremes = extremes_t()
+      is_stuck = .false.
+      call self%precondition(pressure, mean_pressure, sums)
+      if (self%has_remains) then
+         call self%set_first_step(is_open, mean_gap, gap)
+         call operator%apply_stiffness(self%direction, self%stiff)
+         self%has_remains = .false.
+         length = 1
+      else
+         is_stuck = .not. sums(1) > 0
+         if (is_stuck) return
+         call self%set_direction(sums(2))
+         call operator%apply_stiffness(self%direction, self%stiff)
+         self%curvature = dot_of(self%direction, self%stiff)
+         is_stuck = .not. self%curvature > 0
+         if (is_stuck) return
+         self%has_direction = .true.
+         self%length = sums(1)/self%curvature
+         length = self%length
       end if
-      do n_iterations = 0, max_iterations
-         if (maxval(abs(self%r)) <= tolerance) exit
-         call self%precondition(operator, has_fixed_mean, shift)
-         mean_pressure = mean_pressure + shift
-         rz = sum(self%r*self%z)
-         if (.not. rz > 0) exit
-         self%d(:, :) = self%z + (rz/rz_before)*self%d
-         rz_before = rz
-         call operator%apply_stiffness(self%d, self%ad)
-         curvature = sum(self%d*self%ad)
-         if (.not. curvature > 0) exit
-         gap(:, :) = gap + (rz/curvature)*self%d
-         self%r(:, :) = self%r - (rz/curvature)*self%open*self%ad
+      call self%advance(length, gap, pressure, extremes)
+   end subroutine improve
+
+   !> Go along the direction, and find the largest values there.
+   subroutine advance(self, length, gap, pressure, extremes)
+      !> Workspace with direction and `stiff`.
+      class(gap_solver_t), intent(in), target :: self
+      !> Length of the step; 0 to find the largest values alone.
+      real(dp), intent(in) :: length
+      !> Gap in all cells.
+      real(dp), intent(inout), contiguous :: gap(:, :)
+      !> Pressure in all cells [E*].
+      real(dp), intent(inout), contiguous :: pressure(:, :)
+      !> Receives the largest values.
+      type(extremes_t), intent(out) :: extremes
+      type(extremes_t) :: rows(size(gap, 2))
+      real(dp), pointer, contiguous :: open(:, :)
+      integer :: j
+
+      open => self%levels%open_share()
+      !$omp parallel do if(is_shared(size(gap))) default(none) shared(self, open, length, gap, pressure, rows) private(j)
+      do j = 1, size(gap, 2)
+         call advance_row(length, self%direction(:, j), self%stiff(:, j), open(:, j), gap(:, j), pressure(:, j), rows(j))
       end do
-   end subroutine solve
+      !$omp end parallel do
+      extremes = extremes_t(maxval(rows%left), maxval(rows%overlap), maxval(rows%pull), maxval(rows%peak))
+   end subroutine advance
 
-   !> Apply the preconditioner; under a fixed mean gap find the mean pressure that leaves it.
-   subroutine precondition(self, operator, has_fixed_mean, shift)
-      !> Workspace with the residual; receives the preconditioned residual.
+   !> Go along the direction in a row of cells.
+   pure subroutine advance_row(length, direction, stiff, open, gap, pressure, extremes)
+      !> Length of the step.
+      real(dp), intent(in) :: length
+      !> Direction, and stiffness times direction.
+      real(dp), intent(in), contiguous :: direction(:), stiff(:)
+      !> 1 in open cells, 0 in closed ones.
+      real(dp), intent(in), contiguous :: open(:)
+      !> Gap.
+      real(dp), intent(inout), contiguous :: gap(:)
+      !> Pressure [E*].
+      real(dp), intent(inout), contiguous :: pressure(:)
+      !> Receives the largest values of the row.
+      type(extremes_t), intent(out) :: extremes
+      integer, parameter :: lanes = 4
+      real(dp), dimension(lanes) :: left, overlap, pull, peak
+      integer :: first, i, k
+
+      left = 0
+      overlap = 0
+      pull = 0
+      peak = 0
+      do first = 1, size(gap), lanes
+         do k = 1, min(lanes, size(gap) - first + 1)
+            i = first + k - 1
+            gap(i) = gap(i) + length*direction(i)
+            pressure(i) = pressure(i) + length*stiff(i)
+            left(k) = larger(open(i)*abs(pressure(i)), left(k))
+            overlap(k) = larger(-gap(i), overlap(k))
+            pull(k) = larger((open(i) - 1)*pressure(i), pull(k))
+            peak(k) = larger(pressure(i), peak(k))
+         end do
+      end do
+      extremes = extremes_t(maxval(left), maxval(overlap), maxval(pull), maxval(peak))
+   end subroutine advance_row
+
+   !> The larger of two numbers, neither of them NaN; that is a single instruction, other than `max`.
+   pure real(dp) function larger(a, b)
+      !> The numbers.
+      real(dp), intent(in) :: a, b
+
+      larger = merge(a, b, a > b)
+   end function larger
+
+   !> Apply the preconditioner to the pressure; under a fixed mean gap find the mean pressure that leaves it.
+   subroutine precondition(self, pressure, mean_pressure, sums)
+      !> Workspace; receives the preconditioned pressure of the open cells.
       class(gap_solver_t), intent(inout) :: self
-      !> Operator of the same cells, which counts how often it is applied.
-      type(periodic_operator_t), intent(inout) :: operator
-      !> Is the mean gap given, and the mean pressure not?
-      logical, intent(in) :: has_fixed_mean
-      !> Change of the mean pressure [E*]; 0 if the mean pressure is given.
-      real(dp), intent(out) :: shift
+      !> Pressure in all cells [E*]; it changes with `mean_pressure`.
+      real(dp), intent(inout), contiguous :: pressure(:, :)
+      !> Mean pressure q [E*].
+      real(dp), intent(inout) :: mean_pressure
+      !> Receives the sums of preconditioned pressure times pressure and times `stiff`.
+      real(dp), intent(out) :: sums(2)
+      real(dp) :: shift
+      integer :: j
 
-      call operator%apply_compliance(self%r, self%z)
-      self%z(:, :) = self%z*self%open
-      shift = 0
-      if (.not. has_fixed_mean) return
-      shift = sum(self%z)/sum(self%w)
-      self%z(:, :) = self%z - shift*self%w
-      self%r(:, :) = self%r - shift*self%open
+      call self%levels%apply(pressure, self%stiff, self%correction, sums)
+      if (.not. self%has_fixed_mean) return
+      shift = -sum_of(self%correction)/self%sum_of_constant
+      mean_pressure = mean_pressure + shift
+      call add_multiple(self%correction, shift, self%constant)
+      !$omp parallel do if(is_shared(size(pressure))) default(none) shared(pressure, shift) private(j)
+      do j = 1, size(pressure, 2)
+         pressure(:, j) = pressure(:, j) + shift
+      end do
+      !$omp end parallel do
+      sums = [dot_of(self%correction, pressure), dot_of(self%correction, self%stiff)]
    end subroutine precondition
+
+   !> The next direction, conjugate to the last one of the region.
+   subroutine set_direction(self, product)
+      !> Workspace with the preconditioned pressure; receives the direction.
+      class(gap_solver_t), intent(inout) :: self
+      !> Preconditioned pressure times stiffness times the last direction.
+      real(dp), intent(in) :: product
+      real(dp) :: factor
+      integer :: j
+
+      factor = 0
+      if (self%has_direction) factor = product/self%curvature
+      !$omp parallel do if(is_shared(size(self%direction))) default(none) shared(self, factor) private(j)
+      do j = 1, size(self%direction, 2)
+         if (self%has_direction) then
+            self%direction(:, j) = factor*self%direction(:, j) - self%correction(:, j)
+         else
+            self%direction(:, j) = -self%correction(:, j)
+         end if
+      end do
+      !$omp end parallel do
+   end subroutine set_direction
+
+   !> The first step in a region that has been changed: remains are taken away, and the rest goes as far as the last step did.
+   subroutine set_first_step(self, is_open, mean_gap, gap)
+      !> Workspace with the preconditioned pressure; receives the step as its direction.
+      class(gap_solver_t), intent(inout) :: self
+      !> Is the cell in the open region?
+      logical, intent(in), contiguous :: is_open(:, :)
+      !> The given mean gap, if it is given.
+      real(dp), intent(in) :: mean_gap
+      !> Gap with remains in closed cells.
+      real(dp), intent(in), contiguous :: gap(:, :)
+      integer :: j
+
+      !$omp parallel do if(is_shared(size(gap))) default(none) shared(self, is_open, gap) private(j)
+      do j = 1, size(gap, 2)
+         self%direction(:, j) = merge(-self%length*self%correction(:, j), -gap(:, j), is_open(:, j))
+      end do
+      !$omp end parallel do
+      if (self%has_fixed_mean) call add_multiple(self%direction, &
+         & (mean_gap*size(gap) - sum_of(gap) - sum_of(self%direction))/self%sum_of_constant, self%constant)
+   end subroutine set_first_step
 
 end module adfric_periodic_gap_solver

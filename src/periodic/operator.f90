@@ -28,9 +28,12 @@ module adfric_periodic_operator
       integer :: n_applied = 0
       !> Transforms of the grid.
       type(spectral_filter_t), private :: filter
-      !> Symbols, shape of the modes.
-      real(dp), allocatable, private :: stiffness(:, :), compliance(:, :)
+      !> Stiffness of the modes over the gain of the transforms; shape of the modes, y first.
+      real(dp), allocatable, private :: stiffness(:, :)
+      !> The compliance that the mean is given, since it has none; over the gain.
+      real(dp), private :: compliance_of_mean = 0
    contains
+      procedure :: mean_stiffness
       procedure :: apply_stiffness
       procedure :: apply_compliance
    end type periodic_operator_t
@@ -69,22 +72,41 @@ contains
       self%is_quarter = is_quarter
       self%cell_size = period/(n_cells*merge(2, 1, is_quarter))
       associate (n => self%filter%n_modes, gain => self%filter%gain)
-         allocate (self%stiffness(n(1), n(2)), self%compliance(n(1), n(2)))
-         do j = 1, n(2)
-            do i = 1, n(1)
+         allocate (self%stiffness(n(2), n(1)))
+         ! that of the ring around a small contact
+         self%compliance_of_mean = maxval(period)/gain
+         do i = 1, n(1)
+            do j = 1, n(2)
                stiffness = kernel%stiffness([(i - 1)/period(1), wave_number(j - 1, n_cells(2), is_quarter)/period(2)])
                if (abs(aimag(stiffness)) > 0) then
                   call set_error(error, input_failure, 'the stiffness of a surface is complex; its transforms take a real one')
                   return
                end if
-               self%stiffness(i, j) = real(stiffness, dp)/gain
-               ! the mean has none; the value stands for that of the ring around a small contact
-               self%compliance(i, j) = maxval(period)/gain
-               if (real(stiffness, dp) > 0) self%compliance(i, j) = 1/real(stiffness, dp)/gain
+               self%stiffness(j, i) = real(stiffness, dp)/gain
             end do
          end do
       end associate
    end subroutine new_periodic_operator
+
+   !> Mean stiffness of the waves that a coarser grid of cells has, but for the factors of its own.
+   pure real(dp) function mean_stiffness(self, n_cells) result(mean)
+      !> The operator of the finest grid.
+      class(periodic_operator_t), intent(in) :: self
+      !> Number of cells of the coarser grid in each direction, not more than here.
+      integer, intent(in) :: n_cells(2)
+      integer :: n(2), half(2), j, n_rows
+
+      half = merge(n_cells - 1, n_cells/2, self%is_quarter)
+      n = [half(1) + 1, self%n_cells(2)]
+      mean = 0
+      n_rows = 0
+      do j = 1, n(2)
+         if (wave_number(j - 1, n(2), self%is_quarter) > half(2)) cycle
+         mean = mean + sum(self%stiffness(j, :n(1)))/n(1)
+         n_rows = n_rows + 1
+      end do
+      mean = mean*self%filter%gain/n_rows
+   end function mean_stiffness
 
    !> Are the cells longer, or wider, than can be?
    pure logical function is_too_long(n_cells, period)
@@ -117,9 +139,9 @@ contains
       !> The operator, which counts how often it is applied.
       class(periodic_operator_t), intent(inout) :: self
       !> Displacement of the surface in the middles of the cells; shape `n_cells`.
-      real(dp), intent(in) :: displacement(:, :)
+      real(dp), intent(in), contiguous :: displacement(:, :)
       !> Pressure in the middles of the cells [E*]; shape `n_cells`.
-      real(dp), intent(out) :: pressure(:, :)
+      real(dp), intent(out), contiguous :: pressure(:, :)
 
       if (has_asserts) call assert(all(shape(displacement) == self%n_cells) .and. all(shape(pressure) == self%n_cells), &
          & 'apply_stiffness: maps have the shape of the cells')
@@ -133,13 +155,20 @@ contains
       !> The operator, which counts how often it is applied.
       class(periodic_operator_t), intent(inout) :: self
       !> Pressure in the middles of the cells [E*]; shape `n_cells`.
-      real(dp), intent(in) :: pressure(:, :)
+      real(dp), intent(in), contiguous :: pressure(:, :)
       !> Displacement of the surface in the middles of the cells; shape `n_cells`.
-      real(dp), intent(out) :: displacement(:, :)
+      real(dp), intent(out), contiguous :: displacement(:, :)
+      real(dp), allocatable :: compliance(:, :)
 
       if (has_asserts) call assert(all(shape(displacement) == self%n_cells) .and. all(shape(pressure) == self%n_cells), &
          & 'apply_compliance: maps have the shape of the cells')
-      call self%filter%apply(self%compliance, pressure, displacement)
+      allocate (compliance, source=self%stiffness)
+      where (self%stiffness > 0)
+         compliance = (1/self%stiffness)/self%filter%gain**2
+      elsewhere
+         compliance = self%compliance_of_mean
+      end where
+      call self%filter%apply(compliance, pressure, displacement)
       self%n_applied = self%n_applied + 1
    end subroutine apply_compliance
 

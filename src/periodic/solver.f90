@@ -44,6 +44,8 @@ module adfric_periodic_solver
       real(dp) :: residual = huge(1.0_dp)
       !> Iterations and applied operators on the finest grid.
       integer :: n_iterations = 0, n_applied = 0
+      !> Applied operators, which take a pair of transforms each, on all grids; coarser ones count by their cells.
+      real(dp) :: n_pairs = 0
       !> `contact_solved`, `contact_not_converged` or `contact_out_of_range`.
       integer :: status = contact_not_converged
    end type periodic_solution_t
@@ -184,9 +186,7 @@ contains
       type(periodic_solution_t), intent(inout) :: solution
 
       solution%gap = shape - penetration
-      allocate (solution%pressure, mold=shape)
-      call self%grids(size(self%grids))%operator%apply_stiffness(shape, solution%pressure)
-      solution%full_pressure = maxval(solution%pressure)
+      call set_full_pressure(self%grids(size(self%grids))%operator, shape, solution)
       solution%pressure = 0*shape
       solution%penetration = penetration
       solution%area%error = 0
@@ -222,15 +222,32 @@ contains
       end do
       do k = first, n
          associate (grid => self%grids(k))
-            if (k == n) solution%n_applied = -grid%operator%n_applied
+            solution%n_applied = -grid%operator%n_applied
             if (k == first) call start_contact(states(k), grid%operator)
             if (k > first) call start_from_coarse(states(k), states(k - 1), grid%operator)
             call solve_contact(states(k), grid%operator, grid%gap_solver, merge(tolerance, coarse_tolerance, k == n))
+            if (k == n) call set_full_pressure(grid%operator, shape, solution)
+            solution%n_applied = solution%n_applied + grid%operator%n_applied
+            solution%n_pairs = solution%n_pairs + solution%n_applied*(real(size(states(k)%gap), dp)/size(shape))
          end associate
       end do
-      solution%n_applied = solution%n_applied + self%grids(n)%operator%n_applied
       call set_solution(states(first:), self%grids(n)%operator%is_quarter, solution)
    end subroutine solve
+
+   !> Find the pressure at which contact becomes full.
+   subroutine set_full_pressure(operator, shape, solution)
+      !> Operator of the finest grid.
+      type(periodic_operator_t), intent(inout) :: operator
+      !> Gap of the undeformed surfaces in the middles of the cells.
+      real(dp), intent(in) :: shape(:, :)
+      !> Receives the pressure.
+      type(periodic_solution_t), intent(inout) :: solution
+      real(dp), allocatable :: tension(:, :)
+
+      allocate (tension, mold=shape)
+      call operator%apply_stiffness(shape, tension)
+      solution%full_pressure = maxval(tension)
+   end subroutine set_full_pressure
 
    !> Is there contact? Under given penetration a coarse grid may have lost the summits that touch.
    pure logical function touches(state)
@@ -280,7 +297,6 @@ contains
       solution%n_iterations = states(n)%n_iterations
       solution%mean_pressure = states(n)%mean_pressure
       solution%penetration = sum(states(n)%shape - states(n)%gap)/size(states(n)%shape)
-      solution%full_pressure = -minval(states(n)%rest_pressure)
       solution%gap = max(states(n)%gap, 0.0_dp)
       solution%pressure = merge(0.0_dp, max(states(n)%pressure, 0.0_dp), states(n)%is_open)
    end subroutine set_solution

@@ -30,9 +30,9 @@ contains
       ! all rows have the same length: one plan
       call new_spectral_filter(filter, nx, 1, .false., .false., error)
       if (allocated(error)) return
-      allocate (symbol(0:nx/2, 1), row(nx, 1))
+      allocate (symbol(1, 0:nx/2), row(nx, 1))
       symbol = 1/filter%gain
-      symbol(longest_out:, :) = 0
+      symbol(:, longest_out:) = 0
       do j = 1, size(heights, 2)
          call filter%apply(symbol, heights(:, j:j), row)
          heights(:, j) = row(:, 1)
