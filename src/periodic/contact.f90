@@ -149,6 +149,7 @@ contains
       call update_pressure(state, operator)
       state%gap_scale = maxval(state%shape) - minval(state%shape)
       state%cell_stiffness = operator%mean_stiffness(operator%n_cells)
+      call gap_solver%forget()
       call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, .false.)
       call gap_solver%advance(0.0_dp, state%gap, state%pressure, extremes)
    end subroutine begin

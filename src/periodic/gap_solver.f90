@@ -55,6 +55,7 @@ module adfric_periodic_gap_solver
       !> Length of the last step along a direction.
       real(dp) :: length = first_length
    contains
+      procedure :: forget
       procedure :: set_region
       procedure :: improve
       procedure :: advance
@@ -75,6 +76,14 @@ contains
       allocate (self%correction(n_cells(1), n_cells(2)), source=0.0_dp)
       allocate (self%direction, self%stiff, source=self%correction)
    end subroutine new_gap_solver
+
+   !> Forget the contact that was solved before, so that the next one does not depend on it.
+   pure subroutine forget(self)
+      !> Workspace.
+      class(gap_solver_t), intent(inout) :: self
+
+      self%length = first_length
+   end subroutine forget
 
    !> Begin with another region.
    subroutine set_region(self, operator, is_open, has_fixed_mean, has_remains)

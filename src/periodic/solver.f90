@@ -24,7 +24,7 @@ module adfric_periodic_solver
    !> Grids that it takes to estimate the error of the area.
    integer, parameter :: grids_for_error = 3
    !> Largest residual that a grid other than the finest needs.
-   real(dp), parameter :: coarse_tolerance = 1.0e-4_dp
+   real(dp), parameter :: coarse_tolerance = 1.0e-6_dp
 
    !> What a solution is; the maps have the shape of the cells.
    type :: periodic_solution_t
@@ -268,10 +268,13 @@ contains
       !> Operator of the finer grid, for its cells and symmetry.
       type(periodic_operator_t), intent(in) :: operator
       real(dp) :: sign_function(size(coarse%gap, 1), size(coarse%gap, 2))
+      real(dp), allocatable :: detail(:, :)
 
       sign_function = merge(-coarse%gap/maxval(operator%cell_size), coarse%pressure, coarse%is_open)
-      state%is_open = refine(sign_function, state%shape, operator%is_quarter) < 0
-      state%gap = max(refine(coarse%gap, state%shape, operator%is_quarter), 0.0_dp)
+      detail = state%shape - refine(coarse%shape, state%shape, operator%is_quarter)
+      ! waves that only the finer grid has leave the displacement as it is where the surfaces are apart, and part them elsewhere
+      state%is_open = refine(sign_function, state%shape, operator%is_quarter) < detail/(2*maxval(operator%cell_size))
+      state%gap = max(refine(coarse%gap, state%shape, operator%is_quarter) + detail, 0.0_dp)
       state%mean_pressure = coarse%mean_pressure
    end subroutine start_from_coarse
 
