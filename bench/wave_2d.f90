@@ -33,9 +33,9 @@ program wave_2d
    call print_heading('2-D wave on an elastic half-space')
    tolerance = 10.0_dp**(-integer_argument(3, 10))
    table = open_table(text_argument(1, 'wave_2d.csv'), 'surface,cells,load,ms,ms_least,ms_most,setup_ms,residual,iterations,'// &
-      'applied,area,area_error_estimate,area_difference,peak,peak_difference')
-   print '(a8, a7, a7, a24, a9, a9, 2a7, a10, 2a9, a10, a9)', 'surface', 'cells', 'p/p*', 'ms (range)', 'set-up', 'residual', &
-      'cg', 'apply', 'area', 'estimate', 'differs', 'peak', 'differs'
+      'applied,pairs,area,area_error_estimate,area_difference,peak,peak_difference')
+   print '(a8, a7, a7, a24, a9, a9, 3a7, a10, 2a9, a10, a9)', 'surface', 'cells', 'p/p*', 'ms (range)', 'set-up', 'residual', &
+      'steps', 'apply', 'pairs', 'area', 'estimate', 'differs', 'peak', 'differs'
    n = integer_argument(2, 0)
    if (n > 0) then
       call report_size(table, n, .true.)
@@ -97,11 +97,11 @@ contains
       difference = [solution%area%corrected - areas(k), peak_of(solution) - finest_peak]
       if (.not. finest_peak > 0) difference(2) = not_a_number()
       associate (s => solution)
-         print '(a8, i7, f7.3, f8.1, 2(a, f6.1), a, f9.1, es9.1, 2i7, f10.6, 2es9.1, f10.6, es9.1)', name, n, loads(k), &
-            time%median, ' (', time%least, ' to', time%most, ')', setup, s%residual, s%n_iterations, s%n_applied, &
+         print '(a8, i7, f7.3, f8.1, 2(a, f6.1), a, f9.1, es9.1, 2i7, f7.1, f10.6, 2es9.1, f10.6, es9.1)', name, n, loads(k), &
+            time%median, ' (', time%least, ' to', time%most, ')', setup, s%residual, s%n_iterations, s%n_applied, s%n_pairs, &
             s%area%corrected, s%area%error, difference(1), peak_of(s), difference(2)
-         write (table, '(a, ",", i0, 5(",", f0.4), ",", es8.2, 2(",", i0), ",", f0.8, 2(",", es9.2), ",", f0.8, ",", es9.2)') &
-            trim(name), n, loads(k), time, setup, s%residual, s%n_iterations, s%n_applied, s%area%corrected, s%area%error, &
+         write (table, '(a, ",", i0, 5(",", f0.4), ",", es8.2, 2(",", i0), ",", f0.2, ",", f0.8, 2(",", es9.2), ",", f0.8, ",", es9.2)') &
+            trim(name), n, loads(k), time, setup, s%residual, s%n_iterations, s%n_applied, s%n_pairs, s%area%corrected, s%area%error, &
             difference(1), peak_of(s), difference(2)
       end associate
       flush (output_unit)

@@ -19,8 +19,8 @@ module adfric_numerics_spectral_filter
    private
    public :: spectral_filter_t, new_spectral_filter
 
-   !> Columns that are taken from memory together: a line of the cache has room for so many modes.
-   integer, parameter :: n_together = 4
+   !> Columns that are taken from memory together: two lines of the cache have room for so many modes.
+   integer, parameter :: n_together = 8
    !> Samples that are worth the work of another thread, and the largest number of parts of a field.
    integer, parameter :: samples_of_part = 2**14, most_parts = 64
 

@@ -132,7 +132,7 @@ contains
       real(dp), intent(inout) :: mean_pressure
       !> Receives the largest values after the step.
       type(extremes_t), intent(out) :: extremes
-      !> Is there nothing to be improved, but for round-off? Nothing is changed then.
+      !> Is there nothing to be improved, but for round-off? The gap is not changed then.
       logical, intent(out) :: is_stuck
       real(dp) :: sums(2), length
 

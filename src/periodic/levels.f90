@@ -54,25 +54,16 @@ contains
       type(levels_t), intent(out) :: self
       !> Operator of the finest grid, for its cells and stiffness.
       type(periodic_operator_t), intent(in) :: operator
-      integer, parameter :: most_grids = 2*bit_size(1)
-      logical :: is_halved(2, most_grids)
-      real(dp) :: sizes(2)
-      integer :: n(2), k, n_grids, n_sums
+      logical, allocatable :: is_halved(:, :)
+      real(dp) :: n_sums
+      integer :: n(2), k
 
       self%is_quarter = operator%is_quarter
-      n = operator%n_cells
-      sizes = operator%cell_size
-      is_halved = .false.
-      do n_grids = 1, most_grids - 1
-         is_halved(:, n_grids + 1) = n > fewest_cells .and. sizes <= longest*minval(sizes, mask=n > fewest_cells)
-         if (.not. any(is_halved(:, n_grids + 1))) exit
-         n = merge((n + 1)/2, n, is_halved(:, n_grids + 1))
-         sizes = sizes*merge(2, 1, is_halved(:, n_grids + 1))
-      end do
-      allocate (self%grids(n_grids))
+      call plan_grids(operator%n_cells, operator%cell_size, is_halved)
+      allocate (self%grids(size(is_halved, 2)))
       n = operator%n_cells
       n_sums = 1
-      do k = 1, n_grids
+      do k = 1, size(self%grids)
          n = merge((n + 1)/2, n, is_halved(:, k))
          n_sums = n_sums*product(merge(2, 1, is_halved(:, k)))
          self%grids(k)%is_halved = is_halved(:, k)
@@ -81,6 +72,31 @@ contains
          if (operator%mean_stiffness(n) > 0) self%grids(k)%weight = 1/(n_sums*operator%mean_stiffness(n))
       end do
    end subroutine new_levels
+
+   !> Halve the shorter direction, or both where they are about as long, down to a few cells.
+   pure subroutine plan_grids(n_cells, cell_size, is_halved)
+      !> Number of cells of the finest grid in each direction.
+      integer, intent(in) :: n_cells(2)
+      !> Their size.
+      real(dp), intent(in) :: cell_size(2)
+      !> Receives for each grid whether a direction was halved from the next finer one; shape `(2, n_grids)`.
+      logical, allocatable, intent(out) :: is_halved(:, :)
+      integer, parameter :: most_grids = 2*bit_size(1)
+      logical :: halved(2, most_grids)
+      real(dp) :: sizes(2)
+      integer :: n(2), k
+
+      n = n_cells
+      sizes = cell_size
+      halved = .false.
+      do k = 2, most_grids
+         halved(:, k) = n > fewest_cells .and. sizes/longest <= minval(sizes, mask=n > fewest_cells)
+         if (.not. any(halved(:, k))) exit
+         n = merge((n + 1)/2, n, halved(:, k))
+         sizes = sizes*merge(2, 1, halved(:, k))
+      end do
+      is_halved = halved(:, :k - 1)
+   end subroutine plan_grids
 
    !> Say which cells are open.
    subroutine set_open(self, is_open)

@@ -37,8 +37,9 @@ module adfric_periodic_region_search
       integer, private :: all_patience = 0, patience = 0
       !> Least number of wrong cells so far.
       integer, private :: fewest = huge(1)
-      !> Least pressure left in this region, and steps since it was half as large again.
+      !> Pressure left in this region when it last had been halved [E*].
       real(dp), private :: least_left = huge(1.0_dp)
+      !> Steps since then.
       integer, private :: n_stalled = 0
    contains
       procedure :: note_step
