@@ -100,9 +100,9 @@ contains
          print '(a8, i7, f7.3, f8.1, 2(a, f6.1), a, f9.1, es9.1, 2i7, f7.1, f10.6, 2es9.1, f10.6, es9.1)', name, n, loads(k), &
             time%median, ' (', time%least, ' to', time%most, ')', setup, s%residual, s%n_iterations, s%n_applied, s%n_pairs, &
             s%area%corrected, s%area%error, difference(1), peak_of(s), difference(2)
-         write (table, '(a, ",", i0, 5(",", f0.4), ",", es8.2, 2(",", i0), ",", f0.2, ",", f0.8, 2(",", es9.2), ",", f0.8, ",", es9.2)') &
-            trim(name), n, loads(k), time, setup, s%residual, s%n_iterations, s%n_applied, s%n_pairs, s%area%corrected, s%area%error, &
-            difference(1), peak_of(s), difference(2)
+         write (table, '(a, ",", i0, 5(",", f0.4), ",", es8.2, 2(",", i0), 2(",", f0.8), 2(",", es9.2), ",", f0.8, ",", es9.2)') &
+            trim(name), n, loads(k), time, setup, s%residual, s%n_iterations, s%n_applied, s%n_pairs, s%area%corrected, &
+            s%area%error, difference(1), peak_of(s), difference(2)
       end associate
       flush (output_unit)
    end subroutine report
