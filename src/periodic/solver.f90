@@ -11,6 +11,7 @@ module adfric_periodic_solver
    use adfric_periodic_gap_solver, only: gap_solver_t, new_gap_solver
    use adfric_periodic_grids, only: coarsen, refine, n_grids_of
    use adfric_periodic_kernel, only: kernel_t
+   use adfric_periodic_maps, only: sum_of
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    implicit none (type, external)
    private
@@ -271,7 +272,8 @@ contains
       real(dp), allocatable :: detail(:, :)
 
       sign_function = merge(-coarse%gap/maxval(operator%cell_size), coarse%pressure, coarse%is_open)
-      detail = state%shape - refine(coarse%shape, state%shape, operator%is_quarter)
+      allocate (detail, mold=state%shape)
+      detail(:, :) = state%shape - refine(coarse%shape, state%shape, operator%is_quarter)
       ! waves that only the finer grid has leave the displacement as it is where the surfaces are apart, and part them elsewhere
       state%is_open = refine(sign_function, state%shape, operator%is_quarter) < detail/(2*maxval(operator%cell_size))
       state%gap = max(refine(coarse%gap, state%shape, operator%is_quarter) + detail, 0.0_dp)
@@ -279,7 +281,7 @@ contains
    end subroutine start_from_coarse
 
    !> Collect what the grids have found.
-   pure subroutine set_solution(states, is_quarter, solution)
+   subroutine set_solution(states, is_quarter, solution)
       !> Contacts on the grids that were used, the finest last.
       type(contact_state_t), intent(in) :: states(:)
       !> Are the maps a quarter between planes of symmetry (else they go on periodically)?
@@ -287,6 +289,7 @@ contains
       !> Receives the contact on the finest grid, and the area with its error from coarser ones.
       type(periodic_solution_t), intent(inout) :: solution
       type(area_t) :: areas(size(states))
+      real(dp) :: total
       integer :: k, n
 
       n = size(states)
@@ -302,6 +305,9 @@ contains
       solution%penetration = sum(states(n)%shape - states(n)%gap)/size(states(n)%shape)
       solution%gap = max(states(n)%gap, 0.0_dp)
       solution%pressure = merge(0.0_dp, max(states(n)%pressure, 0.0_dp), states(n)%is_open)
+      ! what little pressure was left in open cells is that of the others, so that they carry the load
+      total = sum_of(solution%pressure)
+      if (total > 0) solution%pressure(:, :) = solution%pressure*(solution%mean_pressure*size(solution%pressure)/total)
    end subroutine set_solution
 
 end module adfric_periodic_solver
