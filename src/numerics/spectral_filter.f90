@@ -158,7 +158,7 @@ contains
    end subroutine make_plans
 
    !> Multiply the modes of a field.
-   subroutine apply(self, symbol, x, y)
+   subroutine apply(self, symbol, x, y, product)
       !> The filter, whose buffers are overwritten.
       class(spectral_filter_t), intent(inout) :: self
       !> Factor of each mode; shape `(n_modes(2), n_modes(1))`, y first; it has to contain the division by `gain`.
@@ -167,13 +167,16 @@ contains
       real(dp), intent(in), contiguous :: x(:, :)
       !> Receives the field with its modes multiplied; shape `(nx, ny)`.
       real(dp), intent(out), contiguous :: y(:, :)
+      !> Receives the sum of x times y over all samples.
+      real(dp), intent(out), optional :: product
+      real(dp) :: products(self%n(2))
       integer :: part
 
       if (has_asserts) call assert(all(shape(x) == self%n) .and. all(shape(y) == self%n), &
          & 'apply: fields have the shape of the plans')
       if (has_asserts) call assert(size(symbol, 1) == self%n_modes(2) .and. size(symbol, 2) == self%n_modes(1), &
          & 'apply: there is a factor for each mode')
-      !$omp parallel if(self%n_parts > 1) default(none) shared(self, symbol, x, y) private(part)
+      !$omp parallel if(self%n_parts > 1) default(none) shared(self, symbol, x, y, products) private(part)
       !$omp do schedule(dynamic)
       do part = 1, self%n_parts
          call self%rows_there(part, x)
@@ -190,10 +193,11 @@ contains
       !$omp end do
       !$omp do schedule(dynamic)
       do part = 1, self%n_parts
-         call self%rows_back(part, y)
+         call self%rows_back(part, x, y, products)
       end do
       !$omp end do
       !$omp end parallel
+      if (present(product)) product = sum(products)
    end subroutine apply
 
    !> The first of the lines, or groups of them, of a part.
@@ -295,14 +299,19 @@ contains
    end subroutine columns_of_cosines
 
    !> Transform the rows of a part back.
-   subroutine rows_back(self, part, y)
+   subroutine rows_back(self, part, x, y, products)
       !> The filter, whose modes along x are used up.
       class(spectral_filter_t), intent(inout) :: self
       !> Number of the part, from 1.
       integer, intent(in) :: part
+      !> The field; shape `(nx, ny)`.
+      real(dp), intent(in), contiguous :: x(:, :)
       !> Receives the rows of the part; shape `(nx, ny)`.
       real(dp), intent(inout), contiguous :: y(:, :)
-      integer :: j
+      !> Receives for each row of the part the sum of x times y; shape `(ny)`.
+      real(dp), intent(inout), contiguous :: products(:)
+      real(dp) :: total
+      integer :: i, j
 
       do j = first_of(part, self%n_parts, self%n(2)), first_of(part + 1, self%n_parts, self%n(2)) - 1
          if (self%is_even) then
@@ -310,7 +319,13 @@ contains
          else
             call fftw_execute_dft_c2r(self%row_back, self%waves(:, j), self%rows(:, part))
          end if
-         y(:, j) = self%rows(:self%n(1), part)
+         total = 0
+         !$omp simd reduction(+:total)
+         do i = 1, self%n(1)
+            y(i, j) = self%rows(i, part)
+            total = total + x(i, j)*y(i, j)
+         end do
+         products(j) = total
       end do
    end subroutine rows_back
 

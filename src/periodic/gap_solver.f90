@@ -148,8 +148,7 @@ contains
          is_stuck = .not. sums(1) > 0
          if (is_stuck) return
          call self%set_direction(sums(2))
-         call operator%apply_stiffness(self%direction, self%stiff)
-         self%curvature = dot_of(self%direction, self%stiff)
+         call operator%apply_stiffness(self%direction, self%stiff, self%curvature)
          is_stuck = .not. self%curvature > 0
          if (is_stuck) return
          self%has_direction = .true.

@@ -135,17 +135,19 @@ contains
    end function wave_number
 
    !> Pressures that make given displacements, up to their mean.
-   subroutine apply_stiffness(self, displacement, pressure)
+   subroutine apply_stiffness(self, displacement, pressure, product)
       !> The operator, which counts how often it is applied.
       class(periodic_operator_t), intent(inout) :: self
       !> Displacement of the surface in the middles of the cells; shape `n_cells`.
       real(dp), intent(in), contiguous :: displacement(:, :)
       !> Pressure in the middles of the cells [E*]; shape `n_cells`.
       real(dp), intent(out), contiguous :: pressure(:, :)
+      !> Receives the sum of displacement times pressure over all cells.
+      real(dp), intent(out), optional :: product
 
       if (has_asserts) call assert(all(shape(displacement) == self%n_cells) .and. all(shape(pressure) == self%n_cells), &
          & 'apply_stiffness: maps have the shape of the cells')
-      call self%filter%apply(self%stiffness, displacement, pressure)
+      call self%filter%apply(self%stiffness, displacement, pressure, product)
       self%n_applied = self%n_applied + 1
    end subroutine apply_stiffness
 
