@@ -21,8 +21,10 @@ module adfric_numerics_spectral_filter
 
    !> Columns that are taken from memory together: two lines of the cache have room for so many modes.
    integer, parameter :: n_together = 8
-   !> Samples that are worth the work of another thread, and the largest number of parts of a field.
+   !> Samples of a part of a field, and the largest number of parts.
    integer, parameter :: samples_of_part = 2**14, most_parts = 64
+   !> Parts that are worth the work of another thread.
+   integer, parameter :: shared_parts = 8
 
    !> Plans and buffers of one size. Not to be copied.
    type :: spectral_filter_t
@@ -176,7 +178,7 @@ contains
          & 'apply: fields have the shape of the plans')
       if (has_asserts) call assert(size(symbol, 1) == self%n_modes(2) .and. size(symbol, 2) == self%n_modes(1), &
          & 'apply: there is a factor for each mode')
-      !$omp parallel if(self%n_parts > 1) default(none) shared(self, symbol, x, y, products) private(part)
+      !$omp parallel if(self%n_parts > shared_parts) default(none) shared(self, symbol, x, y, products) private(part)
       !$omp do schedule(dynamic)
       do part = 1, self%n_parts
          call self%rows_there(part, x)

@@ -7,7 +7,7 @@ module adfric_periodic_maps
    public :: sum_of, dot_of, add_multiple, is_shared
 
    !> Cells that are worth the work of another thread.
-   integer, parameter :: cells_of_part = 2**16
+   integer, parameter :: cells_of_part = 2**17
 
 contains
 
