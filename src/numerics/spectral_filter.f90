@@ -56,6 +56,7 @@ module adfric_numerics_spectral_filter
    contains
       procedure :: apply
       procedure, private :: rows_there
+      procedure, private :: multiply_line
       procedure, private :: columns_of_waves
       procedure, private :: columns_of_cosines
       procedure, private :: rows_back
@@ -186,7 +187,9 @@ contains
       !$omp end do
       !$omp do schedule(dynamic)
       do part = 1, self%n_parts
-         if (self%is_even) then
+         if (self%n(2) == 1) then
+            if (part == 1) call self%multiply_line(symbol(1, :))
+         else if (self%is_even) then
             call self%columns_of_cosines(part, symbol)
          else
             call self%columns_of_waves(part, symbol)
@@ -234,6 +237,20 @@ contains
       end do
    end subroutine rows_there
 
+   !> Multiply the modes of a field of one row, whose columns are transformed there and back by a factor alone.
+   subroutine multiply_line(self, symbol)
+      !> The filter, whose modes along x are multiplied.
+      class(spectral_filter_t), intent(inout) :: self
+      !> Factor of each mode; shape `(n_modes(1))`.
+      real(dp), intent(in), contiguous :: symbol(:)
+      real(dp), parameter :: gain_of_cosines = 2
+
+      associate (n => self%n_modes(1))
+         if (self%is_even) self%cosines(:n, 1) = gain_of_cosines*self%cosines(:n, 1)*symbol
+         if (.not. self%is_even) self%waves(:n, 1) = self%waves(:n, 1)*symbol
+      end associate
+   end subroutine multiply_line
+
    !> Transform the columns of a part of a general field, multiply, and transform back.
    subroutine columns_of_waves(self, part, symbol)
       !> The filter, whose modes along x are multiplied.
@@ -253,13 +270,13 @@ contains
                columns(j, :) = self%waves(first + 1:first + n_together, j)
             end do
             do i = 1, n
-               if (self%n(2) > 1) call fftw_execute_dft(self%column_there, columns(:, i), columns(:, i))
+               call fftw_execute_dft(self%column_there, columns(:, i), columns(:, i))
                do j = 1, self%n(2)
                   associate (c => columns(j, i), factor => symbol(j, first + i))
                      c = cmplx(real(c, dp)*factor, aimag(c)*factor, dp)
                   end associate
                end do
-               if (self%n(2) > 1) call fftw_execute_dft(self%column_back, columns(:, i), columns(:, i))
+               call fftw_execute_dft(self%column_back, columns(:, i), columns(:, i))
             end do
             do j = 1, self%n(2)
                self%waves(first + 1:first + n_together, j) = columns(j, :)
