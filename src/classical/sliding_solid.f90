@@ -34,6 +34,7 @@ module adfric_classical_sliding_solid
    contains
       procedure :: get_complex_ratio
       procedure :: instantaneous_ratio
+      procedure :: change_unit
    end type sliding_solid_t
 
 contains
@@ -83,5 +84,18 @@ contains
 
       instantaneous_ratio = 1 + sum(self%ratios)
    end function instantaneous_ratio
+
+   !> Give the lengths in another unit.
+   pure subroutine change_unit(self, unit)
+      !> The solid.
+      class(sliding_solid_t), intent(inout) :: self
+      !> The new unit [unit of length], > 0.
+      real(dp), intent(in) :: unit
+
+      if (has_asserts) call assert(unit > 0, 'change_unit: unit > 0')
+      self%relaxation = self%relaxation/unit
+      self%retardation = self%retardation/unit
+      self%distances = self%distances/unit
+   end subroutine change_unit
 
 end module adfric_classical_sliding_solid

@@ -1,0 +1,97 @@
+!> The integral of a function over a range at whose ends it may have roots or inverse roots, by the double exponential rule
+!> (H. Takahasi, M. Mori, Publ. RIMS Kyoto Univ. 9, 721, 1974).
+module adfric_numerics_double_exponential
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_asserts, only: assert, has_asserts
+   implicit none (type, external)
+   private
+   public :: integrand_t, integrate
+
+   !> Places beyond this one have a share of 1e-22 of an integral with an inverse root at the end.
+   real(dp), parameter :: last_place = 4.125_dp
+   !> Halvings of the step.
+   integer, parameter :: most_levels = 9
+   !> Change of the integral, over that of the absolute values, that tells that half the step has an error of round-off.
+   real(dp), parameter :: small_change = 1.0e-8_dp
+
+   !> A function that carries its parameters.
+   type, abstract :: integrand_t
+   contains
+      procedure(evaluate_i), deferred :: evaluate
+   end type integrand_t
+
+   abstract interface
+      !> Value at a place.
+      pure real(dp) function evaluate_i(self, from_left, from_right)
+         import :: integrand_t, dp
+         implicit none (type, external)
+         !> The function with its parameters.
+         class(integrand_t), intent(in) :: self
+         !> Distances of the place from the ends of the range, both > 0; the smaller one has all its digits.
+         real(dp), intent(in) :: from_left, from_right
+      end function evaluate_i
+   end interface
+
+contains
+
+   !> The integral, with twice as many places until it rests.
+   pure subroutine integrate(integrand, length, integral, is_converged)
+      !> The function.
+      class(integrand_t), intent(in) :: integrand
+      !> Length of the range, >= 0.
+      real(dp), intent(in) :: length
+      !> The integral.
+      real(dp), intent(out) :: integral
+      !> Has it come to rest?
+      logical, intent(out) :: is_converged
+      real(dp) :: step, sums(2), old_integral
+      integer :: level
+
+      if (has_asserts) call assert(length >= 0, 'integrate: length >= 0')
+      integral = 0
+      is_converged = .not. length > 0
+      if (is_converged) return
+      sums = 0
+      step = 0.5_dp
+      call add_places(integrand, length, 0.0_dp, step, sums)
+      do level = 1, most_levels
+         old_integral = integral
+         call add_places(integrand, length, step/2, step, sums)
+         step = step/2
+         integral = length*step*sums(1)
+         is_converged = abs(integral - old_integral) <= small_change*length*step*sums(2) .and. level > 1
+         if (is_converged) return
+      end do
+   end subroutine integrate
+
+   !> Add the terms at equally spaced places, which come in pairs at the same distance from either end.
+   pure subroutine add_places(integrand, length, first, step, sums)
+      !> The function.
+      class(integrand_t), intent(in) :: integrand
+      !> Length of the range, > 0.
+      real(dp), intent(in) :: length
+      !> The first place, >= 0; at 0 is the middle of the range.
+      real(dp), intent(in) :: first
+      !> Distance of the places.
+      real(dp), intent(in) :: step
+      !> Sums of the terms, and of their absolute values.
+      real(dp), intent(inout) :: sums(2)
+      real(dp) :: place, ratio, near, weight, value
+
+      place = first
+      do while (place < last_place)
+         ratio = exp(-pi*sinh(place))
+         near = length*(ratio/(1 + ratio))
+         weight = pi*cosh(place)*ratio/(1 + ratio)**2
+         value = weight*integrand%evaluate(near, length - near)
+         sums = sums + [value, abs(value)]
+         if (place > 0) then
+            value = weight*integrand%evaluate(length - near, near)
+            sums = sums + [value, abs(value)]
+         end if
+         place = place + step
+      end do
+   end subroutine add_places
+
+end module adfric_numerics_double_exponential
