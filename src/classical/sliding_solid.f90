@@ -14,7 +14,7 @@ module adfric_classical_sliding_solid
    use adfric_material_retardation, only: retardation_t, new_retardation
    implicit none (type, external)
    private
-   public :: sliding_solid_t, new_sliding_solid, least_length, largest_length
+   public :: sliding_solid_t, new_sliding_solid, suits_solid
 
    !> Bounds of the lengths, in the unit of length: no product of two of them, or of their inverses, overflows.
    real(dp), parameter :: least_length = 1.0e-100_dp, largest_length = 1.0e100_dp
@@ -45,11 +45,11 @@ contains
       type(sliding_solid_t), intent(out) :: self
       !> Its relaxation spectrum, `relaxed` > 0.
       type(prony_t), intent(in) :: prony
-      !> Speed of the body [unit of length/s], >= 0. Speed times each time is 0 or from `least_length` to `largest_length`.
+      !> Speed of the body [unit of length/s], one that `suits_solid`.
       real(dp), intent(in) :: speed
       type(retardation_t) :: retardation
 
-      if (has_asserts) call assert(prony%relaxed > 0 .and. speed >= 0, 'new_sliding_solid: relaxed > 0, speed >= 0')
+      if (has_asserts) call assert(prony%relaxed > 0 .and. suits_solid(prony, speed), 'new_sliding_solid: relaxed > 0, suits_solid')
       if (speed > 0) self%n_arms = size(prony%times)
       if (speed > 0) then
          call new_retardation(retardation, prony)
@@ -57,12 +57,24 @@ contains
          self%relaxation = speed*prony%times
          self%retardation = speed*retardation%times
          self%distances = speed*retardation%distances
-         if (has_asserts) call assert(all(self%relaxation >= least_length .and. self%retardation <= largest_length), &
-            & 'new_sliding_solid: least_length <= lengths <= largest_length')
       else
          allocate (self%ratios(0), self%relaxation(0), self%retardation(0), self%distances(0, 0))
       end if
    end subroutine new_sliding_solid
+
+   !> Is a speed 0, or such that no length is beyond the bounds? A negative one is not, nor is NaN.
+   pure logical function suits_solid(prony, speed)
+      !> Relaxation spectrum of the solid, `relaxed` > 0.
+      type(prony_t), intent(in) :: prony
+      !> Speed of the body [unit of length/s].
+      real(dp), intent(in) :: speed
+
+      suits_solid = speed >= 0
+      if (.not. suits_solid .or. .not. speed > 0 .or. size(prony%times) == 0) return
+      ! no retardation time is longer than the longest relaxation time by more than the ratio of the moduli
+      suits_solid = prony%times(1) >= least_length/speed .and. &
+         & prony%times(size(prony%times)) <= largest_length/max(speed, least_length)*(prony%relaxed/prony%instantaneous_modulus())
+   end function suits_solid
 
    !> Storage and loss modulus over the relaxed modulus that a wave sees whose wave number is 1.
    pure subroutine get_complex_ratio(self, storage, loss)

@@ -9,8 +9,13 @@ module adfric_numerics_secant_root
 
    !> Steps in which any bracket has become a point.
    integer, parameter :: max_iterations = 200
-   !> A secant step of this size is the last: the next would be of the size of its product with the one before.
-   real(dp), parameter :: last_step = 1.0e-10_dp
+   !> A secant step of the first size is the last, if the one before was within the second: the next would be of the size of their
+   !> product. A secant over a wider range says little about the slope at the root.
+   real(dp), parameter :: last_step = 1.0e-10_dp, near_step = 1.0e-5_dp
+   !> A bracket of this size has no place for a step.
+   real(dp), parameter :: last_digits = 4*epsilon(1.0_dp)
+   !> The least step that gives a new slope.
+   real(dp), parameter :: probe_step = 1.0e-6_dp
 
    !> An equation `value(x) = 0` that carries its parameters.
    type, abstract :: rising_equation_t
@@ -71,12 +76,13 @@ contains
          old_value = value
          step = right - left
          if (rise*step > abs(value)) step = -value/rise
-         is_converged = abs(step) <= last_step
+         is_converged = (abs(step) <= last_step .and. old_step <= near_step) .or. right - left <= last_digits*max(abs(x), 1.0_dp)
          if (is_converged) then
             x = min(max(x + step, left), right)
             return
          end if
-         if (.not. (x + step > left .and. x + step < right .and. abs(step) < max(old_step/2, 10*last_step))) then
+         if (abs(step) < probe_step .and. old_step > near_step) step = sign(probe_step, step)
+         if (.not. (x + step > left .and. x + step < right .and. abs(step) < max(old_step/2, 2*probe_step))) then
             step = left + (right - left)/2 - x
             old_step = right - left
          else
