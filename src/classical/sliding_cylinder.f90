@@ -1,8 +1,8 @@
-!> A rigid cylinder, or parabola h = -x^2/(2 R), that slides steadily to +x over a viscoelastic half-plane without friction (S. C. Hunter,
-!> J. Appl. Mech. 28, 611, 1961, has one relaxation time), in closed form for any relaxation spectrum.
+!> A rigid cylinder, or parabola h = -x^2/(2 R), that slides steadily to +x over a viscoelastic half-plane without friction (S. C.
+!> Hunter, J. Appl. Mech. 28, 611, 1961, has one relaxation time), in closed form for any relaxation spectrum.
 !>
-!> It is a wave whose length is without bound (`sliding_wave`). Reduced: lengths along the surface in the half-width w of the contact,
-!> which stands at m - 1 < x < m + 1; pressures in E0 w/(2 R), heights in w^2/R. With L_i = 1/a_i, M_j = 1/b_j
+!> It is a wave whose length is without bound (`sliding_wave`). Reduced: lengths along the surface in the half-width w of the
+!> contact, which stands at m - 1 < x < m + 1; pressures in E0 w/(2 R), heights in w^2/R. With L_i = 1/a_i, M_j = 1/b_j
 !>
 !>     rho_i = I1(L_i)/(4 L_i I0(L_i)),    nu_i = I2(L_i)/I0(L_i),    rho'_j = K1(M_j)/(4 M_j K0(M_j))
 !>     load ratio   W/(pi E0 w^2/(4 R)) = 1 + 8 sum_j eta_j rho'_j/b_j
@@ -59,6 +59,8 @@ module adfric_classical_sliding_cylinder
    type, extends(integrand_t) :: contact_integrand_t
       !> The place y from the middle.
       real(dp) :: place = 0
+      !> What is left from the end of the range to the leading edge.
+      real(dp) :: rest = 0
       !> Relaxation length a, and a/(4 rho).
       real(dp) :: length = 1, factor = 0
    contains
@@ -71,6 +73,8 @@ module adfric_classical_sliding_cylinder
       real(dp) :: way = 0
       !> Does the place lie ahead of the contact?
       logical :: is_ahead = .true.
+      !> What is left from the end of the range to the trailing edge.
+      real(dp) :: rest = 0
       !> Retardation length b, and 4 rho'/b^2.
       real(dp) :: length = 1, factor = 0
    contains
@@ -108,7 +112,8 @@ contains
    pure subroutine cylinder_of_load(solid, square, contact, is_converged)
       !> The solid, in any unit of length.
       type(sliding_solid_t), intent(in) :: solid
-      !> 4 R W/(pi E0) [the square of this unit], >= 0: the square of the half-width if the solid were relaxed. No load makes no contact.
+      !> 4 R W/(pi E0) [the square of this unit], >= 0: the square of the half-width if the solid were relaxed. No load makes no
+      !> contact.
       real(dp), intent(in) :: square
       !> The contact.
       type(cylinder_contact_t), intent(out) :: contact
@@ -155,7 +160,7 @@ contains
       !> Place along the surface, from the lowest point of the cylinder [w].
       real(dp), intent(in) :: x
       type(contact_integrand_t) :: integrand
-      real(dp) :: y, part
+      real(dp) :: y, part, range
       integer :: i
       logical :: is_converged
 
@@ -167,7 +172,9 @@ contains
       do i = 1, contact%solid%n_arms
          integrand%length = contact%solid%relaxation(i)
          integrand%factor = integrand%length/(4*contact%rho(i))
-         call integrate(integrand, min(1 - y, long_way*integrand%length), part, is_converged)
+         range = min(1 - y, long_way*integrand%length)
+         integrand%rest = (1 - y) - range
+         call integrate(integrand, range, part, is_converged)
          p = p + 2*contact%solid%ratios(i)*contact%shift%edge_pressures(i)*part
          if (.not. is_converged) p = not_a_number()
       end do
@@ -181,12 +188,11 @@ contains
       class(contact_integrand_t), intent(in) :: self
       !> Distance from the place.
       real(dp), intent(in) :: from_left
-      !> Distance from the end of the range, the leading edge if the decay is long.
+      !> Distance from the end of the range.
       real(dp), intent(in) :: from_right
       real(dp) :: to_leading, to_trailing
 
-      to_leading = (1 - self%place) - from_left
-      if (from_right < from_left .and. long_way*self%length > 1 - self%place) to_leading = from_right
+      to_leading = from_right + self%rest
       to_trailing = (1 + self%place) + from_left
       term = exp(-from_left/self%length)*(1 + (self%place + from_left)*self%factor)*2/sqrt(to_leading*to_trailing)
    end function contact_term
@@ -217,6 +223,7 @@ contains
          integrand%factor = 4*contact%gap_rho(j)/integrand%length**2
          range = long_way*integrand%length
          if (y < 0) range = min(range, integrand%way)
+         integrand%rest = integrand%way - range
          call integrate(integrand, range, part, is_converged)
          g = g + contact%shift%shares(j)*part
          if (.not. is_converged) g = not_a_number()
@@ -231,15 +238,14 @@ contains
       class(gap_integrand_t), intent(in) :: self
       !> Distance from the place.
       real(dp), intent(in) :: from_left
-      !> Distance from the end of the range, which behind the contact is the trailing edge if the decay is long.
+      !> Distance from the end of the range.
       real(dp), intent(in) :: from_right
       real(dp) :: to_edge
 
       if (self%is_ahead) then
          to_edge = self%way + from_left
       else
-         to_edge = self%way - from_left
-         if (from_right < from_left .and. long_way*self%length > self%way) to_edge = from_right
+         to_edge = from_right + self%rest
       end if
       term = (1 + to_edge)/sqrt(to_edge*(2 + to_edge)) - self%factor*2*asinh(sqrt(to_edge/2))
       term = exp(-from_left/self%length)*term

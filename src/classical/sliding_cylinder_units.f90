@@ -1,7 +1,7 @@
 !> A rigid cylinder that slides over a viscoelastic half-plane (`sliding_cylinder`), in SI units and in both directions.
 !>
-!> x = 0 is the lowest line of the cylinder, which moves to +x where the velocity is positive. The tangential force has the sign of the
-!> velocity that it resists.
+!> x = 0 is the lowest line of the cylinder, which moves to +x where the velocity is positive. The tangential force has the sign
+!> of the velocity that it resists.
 module adfric_classical_sliding_cylinder_units
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi

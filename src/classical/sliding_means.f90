@@ -8,11 +8,12 @@
 !> where sin(y/2) = -s cos phi in the contact and cos(y/2) = C cos phi in the gap. All three are ratios of integrals, and
 !> all integrands are positive, once the places phi and pi - phi are taken together and nu is integrated by parts. Where b is long,
 !>
-!>     rho' = (C^2 + s^2 ln s^2)/(-2 ln s^2) = C^2 mu,    rho' - C^2 mu = C^2 <(sin^2 phi - mu) (1 - z/(b sinh(z/b)))>,    z = pi - y
+!>     rho' = (C^2 + s^2 ln s^2)/(-2 ln s^2) = C^2 mu
+!>     rho' - C^2 mu = C^2 <(sin^2 phi - mu) (1 - z/(b sinh(z/b)))>,    z = pi - y
 !>
 !> and this excess is summed by itself. The integrals are sums at equal steps of v, dy = 2 R dv, which make phi an elliptic function
-!> of v: sums over a period of an analytic function, whose error is squared when the step is halved, for a contact or a gap as narrow
-!> as may be. A length that is short beside the arc needs the places near one edge alone.
+!> of v: sums over a period of an analytic function, whose error is squared when the step is halved, for a contact or a gap as
+!> narrow as may be. A length that is short beside the arc needs the places near one edge alone.
 module adfric_classical_sliding_means
    use adfric_base_kinds, only: dp
    use adfric_numerics_jacobi_nodes, only: halve_argument, put_midpoints
@@ -24,8 +25,10 @@ module adfric_classical_sliding_means
 
    !> Halvings of the step, from two intervals on.
    integer, parameter :: most_levels = 13
-   !> Change of the means that tells that half the step has an error of round-off.
-   real(dp), parameter :: small_change = 3.0e-9_dp
+   !> The sums rest when the last change of a mean is at most the first number, and what it leaves at most the second: where the
+   !> error is A r^(1/h), that is the cube of the last change over the square of the one before it. They rest, too, when these two
+   !> changes are at most the third number, or the last one the fourth, since round-off hides how they fall.
+   real(dp), parameter :: small_change = 3.0e-9_dp, small_error = 2.0e-16_dp, small_changes = 1.0e-10_dp, round_off = 1.0e-14_dp
    !> Exponent whose decay is nothing.
    real(dp), parameter :: long_way = 45
 
@@ -129,7 +132,8 @@ contains
       real(dp), intent(out) :: means(2)
       !> Have they come to rest?
       logical, intent(out) :: is_converged
-      real(dp) :: nodes(3, 0:2**most_levels), midpoints(3, 2**(most_levels - 1)), step(3), sums(3), old_means(2), mu
+      real(dp) :: nodes(3, 0:2**most_levels), midpoints(3, 2**(most_levels - 1)), step(3), sums(3), mu
+      real(dp) :: old_means(2), changes(2), old_changes(2)
       integer :: level, n
 
       mu = 0
@@ -138,7 +142,8 @@ contains
       nodes(:, 0) = [0.0_dp, 1.0_dp, 1.0_dp]
       nodes(:, 1) = step
       sums = 0.5_dp*(terms_of(arc, length, is_gap, mu, nodes(:, 0)) + terms_of(arc, length, is_gap, mu, nodes(:, 1)))
-      means = 0
+      means = sums(2:)/sums(1)
+      changes = 1
       do level = 1, most_levels
          n = 2**(level - 1)
          call halve_argument(step)
@@ -146,12 +151,23 @@ contains
          call add_terms(arc, length, is_gap, mu, midpoints(:, :n), sums)
          old_means = means
          means = sums(2:)/sums(1)
-         is_converged = all(abs(means - old_means) <= small_change*abs(means)) .and. level > 2
+         old_changes = changes
+         changes = abs(means - old_means)/max(abs(old_means), tiny(1.0_dp))
+         is_converged = level > 2 .and. all(are_small(changes, old_changes))
          if (is_converged .or. level == most_levels) return
          nodes(:, 0:2*n:2) = nodes(:, 0:n)
          nodes(:, 1:2*n:2) = midpoints(:, :n)
       end do
    end subroutine sum_over_arc
+
+   !> Do the last changes of a mean say that it rests?
+   elemental logical function are_small(change, old_change)
+      !> The last change and the one before it, over the mean, >= 0.
+      real(dp), intent(in) :: change, old_change
+
+      are_small = change <= round_off .or. max(change, old_change) <= small_changes .or. &
+         & (change <= small_change .and. change**3 <= small_error*old_change**2)
+   end function are_small
 
    !> Halve the range of v, from the edge to the middle, as long as all of the decay is in the half.
    pure subroutine find_end_of_decay(arc, length, values)

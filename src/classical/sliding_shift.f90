@@ -1,17 +1,18 @@
 !> What the n arms of a solid do to a sliding contact whose width is given: a system of n linear equations in closed form.
 !>
-!> The displacement u and the pressure Pi that an elastic half-plane of the relaxed modulus would need for it are an elastic pair. In
-!> the gap Pi is a sum of exponentials e^(y/b_j) with amplitudes X_j, the stresses of the Kelvin elements, since p = 0 there; and
+!> The displacement u and the pressure Pi that an elastic half-plane of the relaxed modulus would need for it are an elastic pair.
+!> In the gap Pi is a sum of exponentials e^(y/b_j) with amplitudes X_j, the stresses of the Kelvin elements, since p = 0 there;
+!> and
 !>
 !>     sin m = sum_j eta_j,    eta_j = X_j int e^(-(y-w)/b_j) cos(y/2)/R dy/(2 pi C^2) > 0
 !>
-!> is the condition that the mean of p is real; m is the shift of the contact from the crest. That the pressure vanishes at both edges is, with
-!> the means rho_i of the contact and rho'_j of the gap (`sliding_means`),
+!> is the condition that the mean of p is real; m is the shift of the contact from the crest. That the pressure vanishes at both
+!> edges is, with the means rho_i of the contact and rho'_j of the gap (`sliding_means`),
 !>
 !>     sum_j eta_j [(1 + a_i b_j) + (a_i/rho_i) (b_j + 1/b_j) rho'_j]/(b_j - a_i) = cos m,    i = 1 ... n
 !>
-!> A cylinder is a wave of no curvature: all lengths are short beside 1/k, so that 1 + a b, b + 1/b and sin m become 1, 1/b and m, and
-!> cos m becomes 1.
+!> A cylinder is a wave of no curvature: all lengths are short beside 1/k, so that 1 + a b, b + 1/b and sin m become 1, 1/b and m,
+!> and cos m becomes 1.
 module adfric_classical_sliding_shift
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp

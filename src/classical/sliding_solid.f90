@@ -1,7 +1,8 @@
-!> The viscoelastic solid as a body sees it that slides over it at a constant speed V: relaxation and retardation times become lengths.
+!> The viscoelastic solid as a body sees it that slides over it at a constant speed V: relaxation and retardation times become
+!> lengths.
 !>
-!> In the frame of the body, which moves to +x, d/dt = -V d/dx, and the relation of pressure and displacement of an elastic half-plane
-!> with the relaxed modulus E0 holds between
+!> In the frame of the body, which moves to +x, d/dt = -V d/dx, and the relation of pressure and displacement of an elastic half-
+!> plane with the relaxed modulus E0 holds between
 !>
 !>     prod (1 - a_i d/dx) p   and   prod (1 - b_j d/dx) u,    a_i = V tau_i,  b_j = V lambda_j,  a_1 < b_1 < a_2 < ... < b_n
 !>

@@ -1,21 +1,23 @@
 !> A rigid wave h = D cos kx that slides steadily to +x over a viscoelastic half-plane without friction, in closed form for any
 !> relaxation spectrum.
 !>
-!> Reduced: lengths along the wave in 1/k, heights and displacements in D, pressures in p* = k D E0/2, the mean pressure of full contact
-!> at rest, and tangential stresses in k D p*. h and u are positive into the solid. One contact of half-width w stands at
-!> m - w < x < m + w. Its width is free, and everything else follows: `sliding_means` gives the means rho_i, nu_i of the contact and
-!> rho'_j of the gap, `sliding_shift` the shift m, and, with s = sin(w/2), C = cos(w/2) and S = sum_j eta_j (b_j + 1/b_j) rho'_j,
+!> Reduced: lengths along the wave in 1/k, heights and displacements in D, pressures in p* = k D E0/2, the mean pressure of full
+!> contact at rest, and tangential stresses in k D p*. h and u are positive into the solid. One contact of half-width w stands at
+!> m - w < x < m + w. Its width is free, and everything else follows: `sliding_means` gives the means rho_i, nu_i of the contact
+!> and rho'_j of the gap, `sliding_shift` the shift m, and, with s = sin(w/2), C = cos(w/2) and S = sum_j eta_j (b_j + 1/b_j)
+!> rho'_j,
 !>
 !>     c = cos m + sum_j eta_j b_j,    q = s^2 c + 2 S,    penetration = 1 - C^2 c - q ln s^2 = 1 - (C^2 + s^2 ln s^2) cos m + Z
 !>     Z = -2 ln s^2 sum_j eta_j [rho'_j/b_j + b_j (rho'_j - C^2 mu)]
-!>     T = sum_i [e_i/(a_i + 1/a_i)] {s^2 (s^2 + 2 C^2 nu_i)/2 + 2 C^2 sin m (rho_i sin m + G_i) + 2 C^2 cos m rho_i (a_i sin m + (1 + a_i^2) sigma_i)}
+!>     T = sum_i [e_i/(a_i + 1/a_i)] {s^2 (s^2 + 2 C^2 nu_i)/2
+!>         + 2 C^2 sin m (rho_i sin m + G_i) + 2 C^2 cos m rho_i (a_i sin m + (1 + a_i^2) sigma_i)}
 !>
 !> with sigma_i, G_i the `slopes` and `edge_pressures` of the shift. For one arm all terms are positive:
 !>
 !>     tan m = (b - a)/[(1 + a b) + (a/rho) (b + 1/b) rho']
 !>
-!> The solution of the contact problem is unique for each mean pressure and each penetration below full contact, and it determines w. So
-!> both change with w monotonically, and the search of w has one root.
+!> The solution of the contact problem is unique for each mean pressure and each penetration below full contact, and it determines
+!> w. So both change with w monotonically, and the search of w has one root.
 module adfric_classical_sliding_wave
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
@@ -213,7 +215,8 @@ contains
       call find_width(equation, q/full, 2*(1 - q/full), contact, is_converged)
    end subroutine wave_of_pressure
 
-   !> The contact at a penetration. In full contact every mean pressure from a threshold on belongs to the penetration 1, and the least is given.
+   !> The contact at a penetration. In full contact every mean pressure from a threshold on belongs to the penetration 1, and the
+   !> least is given.
    pure subroutine wave_of_penetration(solid, penetration, contact, is_converged)
       !> The solid, with lengths in 1/k.
       type(sliding_solid_t), intent(in) :: solid

@@ -1,4 +1,5 @@
-!> Pressure and gap of a wave that slides over a viscoelastic half-plane, at a place. Units and symbols as in `sliding_wave`; y = x - m.
+!> Pressure and gap of a wave that slides over a viscoelastic half-plane, at a place. Units and symbols as in `sliding_wave`; y =
+!> x - m.
 !>
 !> In the contact, with the sums sigma_i and G_i of the shift and the mean rho_i,
 !>
@@ -6,14 +7,14 @@
 !>     either A_i = cos m - sigma_i,                  F_i = cos(z/2) (1 - R^2/rho_i)
 !>     or     A_i = a_i (sin m + a_i sigma_i),        F_i = cos(z/2) + sin(z/2) (2 R^2 + C^2) a_i/(2 rho_i)
 !>
-!> The two differ by an integration by parts. Of each arm that one is taken whose A_i is small, so that the terms do not cancel. In the
-!> gap, with cosh v = sin(y/2)/s,
+!> The two differ by an integration by parts. Of each arm that one is taken whose A_i is small, so that the terms do not cancel.
+!> In the gap, with cosh v = sin(y/2)/s,
 !>
 !>     g = s^2 (sinh 2v - 2v) cos m + 2 sin m cos(y/2) R + sum_j eta_j int_y^(2 pi - w) e^(-(z-y)/b_j) F_j dz
 !>     F_j = C^2 sin(z/2)/R - 2 [s^2 + 2 (1 + 1/b_j^2) rho'_j] v
 module adfric_classical_sliding_wave_profile
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: pi, two_pi
+   use adfric_base_constants, only: two_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_numerics_double_exponential, only: integrand_t, integrate
    use adfric_numerics_hyperbolic, only: sinh_minus_argument
@@ -36,6 +37,8 @@ module adfric_classical_sliding_wave_profile
       real(dp) :: length = 1, rho = 1
       !> C^2.
       real(dp) :: open_part = 1
+      !> What is left from the end of the range to the leading edge.
+      real(dp) :: rest = 0
       !> Is A = cos m - sigma?
       logical :: is_long = .false.
    contains
@@ -44,8 +47,10 @@ module adfric_classical_sliding_wave_profile
 
    !> What a retardation length adds to the gap at a place.
    type, extends(integrand_t) :: gap_integrand_t
-      !> Half-width w of the contact, s = sin(w/2), and the way from the leading edge to the place, y - w.
-      real(dp) :: half_width = 0, sine = 0, way = 0
+      !> Half-widths w of the contact and pi - w of the gap, s = sin(w/2), and the way from the leading edge to the place, y - w.
+      real(dp) :: half_width = 0, half_gap = 0, sine = 0, way = 0
+      !> What is left from the end of the range to the trailing edge.
+      real(dp) :: rest = 0
       !> Retardation length b, and s^2 + 2 (1 + 1/b^2) rho'.
       real(dp) :: length = 1, factor = 0
       !> C^2.
@@ -64,7 +69,7 @@ contains
       type(wave_contact_t), intent(in) :: contact
       !> Place along the wave, from a crest [1/k].
       real(dp), intent(in) :: x
-      real(dp) :: y, root, factor, part
+      real(dp) :: y, root, factor, part, range
       type(contact_integrand_t) :: integrand
       integer :: i
       logical :: is_converged
@@ -74,14 +79,16 @@ contains
       if (contact%is_full) p = (contact%mean_pressure - contact%stiffness) + 2*contact%stiffness*cos(y/2)**2
       if (contact%is_full .or. abs(y) >= contact%half_width) return
       integrand%half_width = contact%half_width
-      integrand%half_gap = 2*atan2(contact%cosine, contact%sine)
+      integrand%half_gap = half_gap(contact)
       integrand%place = y
       integrand%open_part = contact%cosine**2
       factor = contact%shift%cosine
       do i = 1, solid%n_arms
          call choose_form(solid, contact, i, integrand, part)
          factor = factor + solid%ratios(i)*part
-         call integrate(integrand, min(contact%half_width - y, long_way*integrand%length), part, is_converged)
+         range = min(contact%half_width - y, long_way*integrand%length)
+         integrand%rest = (contact%half_width - y) - range
+         call integrate(integrand, range, part, is_converged)
          p = p + 2*solid%ratios(i)*contact%shift%edge_pressures(i)*part
          if (.not. is_converged) p = not_a_number()
       end do
@@ -121,17 +128,23 @@ contains
       class(contact_integrand_t), intent(in) :: self
       !> Distance from the place.
       real(dp), intent(in) :: from_left
-      !> Distance from the end of the range, the leading edge if the decay is long.
+      !> Distance from the end of the range.
       real(dp), intent(in) :: from_right
       real(dp) :: to_leading, to_trailing, near, square, sine, cosine
 
-      to_leading = (self%half_width - self%place) - from_left
-      if (from_right < from_left .and. long_way*self%length > self%half_width - self%place) to_leading = from_right
+      to_leading = from_right + self%rest
       to_trailing = (self%half_width + self%place) + from_left
       near = min(to_leading, to_trailing)
-      square = sin(near/2)*sin(self%half_gap + near/2)
-      cosine = sin((self%half_gap + near)/2)
-      sine = sign(cos((self%half_gap + near)/2), to_trailing - to_leading)
+      if (self%half_width < self%half_gap) then
+         square = sin(near/2)*sin(self%half_width - near/2)
+         cosine = cos((self%half_width - near)/2)
+         sine = sin((self%half_width - near)/2)
+      else
+         square = sin(near/2)*sin(self%half_gap + near/2)
+         cosine = sin((self%half_gap + near)/2)
+         sine = cos((self%half_gap + near)/2)
+      end if
+      sine = sign(sine, to_trailing - to_leading)
       if (self%is_long) then
          term = cosine*(1 - square/self%rho)
       else
@@ -148,7 +161,7 @@ contains
       type(wave_contact_t), intent(in) :: contact
       !> Place along the wave, from a crest [1/k].
       real(dp), intent(in) :: x
-      real(dp) :: y, way, near, root, part
+      real(dp) :: y, way, near, root, part, range
       type(gap_integrand_t) :: integrand
       integer :: j
       logical :: is_converged
@@ -157,22 +170,47 @@ contains
       g = 0
       if (contact%is_full .or. abs(y) <= contact%half_width) return
       if (y < 0) y = y + two_pi
-      way = two_pi - contact%half_width - y
-      integrand = gap_integrand_t(contact%half_width, contact%sine, y - contact%half_width, open_part=contact%cosine**2)
+      integrand = gap_integrand_t(contact%half_width, half_gap(contact), contact%sine, y - contact%half_width, &
+         & open_part=contact%cosine**2)
+      way = 2*integrand%half_gap - integrand%way
       do j = 1, solid%n_arms
          associate (b => solid%retardation(j))
             integrand%length = b
             integrand%factor = contact%sine**2 + 2*(1 + 1/b**2)*contact%gap_rho(j)
          end associate
-         call integrate(integrand, min(way, long_way*integrand%length), part, is_converged)
+         range = min(way, long_way*integrand%length)
+         integrand%rest = way - range
+         call integrate(integrand, range, part, is_converged)
          g = g + contact%shift%shares(j)*part
          if (.not. is_converged) g = not_a_number()
       end do
-      near = min(way, y - contact%half_width)
-      root = sqrt(sin(near/2)*sin(contact%half_width + near/2))
+      near = min(way, integrand%way)
+      root = gap_root(integrand, near)
       g = g + contact%shift%cosine*elastic_gap(contact%sine, root) + 2*contact%shift%sine*cos(y/2)*root
       if (g < 0) g = 0
    end function sliding_wave_gap
+
+   !> Half-width pi - w of the gap.
+   pure real(dp) function half_gap(contact)
+      !> The contact.
+      type(wave_contact_t), intent(in) :: contact
+
+      half_gap = 2*atan2(contact%cosine, contact%sine)
+   end function half_gap
+
+   !> R at a place in the gap.
+   pure real(dp) function gap_root(integrand, near)
+      !> The half-widths.
+      class(gap_integrand_t), intent(in) :: integrand
+      !> Way to the nearer edge, 0 to pi - w.
+      real(dp), intent(in) :: near
+
+      if (integrand%half_width < integrand%half_gap) then
+         gap_root = sqrt(sin(near/2)*sin(integrand%half_width + near/2))
+      else
+         gap_root = sqrt(sin(near/2)*sin(integrand%half_gap - near/2))
+      end if
+   end function gap_root
 
    !> Gap of a wave on an elastic solid: s^2 (sinh 2v - 2v).
    pure real(dp) function elastic_gap(sine, root)
@@ -194,14 +232,12 @@ contains
       class(gap_integrand_t), intent(in) :: self
       !> Distance from the place.
       real(dp), intent(in) :: from_left
-      !> Distance from the end of the range, the trailing edge if the decay is long.
+      !> Distance from the end of the range.
       real(dp), intent(in) :: from_right
-      real(dp) :: to_trailing, near, root
+      real(dp) :: near, root
 
-      to_trailing = 2*(pi - self%half_width) - self%way - from_left
-      if (from_right < from_left .and. long_way*self%length > to_trailing + from_left) to_trailing = from_right
-      near = min(to_trailing, self%way + from_left)
-      root = sqrt(sin(near/2)*sin(self%half_width + near/2))
+      near = min(from_right + self%rest, self%way + from_left)
+      root = gap_root(self, near)
       term = self%open_part*sin((self%half_width + near)/2)/root - 2*self%factor*asinh(root/self%sine)
       term = exp(-from_left/self%length)*term
    end function gap_term

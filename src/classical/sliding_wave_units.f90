@@ -1,7 +1,7 @@
 !> A rigid wave that slides over a viscoelastic half-plane (`sliding_wave`), in SI units and in both directions.
 !>
-!> x = 0 is a crest, and the body moves to +x where the velocity is positive. The tangential stress T = -mean(p h_x) has the sign of the
-!> velocity that it resists.
+!> x = 0 is a crest, and the body moves to +x where the velocity is positive. The tangential stress T = -mean(p h_x) has the sign
+!> of the velocity that it resists.
 module adfric_classical_sliding_wave_units
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi

@@ -1,7 +1,7 @@
 !> Ratios of modified Bessel functions.
 !>
-!> GSL calls the error handler of the process, which ends it, where a function or a part of it would underflow or overflow. That does not
-!> happen between the bounds of the argument, so no handler is called.
+!> GSL calls the error handler of the process, which ends it, where a function or a part of it would underflow or overflow. That
+!> does not happen between the bounds of the argument, so no handler is called.
 module adfric_numerics_bessel_ratios
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
@@ -46,8 +46,8 @@ contains
       end if
    end function bessel_i2_i0
 
-   !> I_(n+1)(x)/I_n(x) = 1/(2 (n + 1)/x + I_(n+2)/I_(n+1)), from a high order downwards. GSL's scaled I_1 leaves its factor out where x is
-   !> small.
+   !> I_(n+1)(x)/I_n(x) = 1/(2 (n + 1)/x + I_(n+2)/I_(n+1)), from a high order downwards. GSL's scaled I_1 leaves its factor out
+   !> where x is small.
    elemental real(dp) function neighbour_ratio(order, x)
       !> The order n, 0 or 1.
       integer, intent(in) :: order

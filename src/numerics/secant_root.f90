@@ -55,6 +55,7 @@ contains
       logical, intent(out) :: is_converged
       real(dp) :: left, right, value, old_value, rise, step, old_step
       integer :: iteration
+      logical :: is_secant
 
       if (has_asserts) call assert(low < high, 'find_rising_root: the bracket has a width')
       left = low
@@ -74,15 +75,15 @@ contains
          if (value > 0) right = x
          if (abs(step) > 0) rise = (value - old_value)/step
          old_value = value
-         step = right - left
-         if (rise*step > abs(value)) step = -value/rise
-         is_converged = (abs(step) <= last_step .and. old_step <= near_step) .or. right - left <= last_digits*max(abs(x), 1.0_dp)
-         if (is_converged) then
-            x = min(max(x + step, left), right)
-            return
-         end if
-         if (abs(step) < probe_step .and. old_step > near_step) step = sign(probe_step, step)
-         if (.not. (x + step > left .and. x + step < right .and. abs(step) < max(old_step/2, 2*probe_step))) then
+         is_secant = 2*rise*(right - left) > abs(value)
+         step = 0
+         if (is_secant) step = min(max(-value/rise, left - x), right - x)
+         is_converged = (is_secant .and. abs(step) <= last_step .and. old_step <= near_step) &
+            & .or. right - left <= last_digits*max(abs(x), 1.0_dp)
+         if (is_converged) x = x + step
+         if (is_converged) return
+         if (abs(step) < probe_step .and. old_step > near_step) step = min(max(-sign(probe_step, value), left - x), right - x)
+         if (.not. is_secant .or. abs(step) >= max(old_step/2, 2*probe_step)) then
             step = left + (right - left)/2 - x
             old_step = right - left
          else
