@@ -152,13 +152,26 @@ contains
          old_means = means
          means = sums(2:)/sums(1)
          old_changes = changes
-         changes = abs(means - old_means)/max(abs(old_means), tiny(1.0_dp))
+         changes = change_of(means, old_means)
          is_converged = level > 2 .and. all(are_small(changes, old_changes))
          if (is_converged .or. level == most_levels) return
          nodes(:, 0:2*n:2) = nodes(:, 0:n)
          nodes(:, 1:2*n:2) = midpoints(:, :n)
       end do
    end subroutine sum_over_arc
+
+   !> By what share of it a mean has changed, at most 1.
+   elemental real(dp) function change_of(mean, old_mean)
+      !> The mean, and what it was.
+      real(dp), intent(in) :: mean, old_mean
+
+      change_of = abs(mean - old_mean)
+      if (change_of < abs(old_mean)) then
+         change_of = change_of/abs(old_mean)
+      else if (change_of > 0) then
+         change_of = 1
+      end if
+   end function change_of
 
    !> Do the last changes of a mean say that it rests?
    elemental logical function are_small(change, old_change)
