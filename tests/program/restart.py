@@ -17,7 +17,7 @@ SLOW = """
 &job model = 'wave_2d_elastic', output = 'run.h5' /
 &surface period = 1, amplitude = 0.01 /
 &solid contact_modulus = 1 /
-&numerics cells = 1024 /
+&numerics cells = 4096 /
 &sweep variable = 'mean_pressure', from = 1e-3, to = 5e-2, count = 16 /
 """
 
