@@ -14,6 +14,7 @@ module adfric_material_contact_modulus
    implicit none (type, external)
    private
    public :: set_modulus_rows, contact_modulus_of, has_contact_modulus, check_contact_modulus, derive_contact_modulus
+   public :: plane_strain_modulus
    public :: n_one_body, n_two_bodies, modulus_names
 
    !> Number of rows where one body is elastic, and where both may be.
@@ -106,7 +107,7 @@ contains
          if (has_own_poisson_ratio) is_given(poisson) = .false.
          do k = young, size(rows)
             if (.not. is_given(k)) cycle
-            call add(contact, 'stands beside '//rows(k)%name//'; give contact_modulus, or young_modulus and poisson_ratio')
+            call add(contact, 'stands beside '//rows(k)%name//'; give '//rows(contact)%name//', or young_modulus and poisson_ratio')
             return
          end do
       else if (.not. is_given(young)) then

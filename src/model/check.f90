@@ -6,7 +6,7 @@ module adfric_model_check
    use adfric_model_table, only: variable_t, kind_choice
    implicit none (type, external)
    private
-   public :: require, require_one, refuse_swept
+   public :: require, require_one, refuse_given, refuse_swept
 
 contains
 
@@ -60,6 +60,29 @@ contains
          end associate
       end if
    end subroutine require_one
+
+   !> Of a list none may be given, since it has no meaning beside other values.
+   subroutine refuse_given(variables, values, is_swept, list, text, problems)
+      !> Table of the variables of the model; shape `(n_variables)`.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Places of the variables of the list in their table.
+      integer, intent(in) :: list(:)
+      !> Why, behind the name of the variable.
+      character(*), intent(in) :: text
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
+      do k = 1, size(list)
+         associate (v => variables(list(k)))
+            if (is_set(values(list(k))) .or. is_swept(list(k))) call problems%add(v%group, v%name, text)
+         end associate
+      end do
+   end subroutine refuse_given
 
    !> Of a list none may be swept, since the axis of the profiles depends on them and all points share it.
    subroutine refuse_swept(variables, is_swept, list, problems)

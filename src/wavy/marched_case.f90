@@ -3,8 +3,10 @@ module adfric_wavy_marched_case
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_unset, only: is_set
-   use adfric_material_master_curve, only: master_curve_fit_t, fit_master_curve, default_terms_per_decade
+   use adfric_material_given_spectrum, only: fit_given_curve
+   use adfric_material_master_curve, only: master_curve_fit_t
    use adfric_material_prony, only: prony_t, new_prony
+   use adfric_material_shift_rows, only: time_temperature_of
    use adfric_material_time_temperature, only: time_temperature_t
    use adfric_shape_closing, only: closed_length
    use adfric_shape_height_line, only: cubic_pieces, linear_pieces
@@ -15,15 +17,13 @@ module adfric_wavy_marched_case
    use adfric_wavy_march_relief, only: relief_t, new_wave_relief, new_measured_relief
    use adfric_wavy_variables, only: v_activation_energy, v_blend_share, v_branch, v_detrend, v_edge, v_height, &
       & v_height_factor, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_penetration, v_period, &
-      & v_periodise, v_poisson_ratio, v_range, v_reference_temperature, v_relaxation_time, v_relaxation_times, &
+      & v_periodise, v_poisson_ratio, v_range, v_relaxation_time, v_relaxation_times, &
       & v_retardation_ratio, v_reverse, v_shift, v_shortest_wavelength, v_spacing, v_stiffness, v_stress, v_strip_spacing, &
-      & v_surface_energy, v_temperature, v_terms_per_decade, v_thickness, v_time_factor, v_velocity, v_wlf_c1, v_wlf_c2, &
-      & v_young_modulus
+      & v_surface_energy, v_temperature, v_terms_per_decade, v_thickness, v_time_factor, v_velocity, v_young_modulus
    implicit none (type, external)
    private
    public :: marched_case_t, is_marched, has_heights, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
-      & samples_of, period_of, &
-      & time_temperature_of, shape_places, foundation_places
+      & samples_of, period_of, shape_places, foundation_places
 
    !> Place of the word in the choice of the interpolation.
    integer, parameter :: choice_linear = 1
@@ -179,14 +179,12 @@ contains
       type(prony_t), intent(out) :: prony
       !> Receives the fit of a master curve, if one is given.
       type(master_curve_fit_t), intent(out) :: fit
-      real(dp) :: per_modulus, relaxed, terms
+      real(dp) :: per_modulus, relaxed
 
       per_modulus = 1
       if (is_set(values(v_thickness))) per_modulus = 1/((1 - values(v_poisson_ratio)**2)*values(v_thickness))
       if (is_set(values(v_master_curve))) then
-         terms = default_terms_per_decade
-         if (is_set(values(v_terms_per_decade))) terms = values(v_terms_per_decade)
-         call fit_master_curve(fit, given%master_curve(:, 1), given%master_curve(:, 2), given%master_curve(:, 3), terms)
+         call fit_given_curve(given, values(v_terms_per_decade), fit)
          call new_prony(prony, fit%prony%relaxed*per_modulus, fit%prony%moduli*per_modulus, fit%prony%times)
          return
       end if
@@ -200,21 +198,6 @@ contains
          call new_prony(prony, relaxed, given%young_moduli*per_modulus, given%relaxation_times)
       end if
    end subroutine get_spectrum
-
-   !> The law by which temperature shifts times.
-   pure type(time_temperature_t) function time_temperature_of(values, given) result(law)
-      !> Values of all variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
-      type(given_surface_t), intent(in) :: given
-
-      law%law = word_of(values(v_shift), 1) - 1
-      if (is_set(given%master_temperature)) law%reference_temperature = given%master_temperature
-      if (is_set(values(v_reference_temperature))) law%reference_temperature = values(v_reference_temperature)
-      if (is_set(values(v_wlf_c1))) law%c1 = values(v_wlf_c1)
-      if (is_set(values(v_wlf_c2))) law%c2 = values(v_wlf_c2)
-      if (is_set(values(v_activation_energy))) law%activation_energy = values(v_activation_energy)
-   end function time_temperature_of
 
    !> The point that the values describe; they have been checked.
    pure subroutine resolve_marched(values, given, relief, prony, self)
@@ -246,7 +229,7 @@ contains
             self%area_unit = self%area_unit*width
          end associate
       end if
-      law = time_temperature_of(values, given)
+      law = time_temperature_of(values(v_shift:v_activation_energy), given%master_temperature)
       shift = 1
       if (is_set(values(v_temperature))) call law%get_shift_factor(values(v_temperature), shift, is_valid)
       self%pace = values(v_velocity)*shift/self%period

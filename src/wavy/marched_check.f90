@@ -4,23 +4,23 @@ module adfric_wavy_marched_check
    use adfric_base_error, only: error_t
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: get_word
+   use adfric_material_given_spectrum, only: check_curve, check_fit, check_numbers_of_arms
    use adfric_material_master_curve, only: master_curve_fit_t
    use adfric_material_prony, only: prony_t
-   use adfric_material_time_temperature, only: time_temperature_t
+   use adfric_material_shift_rows, only: check_shift
    use adfric_model_check, only: require
    use adfric_model_table, only: variable_t
    use adfric_wavy_case, only: kind_2d, kind_3d, kind_cosines, kind_map
    use adfric_wavy_given_surface, only: given_surface_t
    use adfric_wavy_march_relief, only: relief_t
    use adfric_wavy_marched_case, only: marched_case_t, get_relief, get_spectrum, has_heights, resolve_marched, samples_of, &
-      & spacing_of, strip_spacing_of, time_temperature_of
-   use adfric_wavy_variables, only: v_activation_energy, v_amplitudes, v_blend_share, v_detrend, v_height, &
+      & spacing_of, strip_spacing_of
+   use adfric_wavy_variables, only: v_amplitudes, v_blend_share, v_detrend, v_height, &
       & v_heights, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_n_x, v_penetration, v_period, &
-      & v_periodise, v_phases, v_poisson_ratio, v_profiles, v_pull_off, v_range, v_reference_temperature, v_relaxation_time, &
+      & v_periodise, v_phases, v_poisson_ratio, v_profiles, v_pull_off, v_range, v_relaxation_time, &
       & v_relaxation_times, v_retardation_ratio, v_reverse, v_shift, v_shortest_wavelength, v_slope, v_spacing, v_stiffness, &
       & v_stress, v_strip_spacing, v_surface_energy, v_temperature, v_terms_per_decade, v_thickness, v_velocity, &
-      & v_wlf_c1, v_wlf_c2, v_young_moduli, v_young_modulus
+      & v_young_moduli, v_young_modulus
    implicit none (type, external)
    private
    public :: check_marched_values, check_adhesion_values, check_load_values, require_modulus, &
@@ -54,7 +54,7 @@ contains
       if (problems%count() > before) return
       call check_surface()
       call check_foundation()
-      call check_temperature()
+      call check_shift(variables, values, is_swept, v_shift, v_temperature, given%master_temperature, problems)
       call check_adhesion_values(variables, values, problems)
       call require(variables, values, [v_velocity], problems)
       call check_load_values(variables, values, problems)
@@ -161,45 +161,8 @@ contains
          else
             call require(variables, values, [v_young_moduli], problems)
          end if
-         if (allocated(given%relaxation_times)) then
-            if (allocated(given%moduli)) then
-               if (size(given%moduli) /= size(given%relaxation_times)) call add(v_moduli, 'are not as many as relaxation_times')
-            end if
-            if (allocated(given%young_moduli)) then
-               if (size(given%young_moduli) /= size(given%relaxation_times)) call add(v_young_moduli, &
-                  & 'are not as many as relaxation_times')
-            end if
-         end if
+         call check_numbers_of_arms(variables(v_moduli), variables(v_young_moduli), given, problems)
       end subroutine check_foundation
-
-      !> Temperature and the law of its shift.
-      subroutine check_temperature()
-         type(time_temperature_t) :: law
-         real(dp) :: factor
-         logical :: is_valid
-         integer :: word
-
-         word = 1
-         if (is_set(values(v_shift))) word = nint(values(v_shift))
-         select case (word)
-         case (1)
-            call refuse([v_temperature, v_reference_temperature, v_wlf_c1, v_wlf_c2, v_activation_energy], &
-               & 'has no meaning without shift')
-            return
-         case (2)
-            call require(variables, values, [v_wlf_c1, v_wlf_c2, v_temperature], problems)
-            call refuse([v_activation_energy], 'has no meaning for shift = ''wlf''')
-         case default
-            call require(variables, values, [v_activation_energy, v_temperature], problems)
-            call refuse([v_wlf_c1, v_wlf_c2], 'has no meaning for shift = ''arrhenius''')
-         end select
-         if (.not. (is_set(values(v_reference_temperature)) .or. is_set(given%master_temperature))) call add( &
-            & v_reference_temperature, 'is missing [K]; shift = '''//get_word(variables(v_shift)%choices, word)//''' needs it')
-         if (.not. is_set(values(v_temperature)) .or. problems%count() > before) return
-         law = time_temperature_of(values, given)
-         call law%get_shift_factor(values(v_temperature), factor, is_valid)
-         if (.not. is_valid) call add(v_temperature, 'is out of the range of the law of the shift (for WLF, above T0 - c2)')
-      end subroutine check_temperature
 
       !> Axes of profiles are the same for all points.
       subroutine check_profiles()
@@ -230,22 +193,12 @@ contains
          type(master_curve_fit_t) :: fit
 
          if (is_set(values(v_master_curve))) then
-            if (.not. all(given%master_curve(:, 1) > 0)) then
-               call add(v_master_curve, 'has frequencies that are not > 0')
-               return
-            else if (.not. all(given%master_curve(:, 2:) >= 0) .or. &
-               & .not. all(given%master_curve(:, 2) + given%master_curve(:, 3) > 0)) then
-               call add(v_master_curve, 'has moduli < 0, or both 0')
-               return
-            end if
+            call check_curve(variables(v_master_curve), given, problems)
+            if (problems%count() > before) return
          end if
          call get_spectrum(values, given, prony, fit)
          if (is_set(values(v_master_curve))) then
-            if (.not. fit%is_solved) then
-               call add(v_master_curve, 'cannot be fitted')
-            else if (.not. fit%is_solid) then
-               call add(v_master_curve, 'gives a fluid: its data do not reach the relaxed modulus; add data at lower frequencies')
-            end if
+            call check_fit(variables(v_master_curve), fit, problems)
             if (.not. (fit%is_solved .and. fit%is_solid)) return
          end if
          associate (instantaneous => prony%relaxed + sum(prony%moduli))

@@ -4,9 +4,9 @@ module adfric_wavy_marched_description
    use adfric_base_constants, only: pi, two_pi
    use adfric_base_error, only: error_t
    use adfric_base_unset, only: is_set
+   use adfric_material_given_spectrum, only: describe_arms, describe_fit, doubt_range
    use adfric_material_master_curve, only: master_curve_fit_t
    use adfric_material_prony, only: prony_t, instantaneous_modulus
-   use adfric_material_retardation, only: retardation_t, new_retardation
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_wavy_adhesion, only: edge_front
    use adfric_wavy_case, only: kind_cosines
@@ -31,25 +31,14 @@ contains
       type(given_surface_t), intent(in) :: given
       character(:), allocatable :: text
       type(prony_t) :: prony
-      type(retardation_t) :: kelvin
       type(master_curve_fit_t) :: fit
       character(200) :: line
       real(dp) :: frequencies(2)
-      integer :: i
 
       call get_spectrum(values, given, prony, fit)
       text = ''
-      if (is_set(values(v_master_curve))) then
-         write (line, '(a, i0, a, i0, a, es9.2, a, es9.2)') 'master curve: ', size(given%master_curve, 1), ' frequencies, ', &
-            & size(prony%times), ' arms; misfit of |E| at most', fit%modulus%largest, ', root mean square', fit%modulus%rms
-         text = text//trim(line)//new_line('a')
-      end if
-      call new_retardation(kelvin, prony)
-      do i = 1, size(prony%times)
-         write (line, '(a, i0, 3(a, es13.6), a)') 'arm ', i, ': stiffness', prony%moduli(i), ' Pa/m, relaxation time', &
-            & prony%times(i), ' s, retardation time', kelvin%times(i), ' s'
-         text = text//trim(line)//new_line('a')
-      end do
+      if (is_set(values(v_master_curve))) text = describe_fit(given, fit)
+      text = text//describe_arms(prony, 'stiffness', 'Pa/m')
       frequencies = get_frequencies(values, given)
       write (line, '(a, es9.2, a, es9.2, a)') 'the surface excites', frequencies(1), ' to', frequencies(2), ' rad/s'
       text = text//trim(line)//new_line('a')
@@ -97,7 +86,6 @@ contains
       type(marched_case_t) :: point
       type(error_t), allocatable :: error
       character(200) :: line
-      real(dp) :: frequencies(2)
 
       text = ''
       call get_spectrum(values, given, prony, fit)
@@ -117,13 +105,7 @@ contains
          end if
       end if
       if (is_set(values(v_master_curve))) then
-         frequencies = get_frequencies(values, given)
-         if (frequencies(1) < fit%lowest_frequency .or. frequencies(2) > fit%highest_frequency) then
-            write (line, '(4(a, es9.2), a)') 'the surface excites', frequencies(1), ' to', frequencies(2), &
-               & ' rad/s, and the master curve was measured from', fit%lowest_frequency, ' to', fit%highest_frequency, &
-               & ' rad/s: beyond it friction is missing'
-            text = text//trim(line)//new_line('a')
-         end if
+         text = text//doubt_range(fit, get_frequencies(values, given))
       end if
       if (point%edge == edge_front .and. is_set(values(v_thickness)) .and. size(prony%times) > 0 .and. point%stress > 0) then
          if (values(v_velocity)*minval(prony%times) < values(v_thickness)) text = text//'edge = ''front'' holds while velocity ' &

@@ -1,9 +1,10 @@
 !> The namelist variables and results of the model `wavy_sliding`.
 module adfric_wavy_variables
    use adfric_base_kinds, only: dp
+   use adfric_material_given_spectrum, only: set_arm_rows
    use adfric_material_prony, only: most_arms
-   use adfric_model_rows, only: above_zero, any_number, choice, columns_row, dataset, list_row, poisson_ratio, switch, &
-      & whole_number, result_row
+   use adfric_material_shift_rows, only: set_shift_rows
+   use adfric_model_rows, only: above_zero, any_number, choice, dataset, list_row, poisson_ratio, switch, whole_number, result_row
    use adfric_model_table, only: variable_t, result_t, profile_t
    use adfric_wavy_strip, only: regime_meanings
    implicit none (type, external)
@@ -82,27 +83,9 @@ contains
       v(v_moduli) = list_row(group='foundation', name='moduli', unit='Pa/m', &
          & meaning='stiffnesses of arms beside the long-time stiffness, one for each of relaxation_times', lower=0.0_dp, &
          & least_count=1, most_count=most_arms)
-      v(v_young_moduli) = list_row(group='foundation', name='young_moduli', unit='Pa', &
-         & meaning='moduli of arms beside young_modulus, one for each of relaxation_times', lower=0.0_dp, least_count=1, &
-         & most_count=most_arms)
-      v(v_relaxation_times) = list_row(group='foundation', name='relaxation_times', unit='s', &
-         & meaning='relaxation times of the arms, instead of relaxation_time and retardation_ratio', lower=1.0e-60_dp, &
-         & least_count=1, most_count=most_arms)
-      v(v_master_curve) = columns_row(group='foundation', name='master_curve', columns='omega storage loss', units='rad/s Pa Pa', &
-         & meaning='group with storage and loss modulus over the frequency, to which arms are fitted', least_count=2, &
-         & attributes='reference_temperature', attribute_units='K')
-      v(v_terms_per_decade) = any_number(group='foundation', name='terms_per_decade', unit='-', &
-         & meaning='arms that are offered to a master curve in a decade; 1.5 if not given', lower=0.1_dp, upper=10.0_dp)
-      v(v_time_factor) = above_zero(group='foundation', name='time_factor', unit='-', &
-         & meaning='factor of all relaxation times; 1 if not given')
-      v(v_shift) = choice(group='foundation', name='shift', &
-         & meaning='law by which temperature changes all relaxation times; none if not given', choices='none wlf arrhenius')
-      v(v_reference_temperature) = above_zero(group='foundation', name='reference_temperature', unit='K', &
-         & meaning='temperature at which the relaxation times hold; that of the master curve if not given')
-      v(v_wlf_c1) = above_zero(group='foundation', name='wlf_c1', unit='-', meaning='constant c1 of WLF, log10 of the factor')
-      v(v_wlf_c2) = above_zero(group='foundation', name='wlf_c2', unit='K', meaning='constant c2 of WLF')
-      v(v_activation_energy) = above_zero(group='foundation', name='activation_energy', unit='J/mol', &
-         & meaning='activation energy of Arrhenius'' law')
+      call set_arm_rows('foundation', v(v_young_moduli:v_time_factor))
+      v(v_relaxation_times)%meaning = 'relaxation times of the arms, instead of relaxation_time and retardation_ratio'
+      call set_shift_rows('foundation', v(v_shift:v_activation_energy))
 
       v(v_stress) = any_number(group='adhesion', name='stress', unit='Pa', meaning='adhesion stress p0; 0: no adhesion', &
          & lower=0.0_dp)
