@@ -161,7 +161,7 @@ contains
    end subroutine make_plans
 
    !> Multiply the modes of a field.
-   subroutine apply(self, symbol, x, y, product)
+   subroutine apply(self, symbol, x, y, product, imaginary)
       !> The filter, whose buffers are overwritten.
       class(spectral_filter_t), intent(inout) :: self
       !> Factor of each mode; shape `(n_modes(2), n_modes(1))`, y first; it has to contain the division by `gain`.
@@ -172,6 +172,8 @@ contains
       real(dp), intent(out), contiguous :: y(:, :)
       !> Receives the sum of x times y over all samples.
       real(dp), intent(out), optional :: product
+      !> Imaginary part of each factor, of opposite sign for opposite waves; 0 if it is absent. Not for an even field; shape of `symbol`.
+      real(dp), intent(in), contiguous, optional :: imaginary(:, :)
       real(dp) :: products(self%n(2))
       integer :: part
 
@@ -179,7 +181,9 @@ contains
          & 'apply: fields have the shape of the plans')
       if (has_asserts) call assert(size(symbol, 1) == self%n_modes(2) .and. size(symbol, 2) == self%n_modes(1), &
          & 'apply: there is a factor for each mode')
-      !$omp parallel if(self%n_parts > shared_parts) default(none) shared(self, symbol, x, y, products) private(part)
+      if (has_asserts .and. present(imaginary)) call assert(all(shape(imaginary) == shape(symbol)) .and. .not. self%is_even, &
+         & 'apply: a factor for each mode has an imaginary part, and the field is not even')
+      !$omp parallel if(self%n_parts > shared_parts) default(none) shared(self, symbol, imaginary, x, y, products) private(part)
       !$omp do schedule(dynamic)
       do part = 1, self%n_parts
          call self%rows_there(part, x)
@@ -188,11 +192,11 @@ contains
       !$omp do schedule(dynamic)
       do part = 1, self%n_parts
          if (self%n(2) == 1) then
-            if (part == 1) call self%multiply_line(symbol(1, :))
+            if (part == 1) call self%multiply_line(symbol, imaginary)
          else if (self%is_even) then
             call self%columns_of_cosines(part, symbol)
          else
-            call self%columns_of_waves(part, symbol)
+            call self%columns_of_waves(part, symbol, imaginary)
          end if
       end do
       !$omp end do
@@ -238,27 +242,36 @@ contains
    end subroutine rows_there
 
    !> Multiply the modes of a field of one row, whose columns are transformed there and back by a factor alone.
-   subroutine multiply_line(self, symbol)
+   subroutine multiply_line(self, symbol, imaginary)
       !> The filter, whose modes along x are multiplied.
       class(spectral_filter_t), intent(inout) :: self
-      !> Factor of each mode; shape `(n_modes(1))`.
-      real(dp), intent(in), contiguous :: symbol(:)
+      !> Factor of each mode; shape `(1, n_modes(1))`.
+      real(dp), intent(in), contiguous :: symbol(:, :)
+      !> Imaginary part of the factors, if there is one.
+      real(dp), intent(in), contiguous, optional :: imaginary(:, :)
       real(dp), parameter :: gain_of_cosines = 2
 
       associate (n => self%n_modes(1))
-         if (self%is_even) self%cosines(:n, 1) = gain_of_cosines*self%cosines(:n, 1)*symbol
-         if (.not. self%is_even) self%waves(:n, 1) = self%waves(:n, 1)*symbol
+         if (self%is_even) then
+            self%cosines(:n, 1) = gain_of_cosines*self%cosines(:n, 1)*symbol(1, :)
+         else if (present(imaginary)) then
+            self%waves(:n, 1) = self%waves(:n, 1)*cmplx(symbol(1, :), imaginary(1, :), dp)
+         else
+            self%waves(:n, 1) = self%waves(:n, 1)*symbol(1, :)
+         end if
       end associate
    end subroutine multiply_line
 
    !> Transform the columns of a part of a general field, multiply, and transform back.
-   subroutine columns_of_waves(self, part, symbol)
+   subroutine columns_of_waves(self, part, symbol, imaginary)
       !> The filter, whose modes along x are multiplied.
       class(spectral_filter_t), intent(inout) :: self
       !> Number of the part, from 1.
       integer, intent(in) :: part
       !> Factor of each mode; shape `(n_modes(2), n_modes(1))`.
       real(dp), intent(in), contiguous :: symbol(:, :)
+      !> Imaginary part of the factors, if there is one; shape of `symbol`.
+      real(dp), intent(in), contiguous, optional :: imaginary(:, :)
       integer :: group, n_groups, first, i, j, n
 
       n_groups = (self%n_modes(1) + n_together - 1)/n_together
@@ -271,11 +284,15 @@ contains
             end do
             do i = 1, n
                call fftw_execute_dft(self%column_there, columns(:, i), columns(:, i))
-               do j = 1, self%n(2)
-                  associate (c => columns(j, i), factor => symbol(j, first + i))
-                     c = cmplx(real(c, dp)*factor, aimag(c)*factor, dp)
-                  end associate
-               end do
+               if (present(imaginary)) then
+                  call turn(columns(:self%n(2), i), symbol(:, first + i), imaginary(:, first + i))
+               else
+                  do j = 1, self%n(2)
+                     associate (c => columns(j, i), factor => symbol(j, first + i))
+                        c = cmplx(real(c, dp)*factor, aimag(c)*factor, dp)
+                     end associate
+                  end do
+               end if
                call fftw_execute_dft(self%column_back, columns(:, i), columns(:, i))
             end do
             do j = 1, self%n(2)
@@ -284,6 +301,21 @@ contains
          end do
       end associate
    end subroutine columns_of_waves
+
+   !> Multiply a column of modes by complex factors.
+   pure subroutine turn(column, factor, imaginary)
+      !> Modes of the column.
+      complex(dp), intent(inout), contiguous :: column(:)
+      !> Real and imaginary part of their factors.
+      real(dp), intent(in), contiguous :: factor(:), imaginary(:)
+      integer :: j
+
+      do j = 1, size(column)
+         associate (a => real(column(j), dp), b => aimag(column(j)))
+            column(j) = cmplx(a*factor(j) - b*imaginary(j), a*imaginary(j) + b*factor(j), dp)
+         end associate
+      end do
+   end subroutine turn
 
    !> Transform the columns of a part of an even field, multiply, and transform back.
    subroutine columns_of_cosines(self, part, symbol)

@@ -11,21 +11,28 @@ module adfric_periodic_elastic_kernel
    !> An elastic half-space, with pressures in units of its contact modulus E*.
    type, extends(kernel_t) :: elastic_kernel_t
    contains
-      procedure :: stiffness
+      procedure :: get_stiffness
    end type elastic_kernel_t
 
 contains
 
    !> See `kernel_t`: |k|/2 with the wave number k = 2 pi n.
-   pure complex(dp) function stiffness(self, waves)
+   pure subroutine get_stiffness(self, n_x, n_y, cell_size, stiffness)
       !> The half-space; it has no parameter of its own.
       class(elastic_kernel_t), intent(in) :: self
-      !> Number n of waves per length along x and y.
-      real(dp), intent(in) :: waves(2)
+      !> Numbers of waves per length along x and along y.
+      real(dp), intent(in) :: n_x(:), n_y(:)
+      !> Size of the cells, not used here: this is the stiffness of the wave itself.
+      real(dp), intent(in) :: cell_size(2)
+      !> Receives the stiffness of each pair of numbers; shape `(size(n_y), size(n_x))`.
+      complex(dp), intent(out) :: stiffness(:, :)
+      integer :: i
 
-      stiffness = cmplx(two_pi*hypot(waves(1), waves(2))/2, 0.0_dp, dp)
-      associate (unused => self)
+      do i = 1, size(n_x)
+         stiffness(:, i) = cmplx(two_pi*hypot(n_x(i), n_y)/2, 0.0_dp, dp)
+      end do
+      associate (unused => self, unused_size => cell_size)
       end associate
-   end function stiffness
+   end subroutine get_stiffness
 
 end module adfric_periodic_elastic_kernel

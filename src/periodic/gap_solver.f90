@@ -1,8 +1,16 @@
-!> The gap over a given open region, step by step by conjugate gradients.
+!> The gap over a given open region, step by step.
 !>
 !> Where the surfaces are apart the pressure q + s + A g is zero (`adfric_periodic_contact`), where they touch the gap g
-!> is zero. On the open region O that is A_OO g = -(q + s), symmetric and positive definite. The sum over grids of
-!> `adfric_periodic_levels` is the preconditioner, so a step takes one application of A, a pair of transforms. Gap and pressure go on
+!> is zero. On the open region O that is A_OO g = -(q + s). The sum over grids M of
+!> `adfric_periodic_levels` is the preconditioner, so a step takes one application of A, a pair of transforms.
+!>
+!> An elastic solid has a symmetric and positive definite A_OO: steps are those of conjugate gradients. Under a sliding body A_OO is not
+!> symmetric, but its symmetric part is positive definite. Steps then make the pressure p that is left in O as small as can be,
+!> measured by p M p, along a direction whose pressure is orthogonal to those of the last few directions (Orthomin: S. C. Eisenstat,
+!> H. C. Elman, M. H. Schultz, SIAM J. Numer. Anal. 20, 1983, 345). It falls in every step, however few are kept: with d = M p the step
+!> alone takes away (p M A d)^2/(A d M A d), and p M A d = d A d > 0.
+!>
+!> Gap and pressure go on
 !> together, in all cells, so nothing has to be computed anew where the region changes; gaps that are left in closed cells are taken
 !> away by the first step in the new region, which has the length of the last one.
 !>
@@ -14,6 +22,7 @@ module adfric_periodic_gap_solver
    use adfric_periodic_levels, only: levels_t, new_levels
    use adfric_periodic_maps, only: sum_of, dot_of, add_multiple, is_shared
    use adfric_periodic_operator, only: periodic_operator_t
+   use adfric_periodic_past_directions, only: past_directions_t
    implicit none (type, external)
    private
    public :: gap_solver_t, extremes_t, new_gap_solver
@@ -46,6 +55,10 @@ module adfric_periodic_gap_solver
       real(dp) :: sum_of_constant = 0
       !> Is the mean gap given, and the mean pressure not?
       logical :: has_fixed_mean = .false.
+      !> Is the stiffness symmetric?
+      logical :: is_symmetric = .true.
+      !> Directions of the last steps, under a sliding body alone.
+      type(past_directions_t) :: past
       !> Is there a direction in this region already?
       logical :: has_direction = .false.
       !> Are there gaps left in closed cells?
@@ -60,6 +73,8 @@ module adfric_periodic_gap_solver
       procedure :: improve
       procedure :: advance
       procedure, private :: precondition
+      procedure, private :: precondition_freely
+      procedure, private :: set_sliding_step
       procedure, private :: set_direction
       procedure, private :: set_first_step
    end type gap_solver_t
@@ -105,6 +120,8 @@ contains
       end if
       call self%levels%set_open(is_open)
       self%has_direction = .false.
+      self%is_symmetric = operator%is_symmetric
+      call self%past%clear()
       self%has_remains = has_remains
       self%has_fixed_mean = has_fixed_mean
       if (.not. has_fixed_mean) return
@@ -144,6 +161,11 @@ contains
          call operator%apply_stiffness(self%direction, self%stiff)
          self%has_remains = .false.
          length = 1
+      else if (.not. self%is_symmetric) then
+         call self%set_sliding_step(operator, pressure, length)
+         is_stuck = .not. length > 0
+         if (is_stuck) return
+         self%length = length
       else
          is_stuck = .not. sums(1) > 0
          if (is_stuck) return
@@ -252,6 +274,40 @@ contains
       !$omp end parallel do
       sums = [dot_of(self%correction, pressure), dot_of(self%correction, self%stiff)]
    end subroutine precondition
+
+   !> The next direction under a sliding body, and how far to go.
+   subroutine set_sliding_step(self, operator, pressure, length)
+      !> Workspace with the preconditioned pressure; receives direction and `stiff`.
+      class(gap_solver_t), intent(inout) :: self
+      !> Operator of the same cells, which counts how often it is applied.
+      type(periodic_operator_t), intent(inout) :: operator
+      !> Pressure in all cells [E*].
+      real(dp), intent(in), contiguous :: pressure(:, :)
+      !> Receives the length of the step; 0 if nothing is to be improved but round-off.
+      real(dp), intent(out) :: length
+      real(dp) :: product
+
+      call self%set_direction(0.0_dp)
+      call operator%apply_stiffness(self%direction, self%stiff)
+      call self%precondition_freely(self%stiff, self%correction)
+      call self%past%take(self%direction, self%stiff, self%correction, product)
+      length = 0
+      if (product > 0) length = -dot_of(pressure, self%correction)/product
+   end subroutine set_sliding_step
+
+   !> Apply the preconditioner to a pressure; under a fixed mean gap to that part of it which a mean pressure leaves.
+   subroutine precondition_freely(self, pressure, correction)
+      !> Workspace.
+      class(gap_solver_t), intent(inout) :: self
+      !> Pressure in all cells [E*].
+      real(dp), intent(in), contiguous :: pressure(:, :)
+      !> Receives the preconditioned pressure, 0 in closed cells.
+      real(dp), intent(out), contiguous :: correction(:, :)
+      real(dp) :: sums(2)
+
+      call self%levels%apply(pressure, pressure, correction, sums)
+      if (self%has_fixed_mean) call add_multiple(correction, -sum_of(correction)/self%sum_of_constant, self%constant)
+   end subroutine precondition_freely
 
    !> The next direction, conjugate to the last one of the region.
    subroutine set_direction(self, product)

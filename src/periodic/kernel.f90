@@ -9,21 +9,26 @@ module adfric_periodic_kernel
    !> The surface of a solid.
    type, abstract :: kernel_t
    contains
-      procedure(stiffness_i), deferred :: stiffness
+      procedure(get_stiffness_i), deferred :: get_stiffness
    end type kernel_t
 
    abstract interface
 
-      !> Pressure over displacement of the wave exp(2 pi i n.x). It is complex where the displacement lags behind the pressure, as
-      !> under a viscoelastic solid that slides; the wave -n has the conjugate stiffness.
-      pure complex(dp) function stiffness_i(self, waves) result(stiffness)
+      !> Pressure over displacement of the waves exp(2 pi i n.x). It is complex where the displacement lags behind the pressure, as
+      !> under a viscoelastic solid that slides; the wave -n has the conjugate stiffness, and its real part is positive. A surface
+      !> without waves, n = 0, has none: its stiffness is 0.
+      pure subroutine get_stiffness_i(self, n_x, n_y, cell_size, stiffness)
          import :: kernel_t, dp
          implicit none (type, external)
          !> The surface of the solid.
          class(kernel_t), intent(in) :: self
-         !> Number n of waves per length along x and y.
-         real(dp), intent(in) :: waves(2)
-      end function stiffness_i
+         !> Numbers of waves per length along x and along y.
+         real(dp), intent(in) :: n_x(:), n_y(:)
+         !> Size of the cells that have the waves; a kernel may depend on it that takes fields to be linear between cells.
+         real(dp), intent(in) :: cell_size(2)
+         !> Receives the stiffness of each pair of numbers; shape `(size(n_y), size(n_x))`.
+         complex(dp), intent(out) :: stiffness(:, :)
+      end subroutine get_stiffness_i
 
    end interface
 

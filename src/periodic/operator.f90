@@ -28,8 +28,12 @@ module adfric_periodic_operator
       integer :: n_applied = 0
       !> Transforms of the grid.
       type(spectral_filter_t), private :: filter
+      !> Is the stiffness real, so that the operator is symmetric?
+      logical :: is_symmetric = .true.
       !> Stiffness of the modes over the gain of the transforms; shape of the modes, y first.
       real(dp), allocatable, private :: stiffness(:, :)
+      !> Its imaginary part, of the same shape; not allocated where it is 0.
+      real(dp), allocatable, private :: lag(:, :)
       !> The compliance that the mean is given, since it has none; over the gain.
       real(dp), private :: compliance_of_mean = 0
    contains
@@ -44,7 +48,7 @@ contains
    subroutine new_periodic_operator(self, kernel, n_cells, period, is_quarter, is_measured, error)
       !> The operator; not to be used after an error.
       type(periodic_operator_t), intent(out) :: self
-      !> The surface of the solid; all its stiffnesses must be real, for the transforms take no other.
+      !> The surface of the solid; all its stiffnesses must be real where the grid is a quarter.
       class(kernel_t), intent(in) :: kernel
       !> Number of cells in each direction, of the quarter if it is one.
       integer, intent(in) :: n_cells(2)
@@ -56,8 +60,6 @@ contains
       logical, intent(in) :: is_measured
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
-      integer :: i, j
-      complex(dp) :: stiffness
 
       if (.not. all(period > 0)) then
          call set_error(error, input_failure, 'the periods of a surface must be positive')
@@ -71,22 +73,38 @@ contains
       self%n_cells = n_cells
       self%is_quarter = is_quarter
       self%cell_size = period/(n_cells*merge(2, 1, is_quarter))
-      associate (n => self%filter%n_modes, gain => self%filter%gain)
-         allocate (self%stiffness(n(2), n(1)))
-         ! that of the ring around a small contact
-         self%compliance_of_mean = maxval(period)/gain
-         do i = 1, n(1)
-            do j = 1, n(2)
-               stiffness = kernel%stiffness([(i - 1)/period(1), wave_number(j - 1, n_cells(2), is_quarter)/period(2)])
-               if (abs(aimag(stiffness)) > 0) then
-                  call set_error(error, input_failure, 'the stiffness of a surface is complex; its transforms take a real one')
-                  return
-               end if
-               self%stiffness(j, i) = real(stiffness, dp)/gain
-            end do
-         end do
-      end associate
+      self%is_symmetric = .true.
+      allocate (self%stiffness(self%filter%n_modes(2), self%filter%n_modes(1)))
+      ! that of the ring around a small contact
+      self%compliance_of_mean = maxval(period)/self%filter%gain
+      call set_stiffness(self, kernel, period, error)
    end subroutine new_periodic_operator
+
+   !> Find the stiffness of all modes.
+   subroutine set_stiffness(self, kernel, period, error)
+      !> The operator, with its cells and transforms; receives the stiffness.
+      type(periodic_operator_t), intent(inout) :: self
+      !> The surface of the solid.
+      class(kernel_t), intent(in) :: kernel
+      !> Periods in x and y, in any unit of length, > 0.
+      real(dp), intent(in) :: period(2)
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      complex(dp), allocatable :: stiffness(:, :)
+      integer :: i, j
+
+      allocate (stiffness(size(self%stiffness, 1), size(self%stiffness, 2)))
+      call kernel%get_stiffness([((i - 1)/period(1), i=1, size(stiffness, 2))], &
+         & [(wave_number(j - 1, self%n_cells(2), self%is_quarter)/period(2), j=1, size(stiffness, 1))], self%cell_size, stiffness)
+      self%stiffness(:, :) = real(stiffness, dp)/self%filter%gain
+      if (.not. any(abs(aimag(stiffness)) > 0)) return
+      if (self%is_quarter) then
+         call set_error(error, input_failure, 'the stiffness of a surface is complex; a quarter of it takes a real one')
+         return
+      end if
+      self%lag = aimag(stiffness)/self%filter%gain
+      self%is_symmetric = .false.
+   end subroutine set_stiffness
 
    !> Mean stiffness of the waves that a coarser grid of cells has, but for the factors of its own.
    pure real(dp) function mean_stiffness(self, n_cells) result(mean)
@@ -101,7 +119,7 @@ contains
       mean = 0
       n_rows = 0
       do j = 1, n(2)
-         if (wave_number(j - 1, n(2), self%is_quarter) > half(2)) cycle
+         if (abs(wave_number(j - 1, n(2), self%is_quarter)) > half(2)) cycle
          mean = mean + sum(self%stiffness(j, :n(1)))/n(1)
          n_rows = n_rows + 1
       end do
@@ -122,7 +140,7 @@ contains
       end associate
    end function is_too_long
 
-   !> Number of waves of a mode along the second direction.
+   !> Number of waves of a mode along the second direction; below 0 for those beyond the middle, that run the other way.
    pure real(dp) function wave_number(mode, n_points, is_quarter) result(number)
       !> Number of the mode along the second direction, from 0.
       integer, intent(in) :: mode
@@ -131,7 +149,7 @@ contains
       !> Is the grid a quarter of the period, whose modes are cosines?
       logical, intent(in) :: is_quarter
 
-      number = merge(mode, min(mode, n_points - mode), is_quarter)
+      number = merge(mode, mode - n_points, is_quarter .or. 2*mode <= n_points)
    end function wave_number
 
    !> Pressures that make given displacements, up to their mean.
@@ -147,7 +165,11 @@ contains
 
       if (has_asserts) call assert(all(shape(displacement) == self%n_cells) .and. all(shape(pressure) == self%n_cells), &
          & 'apply_stiffness: maps have the shape of the cells')
-      call self%filter%apply(self%stiffness, displacement, pressure, product)
+      if (self%is_symmetric) then
+         call self%filter%apply(self%stiffness, displacement, pressure, product)
+      else
+         call self%filter%apply(self%stiffness, displacement, pressure, product, self%lag)
+      end if
       self%n_applied = self%n_applied + 1
    end subroutine apply_stiffness
 

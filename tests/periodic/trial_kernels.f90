@@ -10,35 +10,39 @@ module trial_kernels
    !> Twice the stiffness of an elastic half-space.
    type, extends(kernel_t) :: stiff_kernel_t
    contains
-      procedure :: stiffness => stiffness_of_stiff
+      procedure :: get_stiffness => stiffness_of_stiff
    end type stiff_kernel_t
 
    !> An elastic half-space whose displacement lags behind along x.
    type, extends(kernel_t) :: lagging_kernel_t
    contains
-      procedure :: stiffness => stiffness_of_lagging
+      procedure :: get_stiffness => stiffness_of_lagging
    end type lagging_kernel_t
 
 contains
 
-   pure complex(dp) function stiffness_of_stiff(self, waves) result(stiffness)
+   pure subroutine stiffness_of_stiff(self, n_x, n_y, cell_size, stiffness)
       class(stiff_kernel_t), intent(in) :: self
-      real(dp), intent(in) :: waves(2)
+      real(dp), intent(in) :: n_x(:), n_y(:), cell_size(2)
+      complex(dp), intent(out) :: stiffness(:, :)
       type(elastic_kernel_t) :: elastic
 
-      stiffness = 2*elastic%stiffness(waves)
+      call elastic%get_stiffness(n_x, n_y, cell_size, stiffness)
+      stiffness = 2*stiffness
       associate (unused => self)
       end associate
-   end function stiffness_of_stiff
+   end subroutine stiffness_of_stiff
 
-   pure complex(dp) function stiffness_of_lagging(self, waves) result(stiffness)
+   pure subroutine stiffness_of_lagging(self, n_x, n_y, cell_size, stiffness)
       class(lagging_kernel_t), intent(in) :: self
-      real(dp), intent(in) :: waves(2)
+      real(dp), intent(in) :: n_x(:), n_y(:), cell_size(2)
+      complex(dp), intent(out) :: stiffness(:, :)
       type(elastic_kernel_t) :: elastic
 
-      stiffness = elastic%stiffness(waves)*(1 + (0.0_dp, 0.1_dp)*sign(1.0_dp, waves(1)))
+      call elastic%get_stiffness(n_x, n_y, cell_size, stiffness)
+      stiffness = stiffness*(1 + (0.0_dp, 0.1_dp)*spread(sign(1.0_dp, n_x), 1, size(n_y)))
       associate (unused => self)
       end associate
-   end function stiffness_of_lagging
+   end subroutine stiffness_of_lagging
 
 end module trial_kernels
