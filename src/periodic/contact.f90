@@ -46,6 +46,8 @@ module adfric_periodic_contact
       real(dp) :: mean_pressure = 0
       !> Is the mean gap given, and not the mean pressure?
       logical :: has_fixed_mean = .false.
+      !> Does a layer resist a constant? `mean_pressure` is then that of the penetration alone, before the surface has given way.
+      logical :: resists_mean = .false.
       !> Pressure and gap that the residual is measured in.
       real(dp) :: pressure_scale = 1, gap_scale = 1
       !> Mean stiffness of the cells: the pressure of a gap of 1 in a single one [E*].
@@ -106,13 +108,13 @@ contains
          has_ended = verdict%left <= tolerance*state%pressure_scale/2 .or. is_stuck .or. search%is_stalled()
          if (verdict%violation > 0 .and. (has_ended .or. search%is_due(verdict, tolerance*state%pressure_scale/2))) then
             call change_region(state, tolerance, search)
-            call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, .true.)
+            call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, state%resists_mean, .true.)
          else if (has_ended) then
             call update_pressure(state, operator)
             state%is_converged = residual_of(state) <= tolerance
             n_checks = n_checks + 1
             if (state%is_converged .or. n_checks > most_checks) exit
-            call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, .false.)
+            call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, state%resists_mean, .false.)
             call search%note_region()
          end if
          call gap_solver%improve(operator, state%is_open, state%mean_gap, state%gap, state%pressure, state%mean_pressure, &
@@ -150,7 +152,7 @@ contains
       state%gap_scale = maxval(state%shape) - minval(state%shape)
       state%cell_stiffness = operator%mean_stiffness(operator%n_cells)
       call gap_solver%forget()
-      call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, .false.)
+      call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, state%resists_mean, .false.)
       call gap_solver%advance(0.0_dp, state%gap, state%pressure, extremes)
    end subroutine begin
 

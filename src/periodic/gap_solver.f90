@@ -49,12 +49,16 @@ module adfric_periodic_gap_solver
       type(levels_t), allocatable :: levels
       !> Preconditioned pressure, direction, and stiffness times direction; shape of the cells.
       real(dp), allocatable, dimension(:, :) :: correction, direction, stiff
-      !> Preconditioned constant, under a given mean gap alone; shape of the cells.
+      !> Preconditioned constant, where a constant is special; shape of the cells.
       real(dp), allocatable :: constant(:, :)
       !> Sum of `constant`.
       real(dp) :: sum_of_constant = 0
       !> Is the mean gap given, and the mean pressure not?
       logical :: has_fixed_mean = .false.
+      !> Is a constant special, since the mean gap is given, or a layer resists a constant?
+      logical :: has_special_mean = .false.
+      !> Mean compliance of the layer times the number of cells, where it resists a constant; else 0.
+      real(dp) :: compliance_of_sum = 0
       !> Is the stiffness symmetric?
       logical :: is_symmetric = .true.
       !> Directions of the last steps, under a sliding body alone.
@@ -101,7 +105,7 @@ contains
    end subroutine forget
 
    !> Begin with another region.
-   subroutine set_region(self, operator, is_open, has_fixed_mean, has_remains)
+   subroutine set_region(self, operator, is_open, has_fixed_mean, resists_mean, has_remains)
       !> Workspace for the cells of the operator.
       class(gap_solver_t), intent(inout) :: self
       !> Operator of the same cells.
@@ -110,6 +114,8 @@ contains
       logical, intent(in), contiguous :: is_open(:, :)
       !> Is the mean gap given, and the mean pressure not?
       logical, intent(in) :: has_fixed_mean
+      !> Does the operator resist a constant?
+      logical, intent(in) :: resists_mean
       !> Are there gaps left in closed cells, or is the mean gap not as given?
       logical, intent(in) :: has_remains
       real(dp) :: sums(2)
@@ -124,7 +130,9 @@ contains
       call self%past%clear()
       self%has_remains = has_remains
       self%has_fixed_mean = has_fixed_mean
-      if (.not. has_fixed_mean) return
+      self%has_special_mean = has_fixed_mean .or. resists_mean
+      self%compliance_of_sum = merge(operator%mean_compliance*size(is_open), 0.0_dp, resists_mean)
+      if (.not. self%has_special_mean) return
       if (.not. allocated(self%constant)) allocate (self%constant, mold=self%correction)
       self%direction(:, :) = 1
       call self%levels%apply(self%direction, self%direction, self%constant, sums)
@@ -249,7 +257,8 @@ contains
       larger = merge(a, b, a > b)
    end function larger
 
-   !> Apply the preconditioner to the pressure; under a fixed mean gap find the mean pressure that leaves it.
+   !> Apply the preconditioner to the pressure; under a fixed mean gap find the mean pressure that leaves it. The stiffness of a
+   !> constant is added to what the grids of the preconditioner know by the formula of Sherman and Morrison, whose limit is that.
    subroutine precondition(self, pressure, mean_pressure, sums)
       !> Workspace; receives the preconditioned pressure of the open cells.
       class(gap_solver_t), intent(inout) :: self
@@ -263,10 +272,11 @@ contains
       integer :: j
 
       call self%levels%apply(pressure, self%stiff, self%correction, sums)
-      if (.not. self%has_fixed_mean) return
-      shift = -sum_of(self%correction)/self%sum_of_constant
-      mean_pressure = mean_pressure + shift
+      if (.not. self%has_special_mean) return
+      shift = -sum_of(self%correction)/(self%sum_of_constant + self%compliance_of_sum)
       call add_multiple(self%correction, shift, self%constant)
+      if (.not. self%has_fixed_mean) shift = 0
+      mean_pressure = mean_pressure + shift
       !$omp parallel do if(is_shared(size(pressure))) default(none) shared(pressure, shift) private(j)
       do j = 1, size(pressure, 2)
          pressure(:, j) = pressure(:, j) + shift
@@ -295,7 +305,7 @@ contains
       if (product > 0) length = -dot_of(pressure, self%correction)/product
    end subroutine set_sliding_step
 
-   !> Apply the preconditioner to a pressure; under a fixed mean gap to that part of it which a mean pressure leaves.
+   !> Apply the preconditioner to a pressure; as in `precondition`, without a change of the mean pressure.
    subroutine precondition_freely(self, pressure, correction)
       !> Workspace.
       class(gap_solver_t), intent(inout) :: self
@@ -306,7 +316,8 @@ contains
       real(dp) :: sums(2)
 
       call self%levels%apply(pressure, pressure, correction, sums)
-      if (self%has_fixed_mean) call add_multiple(correction, -sum_of(correction)/self%sum_of_constant, self%constant)
+      if (self%has_special_mean) call add_multiple(correction, &
+         & -sum_of(correction)/(self%sum_of_constant + self%compliance_of_sum), self%constant)
    end subroutine precondition_freely
 
    !> The next direction, conjugate to the last one of the region.

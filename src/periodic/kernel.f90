@@ -10,6 +10,7 @@ module adfric_periodic_kernel
    type, abstract :: kernel_t
    contains
       procedure(get_stiffness_i), deferred :: get_stiffness
+      procedure :: mean_compliance
    end type kernel_t
 
    abstract interface
@@ -31,5 +32,18 @@ module adfric_periodic_kernel
       end subroutine get_stiffness_i
 
    end interface
+
+contains
+
+   !> Mean displacement over mean pressure [length over unit of pressure]: 0, that of a half-space, whose mean displacement is not
+   !> defined. A layer overrides it.
+   pure real(dp) function mean_compliance(self)
+      !> The surface of the solid; nothing is read from it here.
+      class(kernel_t), intent(in) :: self
+
+      mean_compliance = 0
+      associate (unused => self)
+      end associate
+   end function mean_compliance
 
 end module adfric_periodic_kernel

@@ -2,7 +2,8 @@
 !>
 !> The stiffness of a kernel (`adfric_periodic_kernel`) takes each wave of displacement to its pressure, and its inverse, the
 !> compliance, pressures to displacements. Pressures are in the unit of the kernel, for an elastic half-space E*, lengths in any
-!> unit, displacements and pressures positive into the solid. Constants have no stiffness: the mean displacement is 0.
+!> unit, displacements and pressures positive into the solid. Constants have no stiffness: the mean displacement is 0;
+!> `resist_mean` gives them that of a layer.
 module adfric_periodic_operator
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts
@@ -28,6 +29,8 @@ module adfric_periodic_operator
       integer :: n_applied = 0
       !> Transforms of the grid.
       type(spectral_filter_t), private :: filter
+      !> Mean displacement over mean pressure; 0 of a half-space.
+      real(dp) :: mean_compliance = 0
       !> Is the stiffness real, so that the operator is symmetric?
       logical :: is_symmetric = .true.
       !> Stiffness of the modes over the gain of the transforms; shape of the modes, y first.
@@ -38,6 +41,7 @@ module adfric_periodic_operator
       real(dp), private :: compliance_of_mean = 0
    contains
       procedure :: mean_stiffness
+      procedure :: resist_mean
       procedure :: apply_stiffness
       procedure :: apply_compliance
    end type periodic_operator_t
@@ -73,6 +77,7 @@ contains
       self%n_cells = n_cells
       self%is_quarter = is_quarter
       self%cell_size = period/(n_cells*merge(2, 1, is_quarter))
+      self%mean_compliance = kernel%mean_compliance()
       self%is_symmetric = .true.
       allocate (self%stiffness(self%filter%n_modes(2), self%filter%n_modes(1)))
       ! that of the ring around a small contact
@@ -105,6 +110,17 @@ contains
       self%lag = aimag(stiffness)/self%filter%gain
       self%is_symmetric = .false.
    end subroutine set_stiffness
+
+   !> Say whether a constant has the stiffness of a layer, or none.
+   pure subroutine resist_mean(self, resists)
+      !> The operator, which must have a mean compliance if a constant is to have a stiffness.
+      class(periodic_operator_t), intent(inout) :: self
+      !> Has a constant a stiffness?
+      logical, intent(in) :: resists
+
+      self%stiffness(1, 1) = 0
+      if (resists) self%stiffness(1, 1) = 1/(self%mean_compliance*self%filter%gain)
+   end subroutine resist_mean
 
    !> Mean stiffness of the waves that a coarser grid of cells has, but for the factors of its own.
    pure real(dp) function mean_stiffness(self, n_cells) result(mean)

@@ -29,6 +29,7 @@ module adfric_periodic_sliding_kernel
       logical :: is_backward = .false.
    contains
       procedure :: get_stiffness
+      procedure :: mean_compliance
    end type sliding_kernel_t
 
 contains
@@ -78,6 +79,14 @@ contains
          end do
       end if
    end subroutine get_stiffness
+
+   !> See `kernel_t`: that of the relaxed solid, at any velocity.
+   pure real(dp) function mean_compliance(self)
+      !> The solid and the motion.
+      class(sliding_kernel_t), intent(in) :: self
+
+      mean_compliance = self%solid%mean_compliance()/self%prony%relaxed
+   end function mean_compliance
 
    !> Modulus that a wave along the motion meets.
    pure complex(dp) function modulus_of(self, n, cell_size) result(modulus)

@@ -35,7 +35,7 @@ module adfric_periodic_solver
       real(dp), allocatable :: gap(:, :)
       !> Mean pressure [E*].
       real(dp) :: mean_pressure = 0
-      !> How far the surfaces approached from first touch, at the mean of the deformed surface.
+      !> How far the surfaces approached from first touch, at the mean of the deformed surface, or at the base of a layer.
       real(dp) :: penetration = 0
       !> Area of contact, and the bound of its error.
       type(area_t) :: area
@@ -139,7 +139,7 @@ contains
       class(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
       real(dp), intent(in) :: shape(:, :)
-      !> Penetration from first touch, at the mean of the deformed surface; in the unit of `shape`.
+      !> Penetration from first touch, at the mean of the deformed surface, or at the base of a layer; in the unit of `shape`.
       real(dp), intent(in) :: penetration
       !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
@@ -151,11 +151,15 @@ contains
 
       call check_shape(self, shape, error)
       if (allocated(error)) return
-      goal%has_fixed_mean = .true.
+      associate (compliance => self%grids(size(self%grids))%operator%mean_compliance)
+         goal%resists_mean = compliance > 0
+         goal%has_fixed_mean = .not. goal%resists_mean
+         if (goal%resists_mean) goal%mean_pressure = penetration/compliance
+      end associate
       goal%mean_gap = sum(shape)/size(shape) - penetration
       if (penetration <= minval(shape)) then
          call self%set_touch(shape, penetration, solution)
-      else if (goal%mean_gap > 0) then
+      else if (goal%mean_gap > 0 .or. goal%resists_mean) then
          call self%solve(shape, goal, tolerance, solution)
       else
          solution%status = contact_out_of_range
@@ -224,15 +228,17 @@ contains
       do k = first, n
          associate (grid => self%grids(k))
             solution%n_applied = -grid%operator%n_applied
+            call grid%operator%resist_mean(goal%resists_mean)
             if (k == first) call start_contact(states(k), grid%operator)
             if (k > first) call start_from_coarse(states(k), states(k - 1), grid%operator)
             call solve_contact(states(k), grid%operator, grid%gap_solver, merge(tolerance, coarse_tolerance, k == n))
+            call grid%operator%resist_mean(.false.)
             if (k == n) call set_full_pressure(grid%operator, shape, solution)
             solution%n_applied = solution%n_applied + grid%operator%n_applied
             solution%n_pairs = solution%n_pairs + solution%n_applied*(real(size(states(k)%gap), dp)/size(shape))
          end associate
       end do
-      call set_solution(states(first:), self%grids(n)%operator%is_quarter, solution)
+      call set_solution(states(first:), self%grids(n)%operator, solution)
    end subroutine solve
 
    !> Find the pressure at which contact becomes full.
@@ -281,11 +287,11 @@ contains
    end subroutine start_from_coarse
 
    !> Collect what the grids have found.
-   subroutine set_solution(states, is_quarter, solution)
+   subroutine set_solution(states, operator, solution)
       !> Contacts on the grids that were used, the finest last.
       type(contact_state_t), intent(in) :: states(:)
-      !> Are the maps a quarter between planes of symmetry (else they go on periodically)?
-      logical, intent(in) :: is_quarter
+      !> Operator of the finest grid.
+      type(periodic_operator_t), intent(in) :: operator
       !> Receives the contact on the finest grid, and the area with its error from coarser ones.
       type(periodic_solution_t), intent(inout) :: solution
       type(area_t) :: areas(size(states))
@@ -294,7 +300,7 @@ contains
 
       n = size(states)
       do k = max(1, n - grids_for_error + 1), n
-         areas(k) = area_of_cells(.not. states(k)%is_open, is_quarter)
+         areas(k) = area_of_cells(.not. states(k)%is_open, operator%is_quarter)
       end do
       if (n >= grids_for_error) call refine_area(areas(n), areas(n - 1), areas(n - 2), size(states(n)%shape, 2) == 1)
       solution%area = areas(n)
@@ -302,7 +308,9 @@ contains
       solution%status = merge(contact_solved, contact_not_converged, states(n)%is_converged)
       solution%n_iterations = states(n)%n_iterations
       solution%mean_pressure = states(n)%mean_pressure
-      solution%penetration = sum(states(n)%shape - states(n)%gap)/size(states(n)%shape)
+      if (states(n)%resists_mean) solution%mean_pressure = sum_of(states(n)%pressure)/size(states(n)%pressure)
+      solution%penetration = sum(states(n)%shape - states(n)%gap)/size(states(n)%shape) &
+         & + operator%mean_compliance*solution%mean_pressure
       solution%gap = max(states(n)%gap, 0.0_dp)
       solution%pressure = merge(0.0_dp, max(states(n)%pressure, 0.0_dp), states(n)%is_open)
       ! what little pressure was left in open cells is that of the others, so that they carry the load
