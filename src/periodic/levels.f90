@@ -5,6 +5,10 @@
 !> 1990, 1). A coarse cell that is open only in part takes part with its open share. So hardly any grid puts gaps where the
 !> surfaces touch, other than the compliance restricted to the open cells, which forgets that at their edges. The sum is symmetric and
 !> positive definite and takes no transform; seventeen iterations with it are worth ten digits, on any number of cells.
+!>
+!> Under a sliding body the solid is stiffer for waves along the motion than for those across it, of the same length. Each grid then has
+!> a row of grids beside it, of cells ever longer along the motion, each with what its waves are softer by: 1 over their mean stiffness
+!> less 1 over that of the grid before. So a wave meets the compliance of the coarsest grid that has it, once.
 module adfric_periodic_levels
    use adfric_base_kinds, only: dp
    use adfric_periodic_maps, only: is_shared
@@ -18,12 +22,20 @@ module adfric_periodic_levels
    integer, parameter :: fewest_cells = 4
    !> A direction is halved while its cells are not longer than so many times those of the other direction.
    real(dp), parameter :: longest = 1.5_dp
+   !> Enough grids for any number of cells that fits into memory.
+   integer, parameter :: most_grids = 600
    !> Part of the residuals of the four neighbours that is added to that of a cell, since the long waves of a grid are softer.
    real(dp), parameter :: neighbourly = 0.1_dp
 
    !> One grid.
    type :: level_t
-      !> Was the direction halved from the next finer grid?
+      !> Number of the finer grid that this one is made from; 0 for the finest.
+      integer :: finer = 0
+      !> Numbers of the next coarser grid and of the first one of the row beside; 0 where there is none.
+      integer :: coarser = 0, beside = 0
+      !> Number of cells.
+      integer :: n_cells(2) = 1
+      !> Was the direction halved from the finer grid?
       logical :: is_halved(2) = .false.
       !> Share of the cell that is open; shape of the cells of this grid, as that of the others.
       real(dp), allocatable :: open(:, :)
@@ -36,7 +48,7 @@ module adfric_periodic_levels
    !> The grids. One for each contact that is solved at a time.
    type :: levels_t
       private
-      !> Grids, the finest first; shape `(n_levels)`.
+      !> Grids, the finest first and each after the one that it is made from; shape `(n_levels)`.
       type(level_t), allocatable :: grids(:)
       !> Does the surface go on by reflection (else periodically)?
       logical :: is_quarter = .false.
@@ -55,23 +67,106 @@ contains
       !> Operator of the finest grid, for its cells and stiffness.
       type(periodic_operator_t), intent(in) :: operator
       logical, allocatable :: is_halved(:, :)
-      real(dp) :: n_sums
-      integer :: n(2), k
+      type(level_t) :: grids(most_grids)
+      integer :: k, n, first
 
       self%is_quarter = operator%is_quarter
       call plan_grids(operator%n_cells, operator%cell_size, is_halved)
-      allocate (self%grids(size(is_halved, 2)))
-      n = operator%n_cells
-      n_sums = 1
-      do k = 1, size(self%grids)
-         n = merge((n + 1)/2, n, is_halved(:, k))
-         n_sums = n_sums*product(merge(2, 1, is_halved(:, k)))
-         self%grids(k)%is_halved = is_halved(:, k)
-         allocate (self%grids(k)%open(n(1), n(2)))
-         if (k > 1) allocate (self%grids(k)%residual(n(1), n(2)), self%grids(k)%correction(n(1), n(2)))
-         if (operator%mean_stiffness(n) > 0) self%grids(k)%weight = 1/(n_sums*operator%mean_stiffness(n))
+      n = 1
+      grids(1)%n_cells = operator%n_cells
+      do k = 2, size(is_halved, 2)
+         call add_grid(grids, n, n, is_halved(:, k))
+      end do
+      do k = 1, n
+         grids(k)%weight = compliance_of(operator, grids(k)%n_cells)
+         if (k < n) grids(k)%coarser = k + 1
+      end do
+      if (.not. operator%is_symmetric) then
+         do k = 1, size(is_halved, 2)
+            first = n + 1
+            call add_grids_beside(grids, n, k, operator)
+            if (n >= first) grids(k)%beside = first
+         end do
+      end if
+      allocate (self%grids(n))
+      do k = 1, n
+         self%grids(k) = grids(k)
+         call set_memory(self%grids, k)
       end do
    end subroutine new_levels
+
+   !> Add a grid.
+   pure subroutine add_grid(grids, n, finer, is_halved)
+      !> Grids; receives one more.
+      type(level_t), intent(inout) :: grids(:)
+      !> Number of grids.
+      integer, intent(inout) :: n
+      !> Number of the grid that it is made from.
+      integer, intent(in) :: finer
+      !> Is the direction halved?
+      logical, intent(in) :: is_halved(2)
+
+      n = n + 1
+      grids(n)%finer = finer
+      grids(n)%is_halved = is_halved
+      grids(n)%n_cells = merge((grids(finer)%n_cells + 1)/2, grids(finer)%n_cells, is_halved)
+   end subroutine add_grid
+
+   !> Add the grids beside a grid: its cells are doubled along the direction in which that softens waves more.
+   pure subroutine add_grids_beside(grids, n, place, operator)
+      !> Grids; receives more.
+      type(level_t), intent(inout) :: grids(:)
+      !> Number of grids.
+      integer, intent(inout) :: n
+      !> Number of the grid beside which they stand.
+      integer, intent(in) :: place
+      !> Operator of the finest grid, for its stiffness.
+      type(periodic_operator_t), intent(in) :: operator
+      logical :: is_halved(2)
+      real(dp) :: before, compliance
+      integer :: last
+
+      associate (cells => grids(place)%n_cells)
+         if (any(cells <= fewest_cells)) return
+         is_halved = compliance_of(operator, [cells(1)/2, cells(2)]) > compliance_of(operator, [cells(1), cells(2)/2])
+      end associate
+      is_halved(2) = .not. is_halved(1)
+      last = place
+      before = grids(place)%weight
+      do while (all(grids(last)%n_cells > fewest_cells) .and. n < size(grids))
+         call add_grid(grids, n, last, is_halved)
+         if (last /= place) grids(last)%coarser = n
+         compliance = compliance_of(operator, grids(n)%n_cells)
+         grids(n)%weight = max(compliance - before, 0.0_dp)
+         before = compliance
+         last = n
+      end do
+   end subroutine add_grids_beside
+
+   !> Gap over residual of the waves that a grid has.
+   pure real(dp) function compliance_of(operator, n_cells) result(compliance)
+      !> Operator of the finest grid.
+      type(periodic_operator_t), intent(in) :: operator
+      !> Number of cells of the grid.
+      integer, intent(in) :: n_cells(2)
+
+      compliance = operator%mean_stiffness(n_cells)
+      if (compliance > 0) compliance = 1/compliance
+   end function compliance_of
+
+   !> Make the fields of a grid, whose residuals are sums over its cells.
+   pure subroutine set_memory(grids, place)
+      !> Grids.
+      type(level_t), intent(inout) :: grids(:)
+      !> Number of the grid.
+      integer, intent(in) :: place
+
+      associate (grid => grids(place), n => grids(place)%n_cells)
+         allocate (grid%open(n(1), n(2)))
+         grid%weight = grid%weight*(real(product(n), dp)/product(real(grids(1)%n_cells, dp)))
+         if (place > 1) allocate (grid%residual(n(1), n(2)), grid%correction(n(1), n(2)))
+      end associate
+   end subroutine set_memory
 
    !> Halve the shorter direction, or both where they are about as long, down to a few cells.
    pure subroutine plan_grids(n_cells, cell_size, is_halved)
@@ -81,15 +176,15 @@ contains
       real(dp), intent(in) :: cell_size(2)
       !> Receives for each grid whether a direction was halved from the next finer one; shape `(2, n_grids)`.
       logical, allocatable, intent(out) :: is_halved(:, :)
-      integer, parameter :: most_grids = 2*bit_size(1)
-      logical :: halved(2, most_grids)
+      integer, parameter :: most_halvings = 2*bit_size(1)
+      logical :: halved(2, most_halvings)
       real(dp) :: sizes(2)
       integer :: n(2), k
 
       n = n_cells
       sizes = cell_size
       halved = .false.
-      do k = 2, most_grids
+      do k = 2, most_halvings
          halved(:, k) = n > fewest_cells .and. sizes/longest <= minval(sizes, mask=n > fewest_cells)
          if (.not. any(halved(:, k))) exit
          n = merge((n + 1)/2, n, halved(:, k))
@@ -112,7 +207,7 @@ contains
       end do
       !$omp end parallel do
       do k = 2, size(self%grids)
-         call average(self%grids(k - 1)%open, self%grids(k)%is_halved, self%grids(k)%open)
+         call average(self%grids(self%grids(k)%finer)%open, self%grids(k)%is_halved, self%grids(k)%open)
       end do
    end subroutine set_open
 
@@ -169,14 +264,20 @@ contains
       n = size(self%grids)
       associate (grids => self%grids)
          do k = 2, n
-            if (k == 2) call gather(grids(1), residual, self%is_quarter, grids(2))
-            if (k > 2) call gather(grids(k - 1), grids(k - 1)%residual, self%is_quarter, grids(k))
+            associate (finer => grids(grids(k)%finer))
+               if (grids(k)%finer == 1) then
+                  call gather(finer, residual, self%is_quarter, grids(k))
+               else
+                  call gather(finer, finer%residual, self%is_quarter, grids(k))
+               end if
+            end associate
          end do
          do k = n, 2, -1
-            call correct(grids(k), grids(k)%residual, grids(k)%residual, grids(min(k + 1, n)), k < n, self%is_quarter, &
-               & grids(k)%correction, unused)
+            call correct(grids(k), grids(k)%residual, grids(k)%residual, grids(max(grids(k)%coarser, 1)), &
+               & grids(max(grids(k)%beside, 1)), self%is_quarter, grids(k)%correction, unused)
          end do
-         call correct(grids(1), residual, other, grids(min(2, n)), n > 1, self%is_quarter, correction, sums)
+         call correct(grids(1), residual, other, grids(max(grids(1)%coarser, 1)), grids(max(grids(1)%beside, 1)), &
+            & self%is_quarter, correction, sums)
       end associate
    end subroutine apply
 
@@ -231,32 +332,34 @@ contains
    end subroutine add_row
 
    !> What a grid makes of its residuals, and what the coarser ones made of theirs.
-   subroutine correct(grid, residual, other, coarse, has_coarse, is_quarter, correction, sums)
+   subroutine correct(grid, residual, other, coarse, beside, is_quarter, correction, sums)
       !> The grid, for its open shares and weight.
       type(level_t), intent(in) :: grid
       !> Its residuals.
       real(dp), intent(in), contiguous :: residual(:, :)
       !> A field of the same shape.
       real(dp), intent(in), contiguous :: other(:, :)
-      !> The next coarser grid with its correction.
-      type(level_t), intent(in) :: coarse
-      !> Is there one?
-      logical, intent(in) :: has_coarse
+      !> The next coarser grid and the first one of the row beside, with their corrections, if they are.
+      type(level_t), intent(in) :: coarse, beside
       !> Does the surface go on by reflection (else periodically)?
       logical, intent(in) :: is_quarter
       !> Receives the sum, times the open shares.
       real(dp), intent(out), contiguous :: correction(:, :)
       !> Receives the sums of correction times residual and times the other field.
       real(dp), intent(out) :: sums(2)
-      real(dp) :: work(0:size(residual, 1) + 1, 3), rows(size(residual, 2), 2)
+      real(dp) :: work(0:size(residual, 1) + 1, 4), rows(size(residual, 2), 2)
       integer :: j, ny
 
       ny = size(residual, 2)
       !$omp parallel do if(is_shared(size(residual))) default(none) &
-      !$omp& shared(grid, residual, other, coarse, has_coarse, is_quarter, correction, rows, ny) private(work, j)
+      !$omp& shared(grid, residual, other, coarse, beside, is_quarter, correction, rows, ny) private(work, j)
       do j = 1, ny
          work(:, 3) = 0
-         if (has_coarse) call interpolate(coarse, j, is_quarter, work(:, 1), work(1:size(residual, 1), 3))
+         if (grid%coarser > 0) call interpolate(coarse, j, is_quarter, work(:, 1), work(1:size(residual, 1), 3))
+         if (grid%beside > 0) then
+            call interpolate(beside, j, is_quarter, work(:, 1), work(1:size(residual, 1), 4))
+            work(:, 3) = work(:, 3) + work(:, 4)
+         end if
          associate (before => neighbour_of(j, -1, ny, is_quarter), after => neighbour_of(j, 1, ny, is_quarter))
             call correct_row(grid%weight, grid%open(:, j), grid%open(:, before), grid%open(:, after), residual(:, j), &
                & residual(:, before), residual(:, after), is_quarter, other(:, j), work, correction(:, j), rows(j, :))

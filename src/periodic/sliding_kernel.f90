@@ -98,9 +98,10 @@ contains
       real(dp), intent(in) :: cell_size
       real(dp) :: phase, interval
 
-      ! a solid at rest is relaxed, and so is one that waits longer than numbers go
-      interval = sqrt(huge(1.0_dp))
-      if (self%velocity > cell_size/sqrt(huge(1.0_dp))) interval = cell_size/self%velocity
+      modulus = self%prony%relaxed
+      ! slower than numbers go is at rest
+      if (.not. self%velocity > cell_size/sqrt(huge(1.0_dp))) return
+      interval = cell_size/self%velocity
       phase = two_pi*n*cell_size
       if (self%is_backward) phase = -phase
       modulus = sampled_modulus(self%prony, interval, phase)
