@@ -1,19 +1,18 @@
-!> What the models of a periodic surface on an elastic half-space share; a model says what its surface is.
+!> What the models of a periodic surface share; a model says what its surface and its solid are.
 module adfric_periodic_model
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, file_failure
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_material_contact_modulus, only: check_contact_modulus, derive_contact_modulus
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_pointwise, only: pointwise_model_t, point_state_t
-   use adfric_model_check, only: require, require_one
+   use adfric_model_check, only: require_one
    use adfric_model_rows, only: contact_profiles, count_row, set_coordinate
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
    use adfric_model_table, only: variable_t, profile_axis_t
-   use adfric_periodic_point, only: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, &
-      & find_full_pressure
+   use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, &
+      & solve_periodic, find_full_pressure
    use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
    use adfric_periodic_variables
    implicit none (type, external)
@@ -22,8 +21,8 @@ module adfric_periodic_model
 
    !> What the models of periodic surfaces share: how a point is solved, its results and its maps.
    type, abstract, extends(pointwise_model_t) :: periodic_model_t
-      !> Rows of the variables before those that all these models share.
-      integer :: n_own = 0
+      !> Places of the tolerance, of the first and last row of the solid, and of the row before those of what is held.
+      integer :: v_tolerance = 0, first_of_solid = 0, last_of_solid = 0, before_held = 0
       !> Is the pressure of full contact known in closed form, so that nothing is computed on the cells?
       logical :: knows_full_pressure = .false.
    contains
@@ -36,9 +35,14 @@ module adfric_periodic_model
       procedure :: derive_quantities
       procedure :: describe_case
       procedure :: describe_surface
+      procedure :: solve_in_closed_form
+      procedure :: finish_point
+      procedure :: derive_solid
       procedure(check_surface_i), deferred :: check_surface
       procedure(get_cells_i), deferred :: get_cells
       procedure(get_shape_i), deferred :: get_shape
+      procedure(check_solid_i), deferred :: check_solid
+      procedure(set_solid_i), deferred :: set_solid
       procedure(get_full_pressure_i), deferred :: get_full_pressure
       procedure(get_peak_pressure_i), deferred :: get_peak_pressure
    end type periodic_model_t
@@ -84,19 +88,47 @@ module adfric_periodic_model
          real(dp), allocatable, intent(inout) :: shape(:, :)
       end subroutine get_shape_i
 
+      !> Add to `problems` what is missing or impossible of the solid.
+      subroutine check_solid_i(self, values, is_swept, problems)
+         import :: periodic_model_t, dp, problems_t
+         implicit none (type, external)
+         !> The model; its tables give the variables their names.
+         class(periodic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> Is the variable swept? Shape `(n_variables)`.
+         logical, intent(in) :: is_swept(:)
+         !> Receives what is wrong with the input; nothing is removed.
+         type(problems_t), intent(inout) :: problems
+      end subroutine check_solid_i
+
+      !> The solid of a point, whose values have been checked.
+      subroutine set_solid_i(self, values, surface)
+         import :: periodic_model_t, dp, periodic_surface_t
+         implicit none (type, external)
+         !> The model whose solid is wanted.
+         class(periodic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+         !> In: with periods and cells. Out: also with `solid`.
+         type(periodic_surface_t), intent(inout) :: surface
+      end subroutine set_solid_i
+
       !> Mean pressure at which contact becomes full [Pa].
-      pure real(dp) function get_full_pressure_i(self, values, on_cells)
-         import :: periodic_model_t, dp
+      pure real(dp) function get_full_pressure_i(self, values, solid, on_cells)
+         import :: periodic_model_t, periodic_solid_t, dp
          implicit none (type, external)
          !> The model whose pressure of full contact is wanted.
          class(periodic_model_t), intent(in) :: self
          !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
+         !> The solid of the point.
+         class(periodic_solid_t), intent(in) :: solid
          !> Pressure of full contact of the surface as its cells have it [E*]; of no meaning where the model `knows_full_pressure`.
          real(dp), intent(in) :: on_cells
       end function get_full_pressure_i
 
-      !> The largest pressure [Pa] of a map [E*].
+      !> The largest pressure of a map, in its unit.
       real(dp) function get_peak_pressure_i(self, values, pressure)
          import :: periodic_model_t, dp
          implicit none (type, external)
@@ -104,7 +136,7 @@ module adfric_periodic_model
          class(periodic_model_t), intent(in) :: self
          !> Values of the variables, in the order of the table; shape `(n_variables)`.
          real(dp), intent(in) :: values(:)
-         !> Pressure in the middles of the cells [E*]; shape `(nx, ny)`.
+         !> Pressure in the middles of the cells; shape `(nx, ny)`.
          real(dp), intent(in) :: pressure(:, :)
       end function get_peak_pressure_i
 
@@ -126,23 +158,28 @@ module adfric_periodic_model
 contains
 
    !> Set the tables of the model.
-   subroutine set_tables(self, name, summary, variables)
+   subroutine set_tables(self, name, summary, surface, solid)
       !> The model, which receives the tables.
       class(periodic_model_t), intent(inout) :: self
       !> Name of the model in `&job model = ...`.
       character(*), intent(in) :: name
       !> What the model is, in one line for `adfric help`.
       character(*), intent(in) :: summary
-      !> Variables of the surface; those that all these models share follow them in the table.
-      type(variable_t), intent(in) :: variables(:)
+      !> Variables of the surface, and those of the solid.
+      type(variable_t), intent(in) :: surface(:), solid(:)
 
       self%name = name
       self%summary = summary
       self%references = 'K. L. Johnson, J. A. Greenwood, J. G. Higginson, Int. J. Mech. Sci. 27 (1985) 383'
-      self%n_own = size(variables)
-      allocate (self%variables(self%n_own + n_periodic_variables))
-      self%variables(:self%n_own) = variables
-      call set_periodic_variables(self%variables(self%n_own + 1:))
+      self%v_tolerance = size(surface) + 1
+      self%first_of_solid = self%v_tolerance + 1
+      self%last_of_solid = self%v_tolerance + size(solid)
+      self%before_held = self%last_of_solid
+      allocate (self%variables(self%before_held + n_held))
+      self%variables(:size(surface)) = surface
+      self%variables(self%v_tolerance) = tolerance_row()
+      self%variables(self%first_of_solid:self%last_of_solid) = solid
+      call set_held_rows(self%variables(self%before_held + 1:))
       self%results = get_periodic_results()
       self%profiles = contact_profiles()
       allocate (self%counts(1))
@@ -163,10 +200,8 @@ contains
       type(problems_t), intent(inout) :: problems
 
       call self%check_surface(values, is_swept, problems)
-      associate (first => self%n_own + v_contact_modulus, last => self%n_own + v_second_poisson_ratio)
-         call check_contact_modulus(self%variables(first:last), values(first:last), problems, .false.)
-      end associate
-      call require_one(self%variables, values, self%n_own + [v_mean_pressure, v_penetration], .true., problems)
+      call self%check_solid(values, is_swept, problems)
+      call require_one(self%variables, values, self%before_held + [v_mean_pressure, v_penetration], .true., problems)
    end subroutine check_values
 
    !> See `model_t`.
@@ -176,7 +211,7 @@ contains
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = values(self%n_own + v_profiles) > 0
+      wants_profiles = values(self%before_held + v_profiles) > 0
    end function wants_profiles
 
    !> See `model_t`: the middles of the cells.
@@ -200,16 +235,18 @@ contains
    end subroutine get_profile_axes
 
    !> What is held at a point.
-   type(periodic_goal_t) function get_goal(self, values) result(goal)
+   type(periodic_goal_t) function get_goal(self, values, modulus) result(goal)
       !> The model, for the places of the shared variables.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
 
-      associate (v => values(self%n_own + 1:))
-         goal%tolerance = v(v_relative_tolerance)
+      goal%tolerance = values(self%v_tolerance)
+      associate (v => values(self%before_held + 1:))
          goal%is_pressure = is_set(v(v_mean_pressure))
-         if (goal%is_pressure) goal%value = v(v_mean_pressure)/modulus_of(v)
+         if (goal%is_pressure) goal%value = v(v_mean_pressure)/modulus
          if (.not. goal%is_pressure) goal%value = v(v_penetration)
       end associate
    end function get_goal
@@ -224,13 +261,15 @@ contains
       class(point_state_t), allocatable, intent(inout) :: state
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      !> Estimated relative error of the area of contact [-]; 0 where the point is not solved.
+      !> Estimated relative error of the main result [-]; 0 where the point is not solved.
       real(dp), intent(out) :: error_estimate
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       !> One number, to which the iterations on the finest grid are added.
       real(dp), intent(inout) :: counts(:)
       type(error_t), allocatable :: error
+      type(periodic_goal_t) :: goal
+      logical :: is_known
 
       if (.not. allocated(state)) allocate (periodic_state_t :: state)
       status = status_not_converged
@@ -239,28 +278,29 @@ contains
       type is (periodic_state_t)
          call self%get_cells(values, state%surface)
          call self%get_shape(values, state%surface%shape)
-         call solve_periodic(state%surface, get_goal(self, values), state%memory, state%solution, error)
+         call self%set_solid(values, state%surface)
+         goal = get_goal(self, values, state%surface%solid%modulus)
+         call self%solve_in_closed_form(values, state%surface, goal, state%solution, is_known)
+         if (.not. is_known) call solve_periodic(state%surface, goal, state%memory, state%solution, error)
          if (allocated(error)) then
             ! cells of a sweep may be too long, which is no lack of memory
             if (error%code == file_failure) status = status_out_of_memory
             return
          end if
-         associate (solution => state%solution)
-            if (solution%status == contact_out_of_range) status = status_no_equilibrium
-            counts(1) = counts(1) + solution%n_iterations
-            if (solution%status /= contact_solved) return
-            status = status_solved
-            call store(self, values, solution, results)
-            if (solution%area%error > 0) error_estimate = solution%area%error/max(solution%area%corrected, solution%area%error)
-         end associate
+         if (state%solution%status == contact_out_of_range) status = status_no_equilibrium
+         counts(1) = counts(1) + state%solution%n_iterations
+         if (state%solution%status /= contact_solved) return
+         status = status_solved
+         call store(self, values, state%surface%solid, state%solution, results)
+         call self%finish_point(values, state%surface, state%solution, results, error_estimate)
       end select
    end subroutine solve_point
 
    !> See `pointwise_model_t`: the maps of pressure and gap.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model, for the places of the shared variables.
+      !> The model; nothing is read from it here.
       class(periodic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
       !> Results of the point, not used here.
       real(dp), intent(in) :: results(:)
@@ -273,42 +313,86 @@ contains
 
       select type (state)
       type is (periodic_state_t)
-         profiles(:, :, 1) = state%solution%pressure*modulus_of(values(self%n_own + 1:))
+         profiles(:, :, 1) = state%solution%pressure*state%surface%solid%modulus
          profiles(:, :, 2) = state%solution%gap
       end select
-      associate (unused => results, unused_axes => axes)
+      associate (unused => self, unused_values => values, unused_results => results, unused_axes => axes)
       end associate
    end subroutine fill_profiles
 
    !> Set the results of a point.
-   subroutine store(self, values, solution, results)
+   subroutine store(self, values, solid, solution, results)
       !> The model, which finds peak pressure and pressure of full contact.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> The solid of the point.
+      class(periodic_solid_t), intent(in) :: solid
       !> Solution of the point; lengths in m, pressures in E*.
       type(periodic_solution_t), intent(in) :: solution
-      !> Results of the point; shape `(n_results)`.
-      real(dp), intent(out) :: results(:)
+      !> In: all NaN. Out: with those that all these models have; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
 
-      associate (s => solution, v => values(self%n_own + 1:))
-         results(r_mean_pressure) = s%mean_pressure*modulus_of(v)
+      associate (s => solution, v => values(self%before_held + 1:))
+         results(r_mean_pressure) = s%mean_pressure*solid%modulus
          results(r_penetration) = s%penetration
          ! what was given comes back to the last digit
          if (is_set(v(v_mean_pressure))) results(r_mean_pressure) = v(v_mean_pressure)
          if (is_set(v(v_penetration))) results(r_penetration) = v(v_penetration)
          results(r_contact_fraction) = s%area%corrected
          results(r_contact_fraction_error) = s%area%error
-         results(r_peak_pressure) = self%get_peak_pressure(values, s%pressure)
+         results(r_peak_pressure) = solid%modulus*self%get_peak_pressure(values, s%pressure)
          results(r_mean_gap) = sum(s%gap)/size(s%gap)
-         results(r_full_contact_pressure) = self%get_full_pressure(values, s%full_pressure)
+         results(r_full_contact_pressure) = self%get_full_pressure(values, solid, s%full_pressure)
          results(r_contact_violation) = s%residual
       end associate
    end subroutine store
 
+   !> Solve a point whose solution is known in closed form: none. A model may override it.
+   subroutine solve_in_closed_form(self, values, surface, goal, solution, is_known)
+      !> The model; nothing is read from it here.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Periods and undeformed gap of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> What is held at the point.
+      type(periodic_goal_t), intent(in) :: goal
+      !> Receives the solution if it is known; lengths in m, pressures in E*.
+      type(periodic_solution_t), intent(inout) :: solution
+      !> Is the solution known?
+      logical, intent(out) :: is_known
+
+      is_known = .false.
+      associate (unused => self, unused_values => values, unused_surface => surface, unused_goal => goal, &
+         & unused_solution => solution)
+      end associate
+   end subroutine solve_in_closed_form
+
+   !> The error of a solved point: that of the area of contact. A model may override it, and add results of its own.
+   subroutine finish_point(self, values, surface, solution, results, error_estimate)
+      !> The model; nothing is read from it here.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Periods and undeformed gap of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Solution of the point; lengths in m, pressures in E*.
+      type(periodic_solution_t), intent(in) :: solution
+      !> In: with the results that all these models have. Out: with all; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
+      real(dp), intent(out) :: error_estimate
+
+      error_estimate = 0
+      if (solution%area%error > 0) error_estimate = solution%area%error/max(solution%area%corrected, solution%area%error)
+      associate (unused => self, unused_values => values, unused_surface => surface, unused_results => results)
+      end associate
+   end subroutine finish_point
+
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
-      !> The model, for its surface and the rows of its contact modulus.
+      !> The model, for its surface and its solid.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -316,20 +400,34 @@ contains
       type(periodic_surface_t) :: surface
       real(dp) :: mean, on_cells
 
-      associate (first => self%n_own + v_contact_modulus, last => self%n_own + v_second_poisson_ratio)
-         derived = derive_contact_modulus(self%variables(first:last), values(first:last))
-      end associate
       call self%get_cells(values, surface)
       call self%get_shape(values, surface%shape)
+      call self%set_solid(values, surface)
+      derived = self%derive_solid(values, surface)
       on_cells = not_a_number()
       if (.not. self%knows_full_pressure) on_cells = find_full_pressure(surface)
       call add_derived(derived, 'full_contact_pressure', 'Pa', 'pressure of full contact p*', &
-         & self%get_full_pressure(values, on_cells))
+         & self%get_full_pressure(values, surface%solid, on_cells))
       mean = sum(surface%shape)/size(surface%shape)
       call add_derived(derived, 'full_contact_penetration', 'm', 'penetration of full contact', mean)
       call add_derived(derived, 'root_mean_square_height', 'm', 'root of the mean square of the heights', &
          & sqrt(sum((surface%shape - mean)**2)/size(surface%shape)))
    end function derive_quantities
+
+   !> Quantities that follow from the rows of the solid: none. A model may override it.
+   function derive_solid(self, values, surface) result(derived)
+      !> The model; nothing is read from it here.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, not used here.
+      real(dp), intent(in) :: values(:)
+      !> Periods and undeformed gap of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      type(derived_t), allocatable :: derived(:)
+
+      allocate (derived(0))
+      associate (unused => self, unused_values => values, unused_surface => surface)
+      end associate
+   end function derive_solid
 
    !> See `model_t`.
    function describe_case(self, values) result(text)

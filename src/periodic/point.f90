@@ -4,11 +4,22 @@ module adfric_periodic_point
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
+   use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    implicit none (type, external)
    private
-   public :: periodic_surface_t, periodic_goal_t, periodic_memory_t, solve_periodic, find_full_pressure
+   public :: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, solve_periodic, find_full_pressure
+
+   !> What a surface is pressed against.
+   type :: periodic_solid_t
+      !> Contact modulus E*, the unit of pressures [Pa].
+      real(dp) :: modulus = 1
+      !> Its surface, with lengths in periods along x and pressures in E*; not allocated: an elastic half-space.
+      class(kernel_t), allocatable :: kernel
+      !> Numbers from which the kernel was made; kernels of equal numbers are equal. Only beside a kernel.
+      real(dp), allocatable :: numbers(:)
+   end type periodic_solid_t
 
    !> A surface.
    type :: periodic_surface_t
@@ -20,6 +31,8 @@ module adfric_periodic_point
       logical :: is_quarter = .false.
       !> Gap of the undeformed surfaces in the middles of the cells, 0 at first touch [m].
       real(dp), allocatable :: shape(:, :)
+      !> What it is pressed against; not allocated: an elastic half-space.
+      class(periodic_solid_t), allocatable :: solid
    end type periodic_surface_t
 
    !> What is held at a point.
@@ -41,6 +54,8 @@ module adfric_periodic_point
       real(dp) :: period(2) = 0
       !> Does it solve a quarter of the period?
       logical :: is_quarter = .false.
+      !> Numbers from which its kernel was made; none for an elastic half-space.
+      real(dp), allocatable :: kernel_numbers(:)
       !> The solver, with its transforms and buffers.
       type(periodic_solver_t), allocatable :: solver
    end type periodic_memory_t
@@ -84,37 +99,95 @@ contains
       real(dp), allocatable :: tension(:, :)
 
       pressure = not_a_number()
-      call new_periodic_operator(operator, elastic_kernel_t(), shape(surface%shape), surface%period/surface%period(1), &
-         & surface%is_quarter, .false., error)
+      call make(surface, operator=operator, error=error)
       if (allocated(error)) return
       allocate (tension, mold=surface%shape)
       call operator%apply_stiffness(surface%shape/surface%period(1), tension)
       pressure = maxval(tension)
    end function find_full_pressure
 
-   !> A solver of the surface's size, where the last point has not left it.
+   !> A solver of the surface's size and solid, where the last point has not left it.
    subroutine prepare(surface, memory, error)
-      !> Periods and undeformed gap of the surface [m].
+      !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
-      !> Solver of the last point; made anew where cells, ratio of the periods or symmetry are others.
+      !> Solver of the last point; made anew where cells, ratio of the periods, symmetry or solid are others.
       type(periodic_memory_t), intent(inout) :: memory
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
-      real(dp) :: period(2)
 
-      period = surface%period/surface%period(1)
-      associate (n => shape(surface%shape))
-         if (all(memory%n_cells == n) .and. .not. any(abs(memory%period - period) > 0) &
-            & .and. (memory%is_quarter .eqv. surface%is_quarter)) return
-         memory%n_cells = 0
-         if (allocated(memory%solver)) deallocate (memory%solver)
-         allocate (memory%solver)
-         call new_periodic_solver(memory%solver, elastic_kernel_t(), n, period, surface%is_quarter, error)
-         if (allocated(error)) return
-         memory%n_cells = n
-      end associate
-      memory%period = period
+      if (is_kept(surface, memory)) return
+      memory%n_cells = 0
+      if (allocated(memory%solver)) deallocate (memory%solver)
+      allocate (memory%solver)
+      call make(surface, solver=memory%solver, error=error)
+      if (allocated(error)) return
+      memory%n_cells = shape(surface%shape)
+      memory%period = surface%period/surface%period(1)
       memory%is_quarter = surface%is_quarter
+      memory%kernel_numbers = numbers_of(surface)
    end subroutine prepare
+
+   !> Is the solver of the last point that of a surface?
+   pure logical function is_kept(surface, memory)
+      !> Periods and undeformed gap of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Solver of the last point.
+      type(periodic_memory_t), intent(in) :: memory
+
+      is_kept = .not. any(memory%n_cells /= shape(surface%shape))
+      if (.not. is_kept) return
+      is_kept = .not. (any(abs(memory%period - surface%period/surface%period(1)) > 0) &
+         & .or. (memory%is_quarter .neqv. surface%is_quarter))
+      if (.not. is_kept) return
+      associate (numbers => numbers_of(surface))
+         is_kept = size(memory%kernel_numbers) == size(numbers)
+         if (is_kept) is_kept = .not. any(abs(memory%kernel_numbers - numbers) > 0)
+      end associate
+   end function is_kept
+
+   !> Numbers from which the kernel of a surface is made.
+   pure function numbers_of(surface) result(numbers)
+      !> The surface with its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      real(dp), allocatable :: numbers(:)
+
+      allocate (numbers(0))
+      if (.not. allocated(surface%solid)) return
+      if (allocated(surface%solid%kernel)) numbers = surface%solid%numbers
+   end function numbers_of
+
+   !> Make a solver or an operator for the cells and the solid of a surface.
+   subroutine make(surface, solver, operator, error)
+      !> Periods and undeformed gap of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Receives the solver, where it is wanted.
+      type(periodic_solver_t), intent(out), optional :: solver
+      !> Receives the operator, where it is wanted.
+      type(periodic_operator_t), intent(out), optional :: operator
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+
+      if (allocated(surface%solid)) then
+         if (allocated(surface%solid%kernel)) then
+            call make_from(surface%solid%kernel)
+            return
+         end if
+      end if
+      call make_from(elastic_kernel_t())
+
+   contains
+
+      !> Make it for a kernel.
+      subroutine make_from(kernel)
+         !> The surface of the solid.
+         class(kernel_t), intent(in) :: kernel
+
+         associate (n => shape(surface%shape), period => surface%period/surface%period(1))
+            if (present(solver)) call new_periodic_solver(solver, kernel, n, period, surface%is_quarter, error)
+            if (present(operator)) call new_periodic_operator(operator, kernel, n, period, surface%is_quarter, .false., error)
+         end associate
+      end subroutine make_from
+
+   end subroutine make
 
 end module adfric_periodic_point

@@ -1,37 +1,25 @@
-!> The model `surface_elastic`: a rigid periodic surface, given by its heights, on an elastic half-space, without friction and
-!> adhesion.
-!>
-!> The heights stand in the middles of equal cells that fill a period, from x = 0 and y = 0 on. They are those of the rough body,
-!> positive towards the half-space: the summits touch first.
+!> The model `surface_elastic`: a rigid periodic surface, given by its heights (`adfric_periodic_given_heights`), on an elastic
+!> half-space, without friction and adhesion.
 module adfric_periodic_surface_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_unset, only: is_set
-   use adfric_model_check, only: require, refuse_swept
-   use adfric_model_rows, only: positive, dataset
+   use adfric_model_check, only: refuse_swept
    use adfric_model_table, only: variable_t
-   use adfric_periodic_grids, only: n_grids_of
-   use adfric_periodic_model, only: periodic_model_t
-   use adfric_periodic_operator, only: is_too_long
-   use adfric_periodic_point, only: periodic_surface_t
-   use adfric_periodic_solver, only: grids_for_error
-   use adfric_periodic_variables, only: modulus_of
-   use adfric_shape_period_seam, only: seam_t, seam_of
+   use adfric_periodic_elastic_model, only: elastic_model_t
+   use adfric_periodic_given_heights, only: given_heights_t, set_heights_rows, n_heights_rows
+   use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t
    implicit none (type, external)
    private
    public :: surface_model_t, new_surface_model
 
-   !> Places of the surface's own variables; those of `adfric_periodic_variables` follow.
+   !> Places of the surface's own variables; those that all models of a periodic surface share follow.
    integer, parameter, public :: v_heights = 1, v_length_x = 2, v_length_y = 3
-   integer, parameter, public :: n_surface_own = 3
-   !> Fewest cells in each direction, so that they can hold a wave.
-   integer, parameter :: fewest_cells = 4
 
    !> The model `surface_elastic`.
-   type, extends(periodic_model_t) :: surface_model_t
+   type, extends(elastic_model_t) :: surface_model_t
       private
-      !> Heights less the largest of them, shape `(nx, ny)` [m]; ny = 1 for a surface that does not vary along y.
-      real(dp), allocatable :: depths(:, :)
+      !> Heights of the input.
+      type(given_heights_t) :: given
    contains
       procedure :: take_dataset
       procedure :: check_surface
@@ -41,7 +29,6 @@ module adfric_periodic_surface_model
       procedure :: get_peak_pressure
       procedure :: describe_surface
       procedure :: describe_doubts
-      procedure, private :: is_line
    end type surface_model_t
 
 contains
@@ -50,15 +37,10 @@ contains
    subroutine new_surface_model(self)
       !> The new model; receives its tables.
       type(surface_model_t), intent(out) :: self
-      type(variable_t) :: v(n_surface_own)
+      type(variable_t) :: v(n_heights_rows)
 
-      v(v_heights) = dataset(group='surface', name='heights', unit='m', &
-         & meaning='heights of the rough body, (ny, nx), or (nx) if it does not vary along y; the largest touches first', &
-         & largest_rank=2, least_count=fewest_cells)
-      v(v_length_x) = positive(group='surface', name='length_x', unit='m', &
-         & meaning='period in x, along which the heights vary fastest')
-      v(v_length_y) = positive(group='surface', name='length_y', unit='m', meaning='period in y')
-      call self%set_tables(name='surface_elastic', variables=v, &
+      call set_heights_rows(v)
+      call self%set_elastic_tables(name='surface_elastic', surface=v, &
          & summary='a rigid periodic surface of given heights on an elastic half-space: area, pressure and gap up to full contact')
    end subroutine new_surface_model
 
@@ -73,20 +55,8 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      if (maxval(values) > minval(values)) then
-         self%depths = maxval(values) - values
-      else
-         call problems%add(self%variables(place)%group, self%variables(place)%name, 'all heights are the same')
-      end if
+      call self%given%take(self%variables(place), values, problems)
    end subroutine take_dataset
-
-   !> Does the surface not vary along y?
-   pure logical function is_line(self)
-      !> The model with its heights.
-      class(surface_model_t), intent(in) :: self
-
-      is_line = size(self%depths, 2) == 1
-   end function is_line
 
    !> See `periodic_model_t`.
    subroutine check_surface(self, values, is_swept, problems)
@@ -99,17 +69,7 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call require(self%variables, values, [v_heights, v_length_x], problems)
-      if (.not. is_set(values(v_heights))) return
-      if (.not. self%is_line()) then
-         call require(self%variables, values, [v_length_y], problems)
-         if (is_set(values(v_length_x)) .and. is_set(values(v_length_y))) then
-            if (is_too_long(shape(self%depths), values([v_length_x, v_length_y]))) call problems%add('surface', 'length_y', &
-               & 'and length_x make cells more than 1e6 times as long as wide')
-         end if
-      else if (is_set(values(v_length_y))) then
-         call problems%add('surface', 'length_y', 'is given, but the heights have one dimension, x')
-      end if
+      call self%given%check(self%variables(v_heights:v_length_y), values(v_heights:v_length_y), problems)
       if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [v_length_x, v_length_y], problems)
    end subroutine check_surface
 
@@ -122,9 +82,7 @@ contains
       !> Receives the periods and the cells of the heights.
       type(periodic_surface_t), intent(inout) :: surface
 
-      surface%period = values(v_length_x)
-      if (.not. self%is_line()) surface%period(2) = values(v_length_y)
-      surface%n_cells = shape(self%depths)
+      call self%given%get_cells(values(v_heights:v_length_y), surface)
    end subroutine get_cells
 
    !> See `periodic_model_t`: all points have the same map.
@@ -136,33 +94,39 @@ contains
       !> Receives the depths below the highest summit, unless it has them already [m].
       real(dp), allocatable, intent(inout) :: shape(:, :)
 
-      if (.not. allocated(shape)) allocate (shape, source=self%depths)
+      if (.not. allocated(shape)) allocate (shape, source=self%given%depths)
       associate (unused => values)
       end associate
    end subroutine get_shape
 
    !> See `periodic_model_t`: that of the cells as they are.
-   pure real(dp) function get_full_pressure(self, values, on_cells)
-      !> The model, for the places of the shared variables.
+   pure real(dp) function get_full_pressure(self, values, solid, on_cells)
+      !> The model; nothing is read from it here.
       class(surface_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
+      !> The half-space.
+      class(periodic_solid_t), intent(in) :: solid
       !> Pressure of full contact of the surface as its cells have it [E*].
       real(dp), intent(in) :: on_cells
 
-      get_full_pressure = modulus_of(values(self%n_own + 1:))*on_cells
+      get_full_pressure = solid%modulus*on_cells
+      associate (unused => self, unused_values => values)
+      end associate
    end function get_full_pressure
 
    !> See `periodic_model_t`: that of a cell.
    real(dp) function get_peak_pressure(self, values, pressure)
-      !> The model, for the places of the shared variables.
+      !> The model; nothing is read from it here.
       class(surface_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
-      !> Pressure in the middles of the cells [E*]; shape `(nx, ny)`.
+      !> Pressure in the middles of the cells; shape `(nx, ny)`.
       real(dp), intent(in) :: pressure(:, :)
 
-      get_peak_pressure = modulus_of(values(self%n_own + 1:))*maxval(pressure)
+      get_peak_pressure = maxval(pressure)
+      associate (unused => self, unused_values => values)
+      end associate
    end function get_peak_pressure
 
    !> See `periodic_model_t`.
@@ -171,9 +135,7 @@ contains
       class(surface_model_t), intent(in) :: self
       character(:), allocatable :: text
 
-      text = ''
-      if (n_grids_of(shape(self%depths)) < grids_for_error) text = 'the error of the area is not estimated: for that the ' &
-         & //'numbers of cells have to be multiples of 4, 32 at least'//new_line('a')
+      text = self%given%describe()
    end function describe_surface
 
    !> See `model_t`: edges that do not meet.
@@ -183,19 +145,8 @@ contains
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
-      character(*), parameter :: axes = 'xy'
-      type(seam_t) :: seam
-      character(60) :: steps
-      integer :: k
 
-      text = ''
-      do k = 1, merge(1, 2, self%is_line())
-         seam = seam_of(self%depths, k)
-         if (.not. seam%is_open()) cycle
-         write (steps, '(es9.2, a, es9.2, a)') seam%step, ' m, inside at most', seam%largest, ' m'
-         text = text//'the heights do not meet where the period ends along '//axes(k:k)//': a step of' &
-            & //trim(steps)//' (root mean square); is the surface periodic?'//new_line('a')
-      end do
+      text = self%given%doubt()
       associate (unused => values)
       end associate
    end function describe_doubts

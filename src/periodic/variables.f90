@@ -1,17 +1,18 @@
-!> Rows of the tables that all models of a periodic surface share.
+!> Rows of the tables that all models of a periodic surface share: tolerance, then those of the solid, what is held, and the maps.
 module adfric_periodic_variables
    use adfric_base_kinds, only: dp
-   use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of
-   use adfric_model_rows, only: positive, number, switch, result_row, any_number
+   use adfric_material_contact_modulus, only: n_two_bodies
+   use adfric_model_rows, only: number, switch, result_row, any_number
    use adfric_model_table, only: variable_t, result_t
    implicit none (type, external)
    private
-   public :: set_periodic_variables, get_periodic_results, modulus_of
+   public :: tolerance_row, set_held_rows, get_periodic_results
 
-   !> Places among the last rows of the variables.
-   integer, parameter, public :: v_relative_tolerance = 1, v_contact_modulus = 2, v_second_poisson_ratio = 6, &
-      & v_mean_pressure = 7, v_penetration = 8, v_profiles = 9
-   integer, parameter, public :: n_periodic_variables = 9
+   !> Places among the rows behind those of the solid.
+   integer, parameter, public :: v_mean_pressure = 1, v_penetration = 2, v_profiles = 3
+   integer, parameter, public :: n_held = 3
+   !> Number of the rows that the models on an elastic half-space share.
+   integer, parameter, public :: n_periodic_variables = 1 + n_two_bodies + n_held
 
    !> Places of the results.
    integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_fraction = 3, r_contact_fraction_error = 4, &
@@ -20,30 +21,25 @@ module adfric_periodic_variables
 
 contains
 
-   !> Rows of the tolerance, the solid, what is held and the maps.
-   subroutine set_periodic_variables(v)
-      !> Receives the rows that all models of a periodic surface share; shape `(n_periodic_variables)`.
+   !> The row of the tolerance.
+   type(variable_t) function tolerance_row() result(v)
+
+      v = any_number(group='numerics', name='relative_tolerance', unit='-', &
+         & meaning='largest violation of the conditions of contact', default=1.0e-10_dp, lower=1.0e-13_dp, upper=1.0e-3_dp)
+   end function tolerance_row
+
+   !> Rows of what is held and of the maps.
+   subroutine set_held_rows(v)
+      !> Receives the rows; shape `(n_held)`.
       type(variable_t), intent(inout) :: v(:)
 
-      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
-         & v(v_contact_modulus:v_second_poisson_ratio))
       v(v_mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', meaning='load over nominal area', &
          & lower=0.0_dp)
       v(v_penetration) = number(group='operating', name='penetration', unit='m', &
          & meaning='approach from first touch, at the mean of the deformed surface, instead')
-      v(v_relative_tolerance) = any_number(group='numerics', name='relative_tolerance', unit='-', &
-         & meaning='largest violation of the conditions of contact', default=1.0e-10_dp, lower=1.0e-13_dp, upper=1.0e-3_dp)
       v(v_profiles) = switch(group='output', name='profiles', meaning='write maps of pressure and gap for every point', &
          & default=.false.)
-   end subroutine set_periodic_variables
-
-   !> E* [Pa].
-   pure real(dp) function modulus_of(values)
-      !> Values of these rows alone; shape `(n_periodic_variables)`.
-      real(dp), intent(in) :: values(:)
-
-      modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
-   end function modulus_of
+   end subroutine set_held_rows
 
    !> The table of results.
    function get_periodic_results() result(r)

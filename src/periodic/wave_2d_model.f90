@@ -10,21 +10,21 @@ module adfric_periodic_wave_2d_model
    use adfric_model_check, only: require, refuse_swept
    use adfric_model_rows, only: positive, whole_number
    use adfric_model_table, only: variable_t
-   use adfric_periodic_model, only: periodic_model_t
-   use adfric_periodic_point, only: periodic_surface_t
-   use adfric_periodic_variables, only: modulus_of
+   use adfric_periodic_elastic_model, only: elastic_model_t
+   use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t
+   use adfric_periodic_wave_cells, only: set_wave
    implicit none (type, external)
    private
    public :: wave_2d_model_t, new_wave_2d_model
 
-   !> Places of the wave's own variables; those of `adfric_periodic_variables` follow.
+   !> Places of the wave's own variables; those that all models of a periodic surface share follow.
    integer, parameter, public :: v_period = 1, v_amplitude = 2, v_cells = 3
    integer, parameter, public :: n_wave_2d_own = 3
    !> Cells come in multiples of this, so that grids of half and a quarter of them tell the error of the area.
    integer, parameter :: multiple_of_cells = 64
 
    !> The model `wave_2d_elastic`.
-   type, extends(periodic_model_t) :: wave_2d_model_t
+   type, extends(elastic_model_t) :: wave_2d_model_t
    contains
       procedure :: check_surface
       procedure :: get_cells
@@ -47,9 +47,9 @@ contains
       v(v_cells) = whole_number(group='numerics', name='cells', &
          & meaning='cells along a period, a multiple of 64; the error of the area falls with their number', default=512, lower=64, &
          & upper=8192)
-      call self%set_tables(name='wave_2d_elastic', &
+      call self%set_elastic_tables(name='wave_2d_elastic', &
          & summary='a rigid wave in two directions on an elastic half-space: area, pressure and gap up to full contact', &
-         & variables=v)
+         & surface=v)
       self%knows_full_pressure = .true.
    end subroutine new_wave_2d_model
 
@@ -94,45 +94,43 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives the gap of the undeformed wave in a quarter [m].
       real(dp), allocatable, intent(inout) :: shape(:, :)
-      real(dp) :: trough(nint(values(v_cells))/2)
-      integer :: i, j, n
 
-      n = size(trough)
-      trough = [(values(v_amplitude)*(1 - cos(two_pi*(i - 0.5_dp)/(2*n))), i=1, n)]
-      if (allocated(shape)) deallocate (shape)
-      allocate (shape(n, n))
-      do j = 1, n
-         shape(:, j) = trough + trough(j)
-      end do
+      associate (n => nint(values(v_cells)))
+         call set_wave(values(v_amplitude), n, [n/2, n/2], shape)
+      end associate
       associate (unused => self)
       end associate
    end subroutine get_shape
 
    !> See `periodic_model_t`: that of the wave itself.
-   pure real(dp) function get_full_pressure(self, values, on_cells)
-      !> The model, for the places of the shared variables.
+   pure real(dp) function get_full_pressure(self, values, solid, on_cells)
+      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
+      !> The half-space.
+      class(periodic_solid_t), intent(in) :: solid
       !> Pressure of full contact of the surface as its cells have it [E*], not used here.
       real(dp), intent(in) :: on_cells
 
-      get_full_pressure = two_pi*modulus_of(values(self%n_own + 1:))*(values(v_amplitude)/values(v_period))
-      associate (unused => on_cells)
+      get_full_pressure = two_pi*solid%modulus*(values(v_amplitude)/values(v_period))
+      associate (unused => self, unused_number => on_cells)
       end associate
    end function get_full_pressure
 
    !> See `periodic_model_t`: that of the crest, about which pressure is even in both directions.
    real(dp) function get_peak_pressure(self, values, pressure)
-      !> The model, for the places of the shared variables.
+      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
-      !> Pressure in the middles of the cells [E*]; shape `(nx, ny)`.
+      !> Pressure in the middles of the cells; shape `(nx, ny)`.
       real(dp), intent(in) :: pressure(:, :)
 
       associate (p => pressure)
-         get_peak_pressure = modulus_of(values(self%n_own + 1:))*(81*p(1, 1) - 9*p(2, 1) - 9*p(1, 2) + p(2, 2))/64
+         get_peak_pressure = (81*p(1, 1) - 9*p(2, 1) - 9*p(1, 2) + p(2, 2))/64
+      end associate
+      associate (unused => self, unused_values => values)
       end associate
    end function get_peak_pressure
 

@@ -1,0 +1,149 @@
+!> The heights of a rough body as an input gives them: in the middles of equal cells that fill a period, from x = 0 and y = 0 on,
+!> positive towards the solid. The summits touch first.
+module adfric_periodic_given_heights
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_model_check, only: require
+   use adfric_model_rows, only: positive, dataset
+   use adfric_model_table, only: variable_t
+   use adfric_periodic_grids, only: n_grids_of
+   use adfric_periodic_operator, only: is_too_long
+   use adfric_periodic_point, only: periodic_surface_t
+   use adfric_periodic_solver, only: grids_for_error
+   use adfric_shape_period_seam, only: seam_t, seam_of
+   implicit none (type, external)
+   private
+   public :: given_heights_t, set_heights_rows, n_heights_rows
+
+   !> Number of rows.
+   integer, parameter :: n_heights_rows = 3
+   !> Places among the rows.
+   integer, parameter :: heights = 1, length_x = 2, length_y = 3
+   !> Fewest cells in each direction, so that they can hold a wave.
+   integer, parameter :: fewest_cells = 4
+
+   !> Heights of an input.
+   type :: given_heights_t
+      !> Depths below the highest summit, shape `(nx, ny)` [m]; ny = 1 for a surface that does not vary along y.
+      real(dp), allocatable :: depths(:, :)
+   contains
+      procedure :: take
+      procedure :: check
+      procedure :: get_cells
+      procedure :: describe
+      procedure :: doubt
+      procedure, private :: is_line
+   end type given_heights_t
+
+contains
+
+   !> The rows of heights and periods.
+   subroutine set_heights_rows(rows)
+      !> Receives the rows; shape `(n_heights_rows)`.
+      type(variable_t), intent(inout) :: rows(:)
+
+      rows(heights) = dataset(group='surface', name='heights', unit='m', &
+         & meaning='heights of the rough body, (ny, nx), or (nx) if it does not vary along y; the largest touches first', &
+         & largest_rank=2, least_count=fewest_cells)
+      rows(length_x) = positive(group='surface', name='length_x', unit='m', &
+         & meaning='period in x, along which the heights vary fastest')
+      rows(length_y) = positive(group='surface', name='length_y', unit='m', meaning='period in y')
+   end subroutine set_heights_rows
+
+   !> Keep the depths below the highest summit.
+   subroutine take(self, row, values, problems)
+      !> Receives the depths.
+      class(given_heights_t), intent(inout) :: self
+      !> Row of the heights; its name is part of the messages.
+      type(variable_t), intent(in) :: row
+      !> Heights of the rough body [m]; shape `(nx, ny)`, ny = 1 if they do not vary along y.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (maxval(values) > minval(values)) then
+         self%depths = maxval(values) - values
+      else
+         call problems%add(row%group, row%name, 'all heights are the same')
+      end if
+   end subroutine take
+
+   !> Does the surface not vary along y?
+   pure logical function is_line(self)
+      !> The heights.
+      class(given_heights_t), intent(in) :: self
+
+      is_line = size(self%depths, 2) == 1
+   end function is_line
+
+   !> Add to `problems` what is missing or impossible.
+   subroutine check(self, rows, values, problems)
+      !> The heights.
+      class(given_heights_t), intent(in) :: self
+      !> The rows of `set_heights_rows`; their names are part of the messages.
+      type(variable_t), intent(in) :: rows(:)
+      !> Values of the rows; shape `(n_heights_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call require(rows, values, [heights, length_x], problems)
+      if (.not. is_set(values(heights))) return
+      if (.not. self%is_line()) then
+         call require(rows, values, [length_y], problems)
+         if (is_set(values(length_x)) .and. is_set(values(length_y))) then
+            if (is_too_long(shape(self%depths), values([length_x, length_y]))) call problems%add('surface', 'length_y', &
+               & 'and length_x make cells more than 1e6 times as long as wide')
+         end if
+      else if (is_set(values(length_y))) then
+         call problems%add('surface', 'length_y', 'is given, but the heights have one dimension, x')
+      end if
+   end subroutine check
+
+   !> Periods and cells of the heights.
+   subroutine get_cells(self, values, surface)
+      !> The heights.
+      class(given_heights_t), intent(in) :: self
+      !> Values of the rows, which have been checked; shape `(n_heights_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the periods and the cells.
+      type(periodic_surface_t), intent(inout) :: surface
+
+      surface%period = values(length_x)
+      if (.not. self%is_line()) surface%period(2) = values(length_y)
+      surface%n_cells = shape(self%depths)
+   end subroutine get_cells
+
+   !> A line where the error is not estimated; else nothing.
+   function describe(self) result(text)
+      !> The heights.
+      class(given_heights_t), intent(in) :: self
+      character(:), allocatable :: text
+
+      text = ''
+      if (n_grids_of(shape(self%depths)) < grids_for_error) text = 'the error of the area is not estimated: for that the ' &
+         & //'numbers of cells have to be multiples of 4, 32 at least'//new_line('a')
+   end function describe
+
+   !> A line for edges that do not meet.
+   function doubt(self) result(text)
+      !> The heights.
+      class(given_heights_t), intent(in) :: self
+      character(:), allocatable :: text
+      character(*), parameter :: axes = 'xy'
+      type(seam_t) :: seam
+      character(60) :: steps
+      integer :: k
+
+      text = ''
+      do k = 1, merge(1, 2, self%is_line())
+         seam = seam_of(self%depths, k)
+         if (.not. seam%is_open()) cycle
+         write (steps, '(es9.2, a, es9.2, a)') seam%step, ' m, inside at most', seam%largest, ' m'
+         text = text//'the heights do not meet where the period ends along '//axes(k:k)//': a step of' &
+            & //trim(steps)//' (root mean square); is the surface periodic?'//new_line('a')
+      end do
+   end function doubt
+
+end module adfric_periodic_given_heights
