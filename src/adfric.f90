@@ -8,6 +8,7 @@ module adfric
    use adfric_classical_strip_load_model, only: strip_load_model_t, new_strip_load_model
    use adfric_classical_wave_model, only: wave_model_t, new_wave_model
    use adfric_model_model, only: model_t
+   use adfric_periodic_sliding_model, only: sliding_model_t, new_sliding_model
    use adfric_periodic_surface_model, only: surface_model_t, new_surface_model
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model
@@ -18,7 +19,7 @@ module adfric
 
    !> Names of the models, separated by a blank.
    character(*), parameter :: known_models = 'wavy_sliding sphere hertz rigid_punch wave_1d wave_2d_elastic surface_elastic '// &
-      & 'line_load strip_load point_load'
+      & 'surface_sliding line_load strip_load point_load'
 
 contains
 
@@ -37,6 +38,7 @@ contains
       type(wave_model_t), allocatable :: wave
       type(wave_2d_model_t), allocatable :: wave_2d
       type(surface_model_t), allocatable :: surface
+      type(sliding_model_t), allocatable :: sliding
       type(line_load_model_t), allocatable :: line_load
       type(strip_load_model_t), allocatable :: strip_load
       type(point_load_model_t), allocatable :: point_load
@@ -70,6 +72,10 @@ contains
          allocate (surface)
          call new_surface_model(surface)
          call move_alloc(surface, model)
+      case ('surface_sliding')
+         allocate (sliding)
+         call new_sliding_model(sliding)
+         call move_alloc(sliding, model)
       case ('line_load')
          allocate (line_load)
          call new_line_load_model(line_load)

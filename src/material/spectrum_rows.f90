@@ -24,7 +24,7 @@ module adfric_material_spectrum_rows
    implicit none (type, external)
    private
    public :: set_spectrum_rows, take_spectrum, take_spectrum_attribute, has_spectrum, check_spectrum, get_spectrum
-   public :: shift_factor_of, describe_spectrum, doubt_spectrum, derive_spectrum
+   public :: shift_factor_of, poisson_ratio_of, describe_spectrum, doubt_spectrum, derive_spectrum
    public :: n_spectrum_rows, spectrum_names
 
    !> Places among the rows; the last one stands in the group of the operating conditions.
@@ -250,6 +250,14 @@ contains
       if (is_set(values(temperature))) call law%get_shift_factor(values(temperature), factor, is_valid)
       if (is_set(values(time_factor))) factor = factor*values(time_factor)
    end function shift_factor_of
+
+   !> Poisson's ratio [-], or unset where it is not given.
+   pure real(dp) function poisson_ratio_of(values)
+      !> Values of the rows; shape `(n_spectrum_rows)`.
+      real(dp), intent(in) :: values(:)
+
+      poisson_ratio_of = values(poisson_ratio)
+   end function poisson_ratio_of
 
    !> What `adfric check` says of the spectrum, a line each.
    function describe_spectrum(values, given) result(text)

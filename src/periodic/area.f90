@@ -7,7 +7,7 @@ module adfric_periodic_area
    use adfric_base_constants, only: pi
    implicit none (type, external)
    private
-   public :: area_t, area_of_cells, refine_area
+   public :: area_t, area_of_cells, refine_area, relative_error_of
 
    real(dp), parameter :: excess_of_perimeter = (pi - 1 + log(2.0_dp))/24
    !> Scatter of the corrected area, as a part of S_d dx: what is left when two grids agree by accident.
@@ -64,5 +64,14 @@ contains
       area%error = max(abs(area%corrected - coarse%corrected), abs(coarse%corrected - coarsest%corrected)/2) + &
          merge(1.0_dp, scatter, is_line)*area%perimeter + area%resolution
    end subroutine refine_area
+
+   !> Error of the area relative to it, 1 at most; 0 without contact.
+   pure real(dp) function relative_error_of(area) result(error)
+      !> The area and its error.
+      type(area_t), intent(in) :: area
+
+      error = 0
+      if (area%error > 0) error = area%error/max(area%corrected, area%error)
+   end function relative_error_of
 
 end module adfric_periodic_area

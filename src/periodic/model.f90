@@ -11,6 +11,7 @@ module adfric_periodic_model
    use adfric_model_rows, only: contact_profiles, count_row, set_coordinate
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
    use adfric_model_table, only: variable_t, profile_axis_t
+   use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, &
       & solve_periodic, find_full_pressure
    use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
@@ -384,8 +385,7 @@ contains
       !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
 
-      error_estimate = 0
-      if (solution%area%error > 0) error_estimate = solution%area%error/max(solution%area%corrected, solution%area%error)
+      error_estimate = relative_error_of(solution%area)
       associate (unused => self, unused_values => values, unused_surface => surface, unused_results => results)
       end associate
    end subroutine finish_point

@@ -7,6 +7,7 @@
 module adfric_periodic_operator
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts
+   use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
    use adfric_periodic_kernel, only: kernel_t
@@ -44,6 +45,9 @@ module adfric_periodic_operator
       procedure :: resist_mean
       procedure :: apply_stiffness
       procedure :: apply_compliance
+      procedure :: get_slope
+      procedure :: get_loss
+      procedure, private :: set_wave_numbers
    end type periodic_operator_t
 
 contains
@@ -211,5 +215,72 @@ contains
       call self%filter%apply(compliance, pressure, displacement)
       self%n_applied = self%n_applied + 1
    end subroutine apply_compliance
+
+   !> Slope of a map along x or y, wave by wave. Waves of two cells have none.
+   subroutine get_slope(self, along, map, slope)
+      !> The operator, for its cells and transforms; not of a quarter.
+      class(periodic_operator_t), intent(inout) :: self
+      !> Direction of the slope: 1 along x, 2 along y.
+      integer, intent(in) :: along
+      !> The map in the middles of the cells; shape `n_cells`.
+      real(dp), intent(in), contiguous :: map(:, :)
+      !> Receives its slope [unit of the map over that of lengths]; shape `n_cells`.
+      real(dp), intent(out), contiguous :: slope(:, :)
+      real(dp), allocatable :: nothing(:, :), numbers(:, :)
+
+      if (has_asserts) call assert(.not. self%is_quarter, 'get_slope: not of a quarter')
+      allocate (nothing, mold=self%stiffness)
+      allocate (numbers, mold=self%stiffness)
+      nothing(:, :) = 0
+      call self%set_wave_numbers(along, numbers)
+      numbers(:, :) = numbers/self%filter%gain
+      call self%filter%apply(nothing, map, slope, imaginary=numbers)
+   end subroutine get_slope
+
+   !> What the pressures of given displacements do on their slope along x or y, -mean(p du/dx): the sum over all waves of wave number
+   !> times -Im(stiffness) times the square of the wave. 0 where the stiffness is real.
+   subroutine get_loss(self, along, displacement, loss)
+      !> The operator, for its stiffness and transforms; not of a quarter.
+      class(periodic_operator_t), intent(inout) :: self
+      !> Direction of the slope: 1 along x, 2 along y.
+      integer, intent(in) :: along
+      !> Displacement of the surface in the middles of the cells; shape `n_cells`.
+      real(dp), intent(in), contiguous :: displacement(:, :)
+      !> Receives the loss [E*]; along the motion of a body over a viscoelastic solid it is >= 0 but for round-off.
+      real(dp), intent(out) :: loss
+      real(dp), allocatable :: factors(:, :), product(:, :)
+
+      loss = 0
+      if (self%is_symmetric) return
+      allocate (factors, mold=self%stiffness)
+      allocate (product, mold=displacement)
+      call self%set_wave_numbers(along, factors)
+      factors(:, :) = -factors*self%lag
+      call self%filter%apply(factors, displacement, product, loss)
+      loss = loss/size(displacement)
+   end subroutine get_loss
+
+   !> Wave numbers 2 pi n of all modes along x or y, 0 for waves of two cells, whose direction cannot be told.
+   pure subroutine set_wave_numbers(self, along, numbers)
+      !> The operator, for its cells.
+      class(periodic_operator_t), intent(in) :: self
+      !> 1: along x, 2: along y.
+      integer, intent(in) :: along
+      !> Receives the numbers [1/unit of lengths]; shape of the modes, y first.
+      real(dp), intent(out) :: numbers(:, :)
+      real(dp) :: n
+      integer :: i, j
+
+      associate (cells => self%n_cells(along), period => self%n_cells(along)*self%cell_size(along))
+         do i = 1, size(numbers, 2)
+            do j = 1, size(numbers, 1)
+               n = i - 1
+               if (along == 2) n = wave_number(j - 1, cells, .false.)
+               if (2*abs(nint(n)) == cells) n = 0
+               numbers(j, i) = two_pi*n/period
+            end do
+         end do
+      end associate
+   end subroutine set_wave_numbers
 
 end module adfric_periodic_operator

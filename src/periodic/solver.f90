@@ -7,6 +7,7 @@ module adfric_periodic_solver
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_periodic_area, only: area_t, area_of_cells, refine_area
+   use adfric_periodic_friction, only: friction_t, get_friction, get_losses
    use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact, residual_of
    use adfric_periodic_gap_solver, only: gap_solver_t, new_gap_solver
    use adfric_periodic_grids, only: coarsen, refine, n_grids_of
@@ -41,6 +42,12 @@ module adfric_periodic_solver
       type(area_t) :: area
       !> Mean pressure at which contact becomes full on these cells, the largest of A g0 [E*].
       real(dp) :: full_pressure = 0
+      !> Friction in full contact on these cells, along x and along y [E*].
+      real(dp) :: full_friction(2) = 0
+      !> Friction, and on the grid of half the cells in each direction.
+      type(friction_t) :: friction, coarse_friction
+      !> Was there such a grid?
+      logical :: has_coarse_friction = .false.
       !> Largest violation of the conditions of contact, see `adfric_periodic_contact`.
       real(dp) :: residual = huge(1.0_dp)
       !> Iterations and applied operators on the finest grid.
@@ -239,21 +246,28 @@ contains
          end associate
       end do
       call set_solution(states(first:), self%grids(n)%operator, solution)
+      call get_friction(self%grids(n)%operator, solution%pressure, shape, solution%gap, solution%friction)
+      solution%has_coarse_friction = n > first
+      if (n == first) return
+      associate (coarse => states(n - 1))
+         call get_friction(self%grids(n - 1)%operator, coarse%pressure, coarse%shape, coarse%gap, solution%coarse_friction)
+      end associate
    end subroutine solve
 
-   !> Find the pressure at which contact becomes full.
+   !> Find the pressure at which contact becomes full, and the friction from there on.
    subroutine set_full_pressure(operator, shape, solution)
       !> Operator of the finest grid.
       type(periodic_operator_t), intent(inout) :: operator
       !> Gap of the undeformed surfaces in the middles of the cells.
       real(dp), intent(in) :: shape(:, :)
-      !> Receives the pressure.
+      !> Receives pressure and friction.
       type(periodic_solution_t), intent(inout) :: solution
       real(dp), allocatable :: tension(:, :)
 
       allocate (tension, mold=shape)
       call operator%apply_stiffness(shape, tension)
       solution%full_pressure = maxval(tension)
+      call get_losses(operator, shape, solution%full_friction)
    end subroutine set_full_pressure
 
    !> Is there contact? Under given penetration a coarse grid may have lost the summits that touch.

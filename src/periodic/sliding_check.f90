@@ -1,0 +1,143 @@
+!> What is missing, contradictory or impossible in an input of `surface_sliding`.
+module adfric_periodic_sliding_check
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_material_given_spectrum, only: given_spectrum_t
+   use adfric_material_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows
+   use adfric_model_check, only: require, refuse_given, refuse_swept
+   use adfric_model_table, only: variable_t
+   use adfric_periodic_given_heights, only: given_heights_t
+   use adfric_periodic_sliding_case, only: is_direction, speed_of
+   use adfric_periodic_sliding_variables
+   implicit none (type, external)
+   private
+   public :: check_sliding_surface, check_sliding_solid
+
+   !> Cells of waves come in multiples of this, so that there are three nested grids.
+   integer, parameter :: multiple_of_cells = 32
+   !> Most cells along a period of waves along x and y.
+   integer, parameter :: most_cells_2d = 8192
+   !> Least thickness of a layer, in periods: below it pressure hardly spreads, and numbers leave their range.
+   real(dp), parameter :: thinnest = 1.0e-6_dp
+   !> Velocities above it are no velocities [m/s].
+   real(dp), parameter :: fastest = 1.0e60_dp
+
+contains
+
+   !> Add to `problems` what is wrong with the surface, its motion and its cells.
+   subroutine check_sliding_surface(variables, values, heights, is_swept, has_profiles, problems)
+      !> Table of the variables; their names stand in the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values in the order of `variables`; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Heights of the input.
+      type(given_heights_t), intent(in) :: heights
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Are maps wanted?
+      logical, intent(in) :: has_profiles
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call require(variables, values, [v_kind], problems)
+      if (.not. is_set(values(v_kind))) return
+      if (nint(values(v_kind)) == kind_heights) then
+         call heights%check(variables(v_heights:v_length_y), values(v_heights:v_length_y), problems)
+         call refuse_given(variables, values, is_swept, [v_period, v_amplitude, v_cells], 'has no meaning beside heights', problems)
+      else
+         call require(variables, values, [v_period, v_amplitude], problems)
+         call refuse_given(variables, values, is_swept, [v_heights, v_length_x, v_length_y], 'has no meaning for waves', problems)
+         if (modulo(cells_of(values), multiple_of_cells) /= 0) call add(v_cells, 'is no multiple of 32')
+         if (nint(values(v_kind)) == kind_wave_2d .and. cells_of(values) > most_cells_2d) &
+            & call add(v_cells, 'is more than 8192, the most for wave_2d')
+      end if
+      if (.not. is_direction(values(v_direction))) call add(v_direction, 'is none of 0, 90, 180 and 270 degrees')
+      if (has_profiles) call refuse_swept(variables, is_swept, [v_period, v_cells, v_length_x, v_length_y], problems)
+
+   contains
+
+      !> Add a problem of one variable to the list.
+      subroutine add(v, text)
+         !> Place of the variable in the table, one of `v_...`.
+         integer, intent(in) :: v
+         !> What is wrong with the variable; its name is put before this.
+         character(*), intent(in) :: text
+
+         call problems%add(variables(v)%group, variables(v)%name, text)
+      end subroutine add
+
+   end subroutine check_sliding_surface
+
+   !> Add to `problems` what is wrong with material, layer and velocity.
+   subroutine check_sliding_solid(rows, values, length, spectrum, is_swept, problems)
+      !> Rows of the solid; their names stand in the messages.
+      type(variable_t), intent(in) :: rows(:)
+      !> Values of the rows; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Period along x [m], or unset.
+      real(dp), intent(in) :: length
+      !> Lists and master curve of the input.
+      type(given_spectrum_t), intent(in) :: spectrum
+      !> Is the variable swept? Shape `(n_solid_rows)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: before
+
+      before = problems%count()
+      call check_spectrum(rows(:n_spectrum_rows), values(:n_spectrum_rows), spectrum, is_swept(:n_spectrum_rows), problems)
+      call require(rows, values, [s_velocity], problems)
+      if (problems%count() == before) then
+         if (.not. speed_of(values, spectrum) <= fastest) call problems%add(rows(s_velocity)%group, rows(s_velocity)%name, &
+            & 'times the factor of the relaxation times is too large')
+      end if
+      call check_layer(rows, values, length, is_swept, problems)
+   end subroutine check_sliding_solid
+
+   !> Add to `problems` what is wrong with the layer.
+   subroutine check_layer(rows, values, length, is_swept, problems)
+      !> Rows of the solid; their names stand in the messages.
+      type(variable_t), intent(in) :: rows(:)
+      !> Values of the rows; shape `(n_solid_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Period along x [m], or unset.
+      real(dp), intent(in) :: length
+      !> Is the variable swept? Shape `(n_solid_rows)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (.not. any(is_set(values([s_thickness, s_base, s_poisson_ratio])))) return
+      call require(rows, values, [s_thickness, s_base], problems)
+      if (is_set(values(s_thickness)) .and. is_set(length)) then
+         if (values(s_thickness) < thinnest*length) call add(s_thickness, 'is less than 1e-6 of the period along x')
+      end if
+      if (.not. is_set(values(s_base))) return
+      if (nint(values(s_base)) == base_frictionless) then
+         call refuse_given(rows, values, is_swept, [s_poisson_ratio], 'has no meaning for base = ''frictionless''', problems)
+         return
+      end if
+      associate (of_material => poisson_ratio_of(values(:n_spectrum_rows)), of_layer => values(s_poisson_ratio))
+         if (.not. is_set(of_material) .and. .not. is_set(of_layer)) then
+            call add(s_poisson_ratio, 'is missing [-]; a bonded layer needs it')
+         else if (is_set(of_material) .and. is_set(of_layer)) then
+            call add(s_poisson_ratio, 'stands beside that of &material; give one of them')
+         end if
+      end associate
+
+   contains
+
+      !> Add a problem of one row to the list.
+      subroutine add(place, text)
+         !> Place of the variable among the rows, one of `s_...`.
+         integer, intent(in) :: place
+         !> What is wrong with the variable; its name is put before this.
+         character(*), intent(in) :: text
+
+         call problems%add(rows(place)%group, rows(place)%name, text)
+      end subroutine add
+
+   end subroutine check_layer
+
+end module adfric_periodic_sliding_check

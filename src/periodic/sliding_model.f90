@@ -1,0 +1,347 @@
+!> The model `surface_sliding`: a rigid periodic surface, a wave or given heights, that slides steadily over a viscoelastic half-space
+!> or layer, without friction at the surfaces and without adhesion.
+!>
+!> The frame moves with the body, in which all is steady. Friction is the pressure on the slopes, and pays for the energy that is lost
+!> in the solid (`adfric_periodic_friction`).
+module adfric_periodic_sliding_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_material_given_spectrum, only: given_spectrum_t
+   use adfric_material_spectrum_rows, only: take_spectrum, take_spectrum_attribute, describe_spectrum, doubt_spectrum, &
+      & derive_spectrum, n_spectrum_rows
+   use adfric_model_derived, only: derived_t, add_derived
+   use adfric_model_table, only: variable_t
+   use adfric_periodic_given_heights, only: given_heights_t
+   use adfric_periodic_model, only: periodic_model_t
+   use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
+   use adfric_periodic_sliding_case, only: set_sliding_solid, frequencies_of, is_direction
+   use adfric_periodic_sliding_check, only: check_sliding_surface, check_sliding_solid
+   use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
+   use adfric_periodic_sliding_variables
+   use adfric_periodic_solver, only: periodic_solution_t, contact_not_converged
+   use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
+   use adfric_periodic_wave_cells, only: set_wave
+   use adfric_periodic_wave_contact, only: wave_pressure_of_full_contact, set_full_contact
+   implicit none (type, external)
+   private
+   public :: sliding_model_t, new_sliding_model
+
+   !> The model `surface_sliding`.
+   type, extends(periodic_model_t) :: sliding_model_t
+      private
+      !> Heights of the input.
+      type(given_heights_t) :: heights
+      !> Lists and master curve of the input.
+      type(given_spectrum_t) :: spectrum
+   contains
+      procedure :: take_dataset
+      procedure :: take_attribute
+      procedure :: check_surface
+      procedure :: check_solid
+      procedure :: get_cells
+      procedure :: get_shape
+      procedure :: set_solid
+      procedure :: get_full_pressure
+      procedure :: get_peak_pressure
+      procedure :: solve_in_closed_form
+      procedure :: finish_point
+      procedure :: derive_solid
+      procedure :: describe_case
+      procedure :: describe_doubts
+   end type sliding_model_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_sliding_model(self)
+      !> The new model; receives its tables.
+      type(sliding_model_t), intent(out) :: self
+      type(variable_t) :: surface(n_surface_rows), solid(n_solid_rows)
+
+      call set_surface_rows(surface)
+      call set_solid_rows(solid)
+      call self%set_tables(name='surface_sliding', surface=surface, solid=solid, &
+         & summary='a rigid rough surface or wave that slides over a viscoelastic half-space or layer: friction, area and pressure')
+      self%references = 'S. C. Hunter, J. Appl. Mech. 28 (1961) 611; B. N. J. Persson, J. Chem. Phys. 115 (2001) 3840'
+      self%results = get_sliding_results()
+   end subroutine new_sliding_model
+
+   !> See `model_t`.
+   subroutine take_dataset(self, place, values, problems)
+      !> The model, which keeps heights and spectrum.
+      class(sliding_model_t), intent(inout) :: self
+      !> Place of the dataset in `variables`.
+      integer, intent(in) :: place
+      !> Its values; shape `(n_last, n_first)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (place == v_heights) then
+         call self%heights%take(self%variables(place), values, problems)
+      else
+         call take_spectrum(self%spectrum, place - self%first_of_solid + 1, values)
+      end if
+   end subroutine take_dataset
+
+   !> See `model_t`.
+   subroutine take_attribute(self, place, name, value, problems)
+      !> The model, which keeps the temperature of the master curve.
+      class(sliding_model_t), intent(inout) :: self
+      !> Place of the dataset in `variables`.
+      integer, intent(in) :: place
+      !> Name of the attribute.
+      character(*), intent(in) :: name
+      !> Its value in SI units.
+      real(dp), intent(in) :: value
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call take_spectrum_attribute(self%spectrum, self%variables(place), place - self%first_of_solid + 1, name, value, problems)
+   end subroutine take_attribute
+
+   !> See `periodic_model_t`.
+   subroutine check_surface(self, values, is_swept, problems)
+      !> The model with its heights; its tables give the variables their names.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call check_sliding_surface(self%variables, values, self%heights, is_swept, self%wants_profiles(values), problems)
+   end subroutine check_surface
+
+   !> See `periodic_model_t`.
+   subroutine check_solid(self, values, is_swept, problems)
+      !> The model with its spectrum; its tables give the variables their names.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      associate (first => self%first_of_solid, last => self%last_of_solid)
+         call check_sliding_solid(self%variables(first:last), values(first:last), &
+            & values(merge(v_length_x, v_period, is_set(values(v_length_x)))), self%spectrum, is_swept(first:last), problems)
+      end associate
+   end subroutine check_solid
+
+   !> See `periodic_model_t`.
+   subroutine get_cells(self, values, surface)
+      !> The model with its heights.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the periods and the cells.
+      type(periodic_surface_t), intent(inout) :: surface
+
+      if (nint(values(v_kind)) == kind_heights) then
+         call self%heights%get_cells(values(v_heights:v_length_y), surface)
+      else
+         surface%period = values(v_period)
+         surface%n_cells = cells_of(values)
+         if (nint(values(v_kind)) == kind_wave_1d) surface%n_cells(2) = 1
+      end if
+   end subroutine get_cells
+
+   !> See `periodic_model_t`.
+   subroutine get_shape(self, values, shape)
+      !> The model with its heights.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the gap of the undeformed surfaces; that of heights is not copied again [m].
+      real(dp), allocatable, intent(inout) :: shape(:, :)
+
+      if (nint(values(v_kind)) == kind_heights) then
+         if (.not. allocated(shape)) allocate (shape, source=self%heights%depths)
+      else
+         associate (n => cells_of(values))
+            call set_wave(values(v_amplitude), n, [n, merge(1, n, nint(values(v_kind)) == kind_wave_1d)], shape)
+         end associate
+      end if
+   end subroutine get_shape
+
+   !> See `periodic_model_t`.
+   subroutine set_solid(self, values, surface)
+      !> The model with its spectrum.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> In: with periods and cells. Out: also with `solid`.
+      type(periodic_surface_t), intent(inout) :: surface
+
+      associate (first => self%first_of_solid, last => self%last_of_solid)
+         call set_sliding_solid(values(first:last), values(v_direction), self%spectrum, surface)
+      end associate
+   end subroutine set_solid
+
+   !> See `periodic_model_t`: of a wave in closed form, of heights that of the cells as they are.
+   pure real(dp) function get_full_pressure(self, values, solid, on_cells)
+      !> The model; nothing is read from it here.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The solid of the point.
+      class(periodic_solid_t), intent(in) :: solid
+      !> Pressure of full contact of the surface as its cells have it [E0].
+      real(dp), intent(in) :: on_cells
+
+      get_full_pressure = solid%modulus*on_cells
+      if (nint(values(v_kind)) == kind_heights) return
+      select type (solid)
+      type is (viscoelastic_solid_t)
+         get_full_pressure = solid%modulus*pressure_of_wave(values, solid)
+      end select
+      associate (unused => self)
+      end associate
+   end function get_full_pressure
+
+   !> Pressure of full contact of a wave [E0].
+   pure real(dp) function pressure_of_wave(values, solid) result(pressure)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The solid of the point.
+      type(viscoelastic_solid_t), intent(in) :: solid
+
+      pressure = wave_pressure_of_full_contact(solid, values(v_amplitude)/values(v_period), nint(values(v_kind)) == kind_wave_2d)
+   end function pressure_of_wave
+
+   !> See `periodic_model_t`: that of the cells, of a wave with a parabola between them.
+   real(dp) function get_peak_pressure(self, values, pressure)
+      !> The model; nothing is read from it here.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Pressure in the middles of the cells; shape `(nx, ny)`.
+      real(dp), intent(in) :: pressure(:, :)
+
+      if (nint(values(v_kind)) == kind_heights) then
+         get_peak_pressure = maxval(pressure)
+      else
+         get_peak_pressure = peak_of_wave(pressure)
+      end if
+      associate (unused => self)
+      end associate
+   end function get_peak_pressure
+
+   !> See `periodic_model_t`: a wave in full contact.
+   subroutine solve_in_closed_form(self, values, surface, goal, solution, is_known)
+      !> The model; nothing is read from it here.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Periods and undeformed gap of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> What is held at the point.
+      type(periodic_goal_t), intent(in) :: goal
+      !> Receives the solution if it is known; lengths in m, pressures in E0.
+      type(periodic_solution_t), intent(inout) :: solution
+      !> Is the solution known?
+      logical, intent(out) :: is_known
+
+      ! a sweep may have met it between its ends
+      is_known = .not. is_direction(values(v_direction))
+      if (is_known) solution%status = contact_not_converged
+      if (is_known .or. nint(values(v_kind)) == kind_heights .or. .not. goal%is_pressure) return
+      select type (solid => surface%solid)
+      type is (viscoelastic_solid_t)
+         is_known = goal%value >= pressure_of_wave(values, solid)
+         if (is_known) call set_full_contact(solid, surface%shape, values(v_amplitude), values(v_period), goal%value, solution)
+      end select
+      associate (unused => self)
+      end associate
+   end subroutine solve_in_closed_form
+
+   !> See `periodic_model_t`: friction, and its error.
+   subroutine finish_point(self, values, surface, solution, results, error_estimate)
+      !> The model; nothing is read from it here.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Periods and undeformed gap of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Solution of the point; lengths in m, pressures in E0.
+      type(periodic_solution_t), intent(in) :: solution
+      !> In: with the results that all these models have. Out: with all; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the friction [-]; where there is none, that of the area.
+      real(dp), intent(out) :: error_estimate
+
+      error_estimate = 0
+      select type (solid => surface%solid)
+      type is (viscoelastic_solid_t)
+         call set_sliding_results(values, solid, solution, results, error_estimate)
+      end select
+      associate (unused => self)
+      end associate
+   end subroutine finish_point
+
+   !> See `periodic_model_t`: moduli and shift factor, and the friction of full contact.
+   function derive_solid(self, values, surface) result(derived)
+      !> The model with its spectrum.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The surface, not used here.
+      type(periodic_surface_t), intent(in) :: surface
+      type(derived_t), allocatable :: derived(:)
+      character(*), parameter :: sources = 'direction velocity period cells length_x length_y heights'
+      real(dp) :: frequencies(2)
+
+      allocate (derived(0))
+      call derive_spectrum(derived, values(self%first_of_solid:self%first_of_solid + n_spectrum_rows - 1), self%spectrum)
+      frequencies = frequencies_of(velocity_of(self, values), values(v_direction), nint(values(v_kind)) == kind_heights, &
+         & surface)
+      call add_derived(derived, 'lowest_frequency', 'rad/s', 'lowest angular frequency that the surface excites', &
+         & frequencies(1), sources)
+      call add_derived(derived, 'highest_frequency', 'rad/s', 'highest angular frequency that the surface excites', &
+         & frequencies(2), sources)
+   end function derive_solid
+
+   !> See `model_t`: the arms, and what is not estimated.
+   function describe_case(self, values) result(text)
+      !> The model with its heights and spectrum.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = describe_spectrum(values(self%first_of_solid:self%first_of_solid + n_spectrum_rows - 1), self%spectrum)
+      if (nint(values(v_kind)) == kind_heights) text = text//self%heights%describe()
+   end function describe_case
+
+   !> See `model_t`: edges that do not meet, a solid that loses nothing, frequencies beyond the master curve.
+   function describe_doubts(self, values) result(text)
+      !> The model with its heights and spectrum.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      type(periodic_surface_t) :: surface
+
+      call self%get_cells(values, surface)
+      text = ''
+      if (velocity_of(self, values) > 0) text = doubt_spectrum(values(self%first_of_solid:self%first_of_solid + n_spectrum_rows &
+         & - 1), self%spectrum, frequencies_of(velocity_of(self, values), values(v_direction), &
+         & nint(values(v_kind)) == kind_heights, surface))
+      if (nint(values(v_kind)) == kind_heights) text = text//self%heights%doubt()
+   end function describe_doubts
+
+   !> Sliding velocity [m/s].
+   pure real(dp) function velocity_of(self, values) result(velocity)
+      !> The model, for the place of the velocity.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      velocity = values(self%first_of_solid + s_velocity - 1)
+   end function velocity_of
+
+end module adfric_periodic_sliding_model

@@ -1,0 +1,124 @@
+!> The results that `surface_sliding` has beside those of all models of a periodic surface, and the error of the friction.
+module adfric_periodic_sliding_results
+   use adfric_base_kinds, only: dp
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_periodic_area, only: relative_error_of
+   use adfric_periodic_contact_centre, only: contact_centre
+   use adfric_periodic_sliding_variables
+   use adfric_periodic_solver, only: periodic_solution_t
+   use adfric_periodic_variables, only: r_mean_pressure, r_full_contact_pressure
+   use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
+   use adfric_periodic_wave_contact, only: wave_friction_of_full_contact
+   implicit none (type, external)
+   private
+   public :: set_sliding_results, peak_of_wave
+
+contains
+
+   !> Set friction and what goes with it.
+   subroutine set_sliding_results(values, solid, solution, results, error_estimate)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The solid of the point.
+      type(viscoelastic_solid_t), intent(in) :: solid
+      !> Solution of the point; lengths in m, pressures in E0.
+      type(periodic_solution_t), intent(in) :: solution
+      !> In: with the results that all these models have. Out: with all; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the friction [-]; where there is none, that of the area.
+      real(dp), intent(out) :: error_estimate
+      real(dp) :: loss, direct
+      logical :: is_wave
+
+      is_wave = nint(values(v_kind)) /= kind_heights
+      loss = solid%forward(solution%friction%loss)
+      direct = solid%forward(solution%friction%direct)
+      results([r_friction_stress, r_dissipation]) = loss*solid%modulus
+      results(r_friction_coefficient) = not_a_number()
+      if (results(r_mean_pressure) > 0) results(r_friction_coefficient) = results(r_friction_stress)/results(r_mean_pressure)
+      results(r_lateral_stress) = solid%leftward(solution%friction%loss)*solid%modulus
+      results(r_full_contact_friction) = solid%forward(solution%full_friction)*solid%modulus
+      if (is_wave) results(r_full_contact_friction) = solid%modulus*wave_friction_of_full_contact(solid, &
+         & values(v_amplitude)/values(v_period), nint(values(v_kind)) == kind_wave_2d)
+      results(r_contact_shift) = not_a_number()
+      if (is_wave) results(r_contact_shift) = values(v_period)*shift_of(solution%pressure, solid)
+      results(r_energy_imbalance) = 0
+      if (loss > 0) results(r_energy_imbalance) = (direct - loss)/loss
+      results(r_layer_compression) = not_a_number()
+      if (solid%mean_compliance > 0) results(r_layer_compression) = solid%mean_compliance*results(r_mean_pressure)
+      results(r_regime) = regime_of(solution)
+      error_estimate = error_of(solid, solution)
+      ! in closed form
+      if (is_wave .and. results(r_mean_pressure) >= results(r_full_contact_pressure)) error_estimate = epsilon(1.0_dp)
+   end subroutine set_sliding_results
+
+   !> Which regime is it?
+   pure integer function regime_of(solution) result(regime)
+      !> Solution of the point.
+      type(periodic_solution_t), intent(in) :: solution
+
+      regime = regime_partial
+      if (.not. solution%area%cells > 0) regime = regime_none
+      if (solution%area%cells >= 1) regime = regime_full
+   end function regime_of
+
+   !> Relative error of the friction: the larger of what its two forms differ by and of what the next coarser grid changes. Where nothing
+   !> rubs, that of the area.
+   pure real(dp) function error_of(solid, solution) result(error)
+      !> The solid of the point.
+      type(viscoelastic_solid_t), intent(in) :: solid
+      !> Solution of the point.
+      type(periodic_solution_t), intent(in) :: solution
+      real(dp) :: loss
+
+      loss = solid%forward(solution%friction%loss)
+      if (.not. loss > 0) then
+         error = relative_error_of(solution%area)
+         return
+      end if
+      error = abs(solid%forward(solution%friction%direct) - loss)/loss
+      if (solution%has_coarse_friction) then
+         error = max(error, abs(solid%forward(solution%coarse_friction%loss) - loss)/loss)
+      else
+         error = max(error, 1.0_dp)
+      end if
+   end function error_of
+
+   !> Shift of the contact from the crest towards the leading side [periods], -1/2 to 1/2; NaN where there is no contact or no gap.
+   pure real(dp) function shift_of(pressure, solid) result(shift)
+      !> Pressure in the middles of the cells of one period.
+      real(dp), intent(in) :: pressure(:, :)
+      !> The solid with the motion.
+      type(viscoelastic_solid_t), intent(in) :: solid
+
+      shift = contact_centre(pressure, solid%motion%along)
+      if (solid%motion%is_backward) shift = -shift
+   end function shift_of
+
+   !> Largest value of a smooth map: that of the largest cell, and of the parabolas through it and its neighbours.
+   pure real(dp) function peak_of_wave(map) result(peak)
+      !> The map in the middles of cells; goes on periodically.
+      real(dp), intent(in) :: map(:, :)
+      integer :: place(2), n(2)
+
+      place = maxloc(map)
+      n = shape(map)
+      peak = map(place(1), place(2))
+      associate (i => place(1), j => place(2))
+         peak = peak + rise(map(modulo(i - 2, n(1)) + 1, j), map(i, j), map(modulo(i, n(1)) + 1, j)) &
+            & + rise(map(i, modulo(j - 2, n(2)) + 1), map(i, j), map(i, modulo(j, n(2)) + 1))
+      end associate
+   end function peak_of_wave
+
+   !> How far a parabola rises above the largest of its three values.
+   pure real(dp) function rise(before, largest, after)
+      !> The values; the second one is not less than the others.
+      real(dp), intent(in) :: before, largest, after
+
+      rise = 0
+      associate (curvature => (largest - before) + (largest - after))
+         if (curvature > 0) rise = (after - before)**2/(8*curvature)
+      end associate
+   end function rise
+
+end module adfric_periodic_sliding_results

@@ -1,0 +1,111 @@
+!> The namelist variables and results of the model `surface_sliding`, beside those that all models of a periodic surface share.
+module adfric_periodic_sliding_variables
+   use adfric_base_kinds, only: dp
+   use adfric_base_unset, only: unset
+   use adfric_material_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
+   use adfric_model_rows, only: above_zero, any_number, choice, number, poisson_ratio, positive, result_row, whole_number
+   use adfric_model_table, only: variable_t, result_t
+   use adfric_periodic_given_heights, only: set_heights_rows, n_heights_rows
+   use adfric_periodic_variables, only: get_periodic_results, n_periodic_results
+   implicit none (type, external)
+   private
+   public :: set_surface_rows, set_solid_rows, get_sliding_results, cells_of
+
+   !> Places of the rows of the surface.
+   integer, parameter, public :: v_kind = 1, v_period = 2, v_amplitude = 3, v_heights = 4, v_length_x = 5, v_length_y = 6, &
+      & v_direction = 7, v_cells = 8
+   integer, parameter, public :: n_surface_rows = 8
+   !> Kinds of surfaces, in the order of the choice.
+   integer, parameter, public :: kind_wave_1d = 1, kind_wave_2d = 2, kind_heights = 3
+
+   !> Places among the rows of the solid: those of the spectrum, the last of which is the temperature, then those of the layer.
+   integer, parameter, public :: s_thickness = n_spectrum_rows + 1, s_base = n_spectrum_rows + 2, &
+      & s_poisson_ratio = n_spectrum_rows + 3, s_velocity = n_spectrum_rows + 4
+   integer, parameter, public :: n_solid_rows = n_spectrum_rows + 4
+   !> Bases of the layer, in the order of the choice.
+   integer, parameter, public :: base_frictionless = 1, base_bonded = 2
+
+   !> Places of the results behind those of all models of a periodic surface.
+   integer, parameter, public :: r_friction_stress = n_periodic_results + 1, r_friction_coefficient = n_periodic_results + 2, &
+      & r_lateral_stress = n_periodic_results + 3, r_full_contact_friction = n_periodic_results + 4, &
+      & r_contact_shift = n_periodic_results + 5, r_dissipation = n_periodic_results + 6, &
+      & r_energy_imbalance = n_periodic_results + 7, r_layer_compression = n_periodic_results + 8, &
+      & r_regime = n_periodic_results + 9
+   integer, parameter, public :: n_sliding_results = n_periodic_results + 9
+   !> Regimes, in the order of their meanings.
+   integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2
+
+   !> Cells along a period of a wave where none are given.
+   integer, parameter :: default_cells_1d = 1024, default_cells_2d = 256
+
+contains
+
+   !> Rows of the surface, the direction of its motion, and the cells.
+   subroutine set_surface_rows(v)
+      !> Receives the rows; shape `(n_surface_rows)`.
+      type(variable_t), intent(inout) :: v(:)
+
+      v(v_kind) = choice(group='surface', name='kind', &
+         & meaning='a wave along x (wave_1d), waves along x and y (wave_2d), or given heights', choices='wave_1d wave_2d heights')
+      v(v_period) = positive(group='surface', name='period', unit='m', meaning='period l of waves')
+      v(v_amplitude) = positive(group='surface', name='amplitude', unit='m', &
+         & meaning='D of the wave z = D (1 - cos 2 pi x/l), or z = D (2 - cos 2 pi x/l - cos 2 pi y/l)')
+      call set_heights_rows(v(v_heights:v_heights + n_heights_rows - 1))
+      v(v_direction) = any_number(group='surface', name='direction', unit='degrees', &
+         & meaning='direction to which the body slides, 0 along +x, 90 along +y; 0, 90, 180 or 270', default=0.0_dp, &
+         & lower=0.0_dp, upper=270.0_dp)
+      v(v_cells) = whole_number(group='numerics', name='cells', &
+         & meaning='cells along a period of a wave, a multiple of 32; 1024 for wave_1d and 256 for wave_2d if not given', &
+         & default=default_cells_1d, lower=32, upper=65536)
+      v(v_cells)%default = unset
+   end subroutine set_surface_rows
+
+   !> Rows of the material, the layer and the velocity.
+   subroutine set_solid_rows(v)
+      !> Receives the rows; shape `(n_solid_rows)`.
+      type(variable_t), intent(inout) :: v(:)
+
+      call set_spectrum_rows(v(:n_spectrum_rows))
+      v(s_thickness) = above_zero(group='layer', name='thickness', unit='m', &
+         & meaning='thickness of a layer on a rigid base; without it the solid is a half-space')
+      v(s_base) = choice(group='layer', name='base', meaning='whether the layer slips on its base (frictionless) or not (bonded)', &
+         & choices='frictionless bonded')
+      v(s_poisson_ratio) = poisson_ratio(group='layer', name='poisson_ratio', &
+         & meaning='Poisson''s ratio nu of a bonded layer, where &material does not have it')
+      v(s_poisson_ratio)%has_bare_name = .false.
+      v(s_velocity) = number(group='operating', name='velocity', unit='m/s', meaning='sliding velocity', lower=0.0_dp)
+   end subroutine set_solid_rows
+
+   !> Cells along a period of a wave.
+   pure integer function cells_of(values) result(n)
+      !> Values of the rows of the surface; shape `(n_surface_rows)` or longer.
+      real(dp), intent(in) :: values(:)
+
+      n = merge(default_cells_1d, default_cells_2d, nint(values(v_kind)) == kind_wave_1d)
+      if (values(v_cells) < unset) n = nint(values(v_cells))
+   end function cells_of
+
+   !> The table of results.
+   function get_sliding_results() result(r)
+      type(result_t), allocatable :: r(:)
+
+      allocate (r(n_sliding_results))
+      r(:n_periodic_results) = get_periodic_results()
+      r(r_friction_stress) = result_row(name='friction_stress', unit='Pa', long_name='friction over nominal area', is_main=.true.)
+      r(r_friction_coefficient) = result_row(name='friction_coefficient', unit='-', long_name='friction over load', is_main=.true.)
+      r(r_lateral_stress) = result_row(name='lateral_stress', unit='Pa', &
+         & long_name='stress across the motion that keeps the body on its way, positive to the left')
+      r(r_full_contact_friction) = result_row(name='full_contact_friction', unit='Pa', &
+         & long_name='friction over nominal area in full contact at this velocity')
+      r(r_contact_shift) = result_row(name='contact_shift', unit='m', &
+         & long_name='shift of the contact of a wave from the crest towards the leading side')
+      r(r_dissipation) = result_row(name='dissipation', unit='Pa', &
+         & long_name='energy lost in the solid per nominal area and distance slid')
+      r(r_energy_imbalance) = result_row(name='energy_imbalance', unit='-', &
+         & long_name='friction from the pressure on the slopes less the energy lost, over the latter')
+      r(r_layer_compression) = result_row(name='layer_compression', unit='m', &
+         & long_name='mean compression of a layer, which the penetration does not contain')
+      r(r_regime) = result_row(name='regime', unit='-', long_name='regime', flag_meanings='no_contact partial full')
+   end function get_sliding_results
+
+end module adfric_periodic_sliding_variables

@@ -1,0 +1,134 @@
+!> The viscoelastic half-space or layer over which a rough surface slides, with what is known of it in closed form.
+!>
+!> The wave exp(ik.x) of displacements has the pressure E(-k.V) |k|/2F, with the complex modulus E(omega) and the factor F of the
+!> solid's thickness (`adfric_periodic_layer_kernel`). In full contact displacements are heights, and so all is known.
+module adfric_periodic_viscoelastic_solid
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_material_prony, only: prony_t, new_prony
+   use adfric_periodic_elastic_kernel, only: elastic_kernel_t
+   use adfric_periodic_kernel, only: kernel_t
+   use adfric_periodic_layer_kernel, only: layer_kernel_t
+   use adfric_periodic_point, only: periodic_solid_t
+   use adfric_periodic_sliding_kernel, only: sliding_kernel_t, new_sliding_kernel
+   implicit none (type, external)
+   private
+   public :: viscoelastic_solid_t, motion_t, set_viscoelastic_solid
+
+   !> How the body moves.
+   type :: motion_t
+      !> Velocity times the shift factor of the times [m/s], >= 0.
+      real(dp) :: velocity = 0
+      !> Direction: 1 along x, 2 along y.
+      integer :: along = 1
+      !> Does it move towards lower x or y?
+      logical :: is_backward = .false.
+   end type motion_t
+
+   !> A viscoelastic solid below a moving body.
+   type, extends(periodic_solid_t) :: viscoelastic_solid_t
+      !> Spectrum of the contact modulus [E0, s].
+      type(prony_t) :: prony
+      !> Velocity [periods along x/s] and direction.
+      type(motion_t) :: motion
+      !> Elastic solid of unit modulus, with lengths in periods along x.
+      class(kernel_t), allocatable :: elastic
+      !> Mean compression of a layer over the mean pressure [m/Pa]; 0 for a half-space, which has none.
+      real(dp) :: mean_compliance = 0
+   contains
+      procedure :: stiffness_of_wave
+      procedure :: friction_of_wave
+      procedure :: forward
+      procedure :: leftward
+   end type viscoelastic_solid_t
+
+contains
+
+   !> Set up a solid.
+   subroutine set_viscoelastic_solid(self, prony, motion, length, layer)
+      !> Receives the solid, with its kernel.
+      type(viscoelastic_solid_t), intent(out) :: self
+      !> Spectrum of the contact modulus [Pa, s].
+      type(prony_t), intent(in) :: prony
+      !> How the body moves.
+      type(motion_t), intent(in) :: motion
+      !> Period along x [m], the unit of lengths.
+      real(dp), intent(in) :: length
+      !> Thickness [m], base and Poisson's ratio of the layer; absent: a half-space.
+      type(layer_kernel_t), intent(in), optional :: layer
+      type(layer_kernel_t) :: reduced
+      type(sliding_kernel_t), allocatable :: kernel
+
+      self%modulus = prony%relaxed
+      call new_prony(self%prony, 1.0_dp, prony%moduli/prony%relaxed, prony%times)
+      self%motion = motion
+      self%motion%velocity = motion%velocity/length
+      if (present(layer)) then
+         reduced = layer
+         reduced%thickness = layer%thickness/length
+         self%mean_compliance = layer%mean_compliance()/prony%relaxed
+         allocate (self%elastic, source=reduced)
+      else
+         allocate (self%elastic, source=elastic_kernel_t())
+      end if
+      ! at rest the solid is elastic, and its stiffness is real
+      if (self%motion%velocity > 0 .and. size(self%prony%times) > 0) then
+         allocate (kernel)
+         call new_sliding_kernel(kernel, self%elastic, self%prony, self%motion%velocity, motion%along, motion%is_backward)
+         call move_alloc(kernel, self%kernel)
+      else
+         allocate (self%kernel, source=self%elastic)
+      end if
+      self%numbers = [reduced%thickness, reduced%poisson_ratio, merge(1.0_dp, 0.0_dp, [present(layer), reduced%is_bonded, &
+         & motion%is_backward]), real(motion%along, dp), self%motion%velocity, self%prony%moduli, self%prony%times]
+   end subroutine set_viscoelastic_solid
+
+   !> Stiffness of a wave, whatever the cells [E0/period along x].
+   pure complex(dp) function stiffness_of_wave(self, waves) result(stiffness)
+      !> The solid.
+      class(viscoelastic_solid_t), intent(in) :: self
+      !> Number of waves in a period along x, along x and y.
+      real(dp), intent(in) :: waves(2)
+      complex(dp) :: elastic(1, 1)
+      real(dp) :: storage, loss, along
+
+      call self%elastic%get_stiffness(waves(1:1), waves(2:2), [0.0_dp, 0.0_dp], elastic)
+      along = waves(self%motion%along)
+      if (self%motion%is_backward) along = -along
+      call self%prony%get_complex_modulus(two_pi*abs(along)*self%motion%velocity, storage, loss)
+      stiffness = elastic(1, 1)*cmplx(storage, -sign(loss, along), dp)
+   end function stiffness_of_wave
+
+   !> Friction of a wave in full contact, k (-Im A) D^2/2 [E0].
+   pure real(dp) function friction_of_wave(self, waves, amplitude) result(friction)
+      !> The solid.
+      class(viscoelastic_solid_t), intent(in) :: self
+      !> Number of waves in a period along x, along x and y.
+      real(dp), intent(in) :: waves(2)
+      !> Amplitude D [periods along x].
+      real(dp), intent(in) :: amplitude
+
+      friction = two_pi*abs(waves(self%motion%along))*abs(aimag(self%stiffness_of_wave(waves)))*amplitude**2/2
+   end function friction_of_wave
+
+   !> Component along the motion of a vector.
+   pure real(dp) function forward(self, vector)
+      !> The solid with the motion.
+      class(viscoelastic_solid_t), intent(in) :: self
+      !> Components along x and y.
+      real(dp), intent(in) :: vector(2)
+
+      forward = merge(-1, 1, self%motion%is_backward)*vector(self%motion%along)
+   end function forward
+
+   !> Component of a vector to the left of the motion, seen from above the solid's surface with x to the right and y upward.
+   pure real(dp) function leftward(self, vector)
+      !> The solid with the motion.
+      class(viscoelastic_solid_t), intent(in) :: self
+      !> Components along x and y.
+      real(dp), intent(in) :: vector(2)
+
+      leftward = merge(-1, 1, self%motion%is_backward .neqv. self%motion%along == 2)*vector(3 - self%motion%along)
+   end function leftward
+
+end module adfric_periodic_viscoelastic_solid
