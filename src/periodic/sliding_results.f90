@@ -49,7 +49,7 @@ contains
       results(r_regime) = regime_of(solution)
       error_estimate = error_of(solid, solution)
       ! in closed form
-      if (is_wave .and. results(r_mean_pressure) >= results(r_full_contact_pressure)) error_estimate = epsilon(1.0_dp)
+      if (is_wave .and. results(r_mean_pressure) >= results(r_full_contact_pressure)) error_estimate = 4*epsilon(1.0_dp)
    end subroutine set_sliding_results
 
    !> Which regime is it?
@@ -62,26 +62,29 @@ contains
       if (solution%area%cells >= 1) regime = regime_full
    end function regime_of
 
-   !> Relative error of the friction: the larger of what its two forms differ by and of what the next coarser grid changes. Where nothing
-   !> rubs, that of the area.
+   !> Relative error of the friction: the largest of what its two forms differ by, of what the last grid has changed, and of half of what
+   !> the one before it has changed. Where nothing rubs, that of the area.
    pure real(dp) function error_of(solid, solution) result(error)
       !> The solid of the point.
       type(viscoelastic_solid_t), intent(in) :: solid
       !> Solution of the point.
       type(periodic_solution_t), intent(in) :: solution
-      real(dp) :: loss
+      real(dp) :: loss, coarse(size(solution%coarse_losses, 2))
+      integer :: k
 
       loss = solid%forward(solution%friction%loss)
       if (.not. loss > 0) then
          error = relative_error_of(solution%area)
          return
       end if
-      error = abs(solid%forward(solution%friction%direct) - loss)/loss
-      if (solution%has_coarse_friction) then
-         error = max(error, abs(solid%forward(solution%coarse_friction%loss) - loss)/loss)
+      error = abs(solid%forward(solution%friction%direct) - loss)
+      coarse = [(solid%forward(solution%coarse_losses(:, k)), k=1, size(coarse))]
+      if (solution%n_coarse_losses < size(coarse)) then
+         error = max(error, loss)
       else
-         error = max(error, 1.0_dp)
+         error = max(error, abs(coarse(1) - loss), abs(coarse(2) - coarse(1))/2)
       end if
+      error = error/loss
    end function error_of
 
    !> Shift of the contact from the crest towards the leading side [periods], -1/2 to 1/2; NaN where there is no contact or no gap.

@@ -44,10 +44,13 @@ module adfric_periodic_solver
       real(dp) :: full_pressure = 0
       !> Friction in full contact on these cells, along x and along y [E*].
       real(dp) :: full_friction(2) = 0
-      !> Friction, and on the grid of half the cells in each direction.
-      type(friction_t) :: friction, coarse_friction
-      !> Was there such a grid?
-      logical :: has_coarse_friction = .false.
+      !> Friction on these cells.
+      type(friction_t) :: friction
+      !> Friction from the loss on grids of half and a quarter of the cells in each direction [E*]; shape
+      !> `(2, 2)`, x and y first.
+      real(dp) :: coarse_losses(2, 2) = 0
+      !> How many of these two grids there were.
+      integer :: n_coarse_losses = 0
       !> Largest violation of the conditions of contact, see `adfric_periodic_contact`.
       real(dp) :: residual = huge(1.0_dp)
       !> Iterations and applied operators on the finest grid.
@@ -247,11 +250,12 @@ contains
       end do
       call set_solution(states(first:), self%grids(n)%operator, solution)
       call get_friction(self%grids(n)%operator, solution%pressure, shape, solution%gap, solution%friction)
-      solution%has_coarse_friction = n > first
-      if (n == first) return
-      associate (coarse => states(n - 1))
-         call get_friction(self%grids(n - 1)%operator, coarse%pressure, coarse%shape, coarse%gap, solution%coarse_friction)
-      end associate
+      solution%n_coarse_losses = min(n - first, size(solution%coarse_losses, 2))
+      do k = 1, solution%n_coarse_losses
+         associate (coarse => states(n - k))
+            call get_losses(self%grids(n - k)%operator, coarse%gap - coarse%shape, solution%coarse_losses(:, k))
+         end associate
+      end do
    end subroutine solve
 
    !> Find the pressure at which contact becomes full, and the friction from there on.
