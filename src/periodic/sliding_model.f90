@@ -22,7 +22,8 @@ module adfric_periodic_sliding_model
    use adfric_periodic_solver, only: periodic_solution_t, contact_not_converged
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_cells, only: set_wave
-   use adfric_periodic_wave_contact, only: wave_pressure_of_full_contact, set_full_contact
+   use adfric_periodic_wave_contact, only: wave_pressure_of_full_contact, mean_pressure_at, &
+      & set_full_contact
    implicit none (type, external)
    private
    public :: sliding_model_t, new_sliding_model
@@ -245,15 +246,19 @@ contains
       type(periodic_solution_t), intent(inout) :: solution
       !> Is the solution known?
       logical, intent(out) :: is_known
+      real(dp) :: pressure
 
       ! a sweep may have met it between its ends
       is_known = .not. is_direction(values(v_direction))
       if (is_known) solution%status = contact_not_converged
-      if (is_known .or. nint(values(v_kind)) == kind_heights .or. .not. goal%is_pressure) return
+      if (is_known .or. nint(values(v_kind)) == kind_heights) return
       select type (solid => surface%solid)
       type is (viscoelastic_solid_t)
-         is_known = goal%value >= pressure_of_wave(values, solid)
-         if (is_known) call set_full_contact(solid, surface%shape, values(v_amplitude), values(v_period), goal%value, solution)
+         pressure = goal%value
+         if (.not. goal%is_pressure) pressure = mean_pressure_at(goal%value, solid, values(v_amplitude), values(v_period), &
+            & nint(values(v_kind)) == kind_wave_2d)
+         is_known = pressure >= pressure_of_wave(values, solid)
+         if (is_known) call set_full_contact(solid, surface%shape, values(v_amplitude), values(v_period), pressure, solution)
       end select
       associate (unused => self)
       end associate

@@ -44,8 +44,6 @@ contains
       if (is_wave) results(r_contact_shift) = values(v_period)*shift_of(solution%pressure, solid)
       results(r_energy_imbalance) = 0
       if (loss > 0) results(r_energy_imbalance) = (direct - loss)/loss
-      results(r_layer_compression) = not_a_number()
-      if (solid%mean_compliance > 0) results(r_layer_compression) = solid%mean_compliance*results(r_mean_pressure)
       results(r_regime) = regime_of(solution)
       error_estimate = error_of(solid, solution)
       ! in closed form

@@ -29,9 +29,8 @@ module adfric_periodic_sliding_variables
    integer, parameter, public :: r_friction_stress = n_periodic_results + 1, r_friction_coefficient = n_periodic_results + 2, &
       & r_lateral_stress = n_periodic_results + 3, r_full_contact_friction = n_periodic_results + 4, &
       & r_contact_shift = n_periodic_results + 5, r_dissipation = n_periodic_results + 6, &
-      & r_energy_imbalance = n_periodic_results + 7, r_layer_compression = n_periodic_results + 8, &
-      & r_regime = n_periodic_results + 9
-   integer, parameter, public :: n_sliding_results = n_periodic_results + 9
+      & r_energy_imbalance = n_periodic_results + 7, r_regime = n_periodic_results + 8
+   integer, parameter, public :: n_sliding_results = n_periodic_results + 8
    !> Regimes, in the order of their meanings.
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2
 
@@ -103,8 +102,6 @@ contains
          & long_name='energy lost in the solid per nominal area and distance slid')
       r(r_energy_imbalance) = result_row(name='energy_imbalance', unit='-', &
          & long_name='friction from the pressure on the slopes less the energy lost, over the latter')
-      r(r_layer_compression) = result_row(name='layer_compression', unit='m', &
-         & long_name='mean compression of a layer, which the penetration does not contain')
       r(r_regime) = result_row(name='regime', unit='-', long_name='regime', flag_meanings='no_contact partial full')
    end function get_sliding_results
 

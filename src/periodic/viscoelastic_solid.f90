@@ -33,8 +33,6 @@ module adfric_periodic_viscoelastic_solid
       type(motion_t) :: motion
       !> Elastic solid of unit modulus, with lengths in periods along x.
       class(kernel_t), allocatable :: elastic
-      !> Mean compression of a layer over the mean pressure [m/Pa]; 0 for a half-space, which has none.
-      real(dp) :: mean_compliance = 0
    contains
       procedure :: stiffness_of_wave
       procedure :: friction_of_wave
@@ -66,7 +64,6 @@ contains
       if (present(layer)) then
          reduced = layer
          reduced%thickness = layer%thickness/length
-         self%mean_compliance = layer%mean_compliance()/prony%relaxed
          allocate (self%elastic, source=reduced)
       else
          allocate (self%elastic, source=elastic_kernel_t())

@@ -8,7 +8,7 @@ module adfric_periodic_wave_contact
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    implicit none (type, external)
    private
-   public :: wave_pressure_of_full_contact, wave_friction_of_full_contact, set_full_contact
+   public :: wave_pressure_of_full_contact, wave_friction_of_full_contact, mean_pressure_at, set_full_contact
 
    !> The waves along x and along y.
    real(dp), parameter :: along_x(2) = [1.0_dp, 0.0_dp], along_y(2) = [0.0_dp, 1.0_dp]
@@ -41,6 +41,23 @@ contains
       if (is_2d) friction = friction + solid%friction_of_wave(along_y, amplitude)
    end function wave_friction_of_full_contact
 
+   !> Mean pressure of full contact at a penetration into a layer [E0]; 0 for a half-space, in which no penetration is known of it.
+   pure real(dp) function mean_pressure_at(penetration, solid, amplitude, period, is_2d) result(pressure)
+      !> Penetration [m].
+      real(dp), intent(in) :: penetration
+      !> The solid.
+      type(viscoelastic_solid_t), intent(in) :: solid
+      !> Amplitude D and period of the wave [m].
+      real(dp), intent(in) :: amplitude, period
+      !> Are there waves along x and y, or along x alone?
+      logical, intent(in) :: is_2d
+
+      pressure = 0
+      associate (compliance => solid%elastic%mean_compliance()*period)
+         if (compliance > 0) pressure = (penetration - merge(2, 1, is_2d)*amplitude)/compliance
+      end associate
+   end function mean_pressure_at
+
    !> The full contact under a mean pressure.
    subroutine set_full_contact(solid, shape, amplitude, period, mean_pressure, solution)
       !> The solid.
@@ -59,7 +76,7 @@ contains
 
       is_2d = size(shape, 2) > 1
       solution%mean_pressure = mean_pressure
-      solution%penetration = merge(2, 1, is_2d)*amplitude
+      solution%penetration = merge(2, 1, is_2d)*amplitude + mean_pressure*solid%elastic%mean_compliance()*period
       solution%gap = 0*shape
       solution%pressure = 0*shape
       across = 0
