@@ -75,7 +75,7 @@ contains
       n = 1
       grids(1)%n_cells = operator%n_cells
       do k = 2, size(is_halved, 2)
-         call add_grid(grids, n, n, is_halved(:, k))
+         call add_grid(grids, n, k - 1, is_halved(:, k))
       end do
       do k = 1, n
          grids(k)%weight = compliance_of(operator, grids(k)%n_cells)
