@@ -5,7 +5,7 @@ The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2
 
 import numpy as np
 
-from . import halfspace, rubber, sphere
+from . import halfspace, rubber, sliding, sphere
 from .curves import draw_panels
 from .results import NothingToDraw
 from .surface import draw_pressure_maps, draw_stresses
@@ -22,6 +22,8 @@ SHOWN = {
     ("wavy_sliding", "load"): ("contact_width", "friction_force"),
     ("wavy_sliding", "velocity"): ("friction_coefficient",),
     ("sphere", "load"): ("friction_force", "friction_area"),
+    ("surface_sliding", "direction"): ("friction_coefficient", "lateral_stress"),
+    ("surface_sliding", "mean_pressure"): ("friction_coefficient", "contact_fraction", "peak_pressure", "contact_shift"),
     ("wave_1d", "mean_pressure"): ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap"),
 }
 
@@ -76,6 +78,8 @@ def _varies(values):
 # figures with more in them than results against a variable, by model and the variable that varies fastest
 FIGURES = {
     ("wavy_sliding", "velocity"): rubber.draw_velocities,
+    ("surface_sliding", "velocity"): sliding.draw_friction,
+    ("surface_sliding", "temperature"): sliding.draw_friction,
     ("sphere", "contact_radius"): sphere.draw_radii,
     ("sphere", "slip_energy_ratio"): sphere.draw_area_left,
     ("sphere", "tangential_displacement"): sphere.draw_peeling,
@@ -90,4 +94,5 @@ PRESSURE_FIGURES = {
     "wave_1d": halfspace.draw_pressures,
     "rigid_punch": halfspace.draw_pressures,
     "wave_2d_elastic": halfspace.draw_contact_maps,
+    "surface_sliding": sliding.draw_contacts,
 }

@@ -23,6 +23,7 @@ SYMBOLS = {
     "friction_coefficient": r"\mu",
     "friction_force": "T",
     "friction_radius": "b",
+    "friction_stress": "T",
     "height": "h",
     "interaction": r"\alpha",
     "lambda": r"\lambda",

@@ -74,7 +74,7 @@ contains
          powers = [1, 2, 0]
       case ('J')
          powers = [1, 3, 0]
-      case ('-', '1', 'rad', 'K', 'mol', '')
+      case ('-', '1', 'rad', 'degrees', 'K', 'mol', '')
          powers = 0
       case default
          error stop 'search_units: no such unit'
