@@ -43,7 +43,7 @@ contains
       results(r_contact_shift) = not_a_number()
       if (is_wave) results(r_contact_shift) = values(v_period)*shift_of(solution%pressure, solid)
       results(r_energy_imbalance) = 0
-      if (loss > 0) results(r_energy_imbalance) = (direct - loss)/loss
+      if (loss > 0) results(r_energy_imbalance) = (direct - loss)/max(abs(direct), loss)
       results(r_regime) = regime_of(solution)
       error_estimate = error_of(solid, solution)
       ! in closed form
@@ -61,7 +61,7 @@ contains
    end function regime_of
 
    !> Relative error of the friction: the largest of what its two forms differ by, of what the last grid has changed, and of half of what
-   !> the one before it has changed. Where nothing rubs, that of the area.
+   !> the one before it has changed; 1 at most. Where nothing rubs, that of the area.
    pure real(dp) function error_of(solid, solution) result(error)
       !> The solid of the point.
       type(viscoelastic_solid_t), intent(in) :: solid
@@ -82,7 +82,7 @@ contains
       else
          error = max(error, abs(coarse(1) - loss), abs(coarse(2) - coarse(1))/2)
       end if
-      error = error/loss
+      error = error/max(loss, error)
    end function error_of
 
    !> Shift of the contact from the crest towards the leading side [periods], -1/2 to 1/2; NaN where there is no contact or no gap.

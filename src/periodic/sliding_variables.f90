@@ -101,7 +101,7 @@ contains
       r(r_dissipation) = result_row(name='dissipation', unit='Pa', &
          & long_name='energy lost in the solid per nominal area and distance slid')
       r(r_energy_imbalance) = result_row(name='energy_imbalance', unit='-', &
-         & long_name='friction from the pressure on the slopes less the energy lost, over the latter')
+         & long_name='friction from the pressure on the slopes less the energy lost, over the larger of them')
       r(r_regime) = result_row(name='regime', unit='-', long_name='regime', flag_meanings='no_contact partial full')
    end function get_sliding_results
 
