@@ -16,13 +16,15 @@ sys.path.insert(0, str(SCRIPTS))
 from plotting import command, halfspace  # noqa: E402
 
 UNITS = {"stress": "Pa", "velocity": "m/s", "load": "N/m", "x": "m", "y": "m", "pressure": "Pa", "gap": "m",
-         "friction_force": "N/m", "contact_width": "m", "friction_coefficient": "-", "radius": "m", "mean_pressure": "Pa"}
+         "friction_force": "N/m", "contact_width": "m", "friction_coefficient": "-", "radius": "m", "mean_pressure": "Pa",
+         "friction_stress": "Pa", "full_contact_friction": "Pa"}
 
 SPHERE = ("load", "approach", "contact_radius", "adhesion_radius", "friction_radius", "stick_radius", "friction_area",
           "pull_off_load")
 HALFSPACE = {"hertz": ("contact_half_width", "minor_half_width", "peak_pressure", "approach"),
              "wave_1d": ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap", "full_contact_pressure"),
              "wave_2d_elastic": ("contact_fraction", "contact_fraction_error", "full_contact_pressure"),
+             "surface_sliding": ("contact_fraction", "friction_stress", "full_contact_friction"),
              "rigid_punch": ("mean_pressure",), "line_load": ()}
 STRESS_MODELS = ("line_load", "rigid_punch")
 STATES = {"stable": "no_value unstable stable", "theory_used": "no_value hertz jkr dmt maugis_dugdale"}

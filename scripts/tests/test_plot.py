@@ -10,7 +10,7 @@ import numpy as np
 
 from plot_files import SCRIPTS, STATES, PlotCase, make_file
 
-from plotting import figures, halfspace, labels
+from plotting import figures, halfspace, labels, sliding
 from plotting.results import Results
 from plotting.style import plt
 
@@ -76,6 +76,10 @@ class PlotTest(PlotCase):
             (halfspace.draw_pressures, "rigid_punch", [load], [x]),
             (halfspace.draw_stress_maps, "rigid_punch", [], [y, x]),
             (halfspace.draw_stress_maps, "line_load", [load], [y, x]),
+            (sliding.draw_friction, "surface_sliding", [("velocity", [0.1, 1.0, 10.0])], []),
+            (sliding.draw_friction, "surface_sliding", [("velocity", [0.1, 1.0]), ("temperature", [270.0, 290.0, 310.0])], []),
+            (sliding.draw_contacts, "surface_sliding", [pressure], [y, x]),
+            (sliding.draw_contacts, "surface_sliding", [pressure], [("y", [0.5]), x]),
             (halfspace.draw_half_axes, "hertz", [radius], []),
             (halfspace.draw_half_axes, "hertz", [("radius_2y", [-10.0, -1.0, -0.1])], []),
             (figures.draw_pressure_maps, "hertz", [radius], [y, x]),
@@ -93,6 +97,14 @@ class PlotTest(PlotCase):
         np.testing.assert_allclose(halfspace.choose_levels(np.linspace(0.0, 0.95, 100)), 0.1 * np.arange(1, 11))
         np.testing.assert_allclose(halfspace.choose_levels(np.append(np.full(1000, 3.0), 1e4)), [.02, .05, .1, .2, .5, 1, 2])
         self.assertTrue(np.all(np.diff(halfspace.choose_levels(np.array([np.nan, 0.0]))) > 0))
+
+    def test_crest_in_the_middle(self):
+        make_file(self.file, [("velocity", [1.0, 2.0])], [("y", [0.5]), ("x", [0.5, 1.5, 2.5, 3.5])], model="surface_sliding")
+        results = Results(self.file)
+        moved = sliding.centre_crest(results)
+        np.testing.assert_array_equal(moved.profile_axes[1].values, [-1.5, -0.5, 0.5, 1.5])
+        self.assertEqual(moved.profile_axes[0].values, [0.5])
+        np.testing.assert_array_equal(moved.profiles["pressure"].values[..., [2, 3, 0, 1]], results.profiles["pressure"].values)
 
     def test_period_from_its_quarter(self):
         np.testing.assert_array_equal(halfspace._mirror(np.array([1.0, 2.0])), [2, 1, 1, 2])
