@@ -50,22 +50,18 @@ def draw_beside_full(panel, results, along, curves):
 
 def draw_contacts(results):
     """Pressure on the surface; that of a wave with its crest in the middle, that of a line as a curve."""
-    y, x = results.profile_axes
     shown = centre_crest(results) if results.words.get("kind") != "heights" else results
-    if y.values.size > 1:
+    if len(shown.profile_axes) == 2:
         return draw_pressure_maps(shown)
-    line = copy.copy(shown)
-    line.profile_axes = shown.profile_axes[1:]
-    line.profiles = {name: Field(name, field.unit, field.values[..., 0, :]) for name, field in shown.profiles.items()}
-    figure, _ = draw_profiles(line, "pressure")
-    return figure
+    return draw_profiles(shown, "pressure")[0]
 
 
 def centre_crest(results):
     """The same results with the crest at 0 in the middle of the period."""
     moved = copy.copy(results)
     moved.profile_axes = [Field(axis.name, axis.unit, axis.values - axis.values.size // 2 * np.mean(np.diff(axis.values)))
-                          if axis.values.size > 1 else axis for axis in results.profile_axes]
+                          for axis in results.profile_axes]
     shifts = [axis.values.size // 2 for axis in results.profile_axes]
-    moved.profiles = {name: Field(name, field.unit, np.roll(field.values, shifts, (-2, -1))) for name, field in results.profiles.items()}
+    places = tuple(range(-len(shifts), 0))
+    moved.profiles = {name: Field(name, field.unit, np.roll(field.values, shifts, places)) for name, field in results.profiles.items()}
     return moved

@@ -398,7 +398,7 @@ contains
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
       type(periodic_surface_t) :: surface
-      real(dp) :: mean, on_cells
+      real(dp) :: mean, on_cells, pressure
 
       call self%get_cells(values, surface)
       call self%get_shape(values, surface%shape)
@@ -406,13 +406,25 @@ contains
       derived = self%derive_solid(values, surface)
       on_cells = not_a_number()
       if (.not. self%knows_full_pressure) on_cells = find_full_pressure(surface)
-      call add_derived(derived, 'full_contact_pressure', 'Pa', 'pressure of full contact p*', &
-         & self%get_full_pressure(values, surface%solid, on_cells))
+      pressure = self%get_full_pressure(values, surface%solid, on_cells)
+      call add_derived(derived, 'full_contact_pressure', 'Pa', 'pressure of full contact p*', pressure)
       mean = sum(surface%shape)/size(surface%shape)
-      call add_derived(derived, 'full_contact_penetration', 'm', 'penetration of full contact', mean)
+      call add_derived(derived, 'full_contact_penetration', 'm', 'penetration of full contact', &
+         & mean + pressure*mean_compliance_of(surface))
       call add_derived(derived, 'root_mean_square_height', 'm', 'root of the mean square of the heights', &
          & sqrt(sum((surface%shape - mean)**2)/size(surface%shape)))
    end function derive_quantities
+
+   !> Mean compression of a layer over the mean pressure [m/Pa]; 0 for a half-space, which has none.
+   pure real(dp) function mean_compliance_of(surface) result(compliance)
+      !> The surface with its solid.
+      type(periodic_surface_t), intent(in) :: surface
+
+      compliance = 0
+      associate (solid => surface%solid)
+         if (allocated(solid%kernel)) compliance = solid%kernel%mean_compliance()*surface%period(1)/solid%modulus
+      end associate
+   end function mean_compliance_of
 
    !> Quantities that follow from the rows of the solid: none. A model may override it.
    function derive_solid(self, values, surface) result(derived)

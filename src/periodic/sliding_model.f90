@@ -288,7 +288,7 @@ contains
       end associate
    end subroutine finish_point
 
-   !> See `periodic_model_t`: moduli and shift factor, and the friction of full contact.
+   !> See `periodic_model_t`: moduli and shift factor, the frequencies of the surface, and the cells of a wave.
    function derive_solid(self, values, surface) result(derived)
       !> The model with its spectrum.
       class(sliding_model_t), intent(in) :: self
@@ -308,6 +308,8 @@ contains
          & frequencies(1), sources)
       call add_derived(derived, 'highest_frequency', 'rad/s', 'highest angular frequency that the surface excites', &
          & frequencies(2), sources)
+      if (nint(values(v_kind)) /= kind_heights) call add_derived(derived, 'cells', '-', 'cells along a period of a wave', &
+         & real(cells_of(values), dp), 'cells')
    end function derive_solid
 
    !> See `model_t`: the arms, and what is not estimated.
