@@ -13,6 +13,7 @@
 !>     g = s^2 (sinh 2v - 2v) cos m + 2 sin m cos(y/2) R + sum_j eta_j int_y^(2 pi - w) e^(-(z-y)/b_j) F_j dz
 !>     F_j = C^2 sin(z/2)/R - 2 [s^2 + 2 (1 + 1/b_j^2) rho'_j] v
 module adfric_classical_sliding_wave_profile
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_not_a_number, only: not_a_number
@@ -22,7 +23,7 @@ module adfric_classical_sliding_wave_profile
    use adfric_classical_sliding_wave, only: wave_contact_t
    implicit none (type, external)
    private
-   public :: sliding_wave_pressure, sliding_wave_gap, sliding_wave_displacement
+   public :: sliding_wave_pressure, sliding_wave_gap, sliding_wave_displacement, signed_pressure, signed_gap
 
    !> A wave whose s is less is not loaded.
    real(dp), parameter :: least_sine = 1.0e-140_dp
@@ -61,7 +62,7 @@ module adfric_classical_sliding_wave_profile
 
 contains
 
-   !> Pressure at x.
+   !> Pressure at x, >= 0: next to an edge round-off may change the sign of its terms.
    pure real(dp) function sliding_wave_pressure(solid, contact, x) result(p)
       !> The solid, with lengths in 1/k.
       type(sliding_solid_t), intent(in) :: solid
@@ -69,7 +70,20 @@ contains
       type(wave_contact_t), intent(in) :: contact
       !> Place along the wave, from a crest [1/k].
       real(dp), intent(in) :: x
-      real(dp) :: y, root, factor, part, range
+
+      p = signed_pressure(solid, contact, x)
+      if (.not. ieee_is_nan(p)) p = max(0.0_dp, p)
+   end function sliding_wave_pressure
+
+   !> Pressure at x as its terms give it.
+   pure real(dp) function signed_pressure(solid, contact, x) result(p)
+      !> The solid, with lengths in 1/k.
+      type(sliding_solid_t), intent(in) :: solid
+      !> The contact.
+      type(wave_contact_t), intent(in) :: contact
+      !> Place along the wave, from a crest [1/k].
+      real(dp), intent(in) :: x
+      real(dp) :: y, root, factor, part, range, amplitude, round_off
       type(contact_integrand_t) :: integrand
       integer :: i
       logical :: is_converged
@@ -86,17 +100,21 @@ contains
       do i = 1, solid%n_arms
          call choose_form(solid, contact, i, integrand, part)
          factor = factor + solid%ratios(i)*part
-         range = min(contact%half_width - y, long_way*integrand%length)
-         integrand%rest = (contact%half_width - y) - range
-         call integrate(integrand, range, part, is_converged)
-         p = p + 2*solid%ratios(i)*contact%shift%edge_pressures(i)*part
-         if (.not. is_converged) p = not_a_number()
       end do
       root = sqrt(sin((contact%half_width - y)/2)*sin((contact%half_width + y)/2))
-      p = p + 2*root*cos(y/2)*factor
-      ! next to an edge round-off may change the sign
-      if (p < 0) p = 0
-   end function sliding_wave_pressure
+      p = 2*root*cos(y/2)*factor
+      ! that of this term where the root is largest
+      round_off = 2*epsilon(p)*contact%sine*abs(factor)
+      do i = 1, solid%n_arms
+         call choose_form(solid, contact, i, integrand, part)
+         range = min(contact%half_width - y, long_way*integrand%length)
+         integrand%rest = (contact%half_width - y) - range
+         amplitude = 2*solid%ratios(i)*contact%shift%edge_pressures(i)
+         call integrate(integrand, range, part, is_converged, round_off/amplitude)
+         p = p + amplitude*part
+         if (.not. is_converged) p = not_a_number()
+      end do
+   end function signed_pressure
 
    !> The form of the pressure of one arm that does not cancel.
    pure subroutine choose_form(solid, contact, i, integrand, part)
@@ -153,7 +171,7 @@ contains
       term = exp(-from_left/self%length)*term/sqrt(square)
    end function contact_term
 
-   !> Gap at x.
+   !> Gap at x, >= 0: next to an edge round-off may change the sign of its terms.
    pure real(dp) function sliding_wave_gap(solid, contact, x) result(g)
       !> The solid, with lengths in 1/k.
       type(sliding_solid_t), intent(in) :: solid
@@ -161,18 +179,38 @@ contains
       type(wave_contact_t), intent(in) :: contact
       !> Place along the wave, from a crest [1/k].
       real(dp), intent(in) :: x
-      real(dp) :: y, way, near, root, part, range
+
+      g = signed_gap(solid, contact, x)
+      if (.not. ieee_is_nan(g)) g = max(0.0_dp, g)
+   end function sliding_wave_gap
+
+   !> Gap at x as its terms give it.
+   pure real(dp) function signed_gap(solid, contact, x) result(g)
+      !> The solid, with lengths in 1/k.
+      type(sliding_solid_t), intent(in) :: solid
+      !> The contact.
+      type(wave_contact_t), intent(in) :: contact
+      !> Place along the wave, from a crest [1/k].
+      real(dp), intent(in) :: x
+      real(dp) :: y, way, root, part, range, round_off
       type(gap_integrand_t) :: integrand
       integer :: j
       logical :: is_converged
 
       y = place_in_period(x - contact%shift%shift)
       g = 0
-      if (contact%is_full .or. abs(y) <= contact%half_width) return
+      ! without contact the solid is flat
+      if (.not. contact%half_width > 0) g = 2*sin(y/2)**2 - contact%penetration
+      if (contact%is_full .or. abs(y) <= contact%half_width .or. .not. contact%half_width > 0) return
       if (y < 0) y = y + two_pi
       integrand = gap_integrand_t(contact%half_width, half_gap(contact), contact%sine, y - contact%half_width, &
          & open_part=contact%cosine**2)
       way = 2*integrand%half_gap - integrand%way
+      root = gap_root(integrand, min(way, integrand%way))
+      g = contact%shift%cosine*elastic_gap(contact%sine, root)
+      g = g + 2*contact%shift%sine*cos(y/2)*root
+      ! that of these terms where the root is largest
+      round_off = epsilon(g)*(contact%shift%cosine*elastic_gap(contact%sine, contact%cosine) + 2*contact%shift%sine*contact%cosine)
       do j = 1, solid%n_arms
          associate (b => solid%retardation(j))
             integrand%length = b
@@ -180,15 +218,11 @@ contains
          end associate
          range = min(way, long_way*integrand%length)
          integrand%rest = way - range
-         call integrate(integrand, range, part, is_converged)
+         call integrate(integrand, range, part, is_converged, round_off/contact%shift%shares(j))
          g = g + contact%shift%shares(j)*part
          if (.not. is_converged) g = not_a_number()
       end do
-      near = min(way, integrand%way)
-      root = gap_root(integrand, near)
-      g = g + contact%shift%cosine*elastic_gap(contact%sine, root) + 2*contact%shift%sine*cos(y/2)*root
-      if (g < 0) g = 0
-   end function sliding_wave_gap
+   end function signed_gap
 
    !> Half-width pi - w of the gap.
    pure real(dp) function half_gap(contact)

@@ -11,6 +11,7 @@ module adfric_classical_sliding_wave_units
    use adfric_classical_sliding_solid, only: sliding_solid_t, new_sliding_solid, suits_solid
    use adfric_classical_sliding_wave, only: wave_contact_t, get_full_contact, wave_of_pressure, wave_of_penetration
    use adfric_classical_sliding_wave_profile, only: sliding_wave_pressure, sliding_wave_gap, sliding_wave_displacement
+   use adfric_classical_sliding_wave_survey, only: wave_survey_t, survey_wave
    implicit none (type, external)
    private
    public :: wave_slide_t, wave_slide_state_t, new_wave_slide
@@ -29,6 +30,7 @@ module adfric_classical_sliding_wave_units
       procedure :: full_contact
       procedure :: solve_pressure
       procedure :: solve_penetration
+      procedure :: get_survey
       procedure :: pressure_at
       procedure :: gap_at
       procedure :: displacement_at
@@ -146,6 +148,21 @@ contains
          state%friction_stress = self%direction*(self%amplitude/length)*self%pressure_unit*contact%friction
       end associate
    end subroutine give_units
+
+   !> What is found by going over the profiles of a contact.
+   pure subroutine get_survey(self, state, survey)
+      !> What slides on what.
+      class(wave_slide_t), intent(in) :: self
+      !> The contact.
+      type(wave_slide_state_t), intent(in) :: state
+      !> Pressures [Pa], gap [m] and tangential stress with the sign of the velocity [Pa]; violations in p* and the amplitude.
+      type(wave_survey_t), intent(out) :: survey
+
+      call survey_wave(self%solid, state%contact, survey)
+      survey%peak_pressure = self%pressure_unit*survey%peak_pressure
+      survey%largest_gap = self%amplitude*survey%largest_gap
+      survey%friction = self%direction*(two_pi*self%amplitude/self%period)*self%pressure_unit*survey%friction
+   end subroutine get_survey
 
    !> Pressure at x [Pa].
    pure real(dp) function pressure_at(self, state, x)

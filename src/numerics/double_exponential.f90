@@ -1,6 +1,7 @@
 !> The integral of a function over a range at whose ends it may have roots or inverse roots, by the double exponential rule
 !> (H. Takahasi, M. Mori, Publ. RIMS Kyoto Univ. 9, 721, 1974).
 module adfric_numerics_double_exponential
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_asserts, only: assert, has_asserts
@@ -13,7 +14,7 @@ module adfric_numerics_double_exponential
    !> Halvings of the step.
    integer, parameter :: most_levels = 9
    !> Change of the integral, over that of the absolute values, that tells that half the step has an error of round-off.
-   real(dp), parameter :: small_change = 1.0e-8_dp
+   real(dp), parameter :: small_change = 1.0e-10_dp
 
    !> A function that carries its parameters.
    type, abstract :: integrand_t
@@ -36,22 +37,27 @@ module adfric_numerics_double_exponential
 contains
 
    !> The integral, with twice as many places until it rests.
-   pure subroutine integrate(integrand, length, integral, is_converged)
+   pure subroutine integrate(integrand, length, integral, is_converged, negligible)
       !> The function.
       class(integrand_t), intent(in) :: integrand
       !> Length of the range, >= 0.
       real(dp), intent(in) :: length
       !> The integral.
       real(dp), intent(out) :: integral
-      !> Has it come to rest?
+      !> Has it come to rest? One that is NaN has not.
       logical, intent(out) :: is_converged
-      real(dp) :: step, sums(2), old_integral
+      !> A change of this size is nothing, >= 0; not present: it has to be little beside the integral of the absolute values. It lets
+      !> an integrand rest that is round-off of its own terms.
+      real(dp), intent(in), optional :: negligible
+      real(dp) :: step, sums(2), old_integral, nothing
       integer :: level
 
       if (has_asserts) call assert(length >= 0, 'integrate: length >= 0')
       integral = 0
       is_converged = .not. length > 0
       if (is_converged) return
+      nothing = 0
+      if (present(negligible)) nothing = negligible
       sums = 0
       step = 0.5_dp
       call add_places(integrand, length, 0.0_dp, step, sums)
@@ -60,7 +66,8 @@ contains
          call add_places(integrand, length, step/2, step, sums)
          step = step/2
          integral = length*step*sums(1)
-         is_converged = abs(integral - old_integral) <= small_change*length*step*sums(2) .and. level > 1
+         if (ieee_is_nan(integral)) return
+         is_converged = abs(integral - old_integral) <= small_change*length*step*sums(2) + nothing .and. level > 1
          if (is_converged) return
       end do
    end subroutine integrate

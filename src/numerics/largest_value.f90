@@ -1,0 +1,80 @@
+!> The largest value of a function over a range at whose ends it may have roots: places that crowd at both ends as those of the
+!> double exponential rule do, and the golden section between the neighbours of the best one (J. Kiefer, Proc. AMS 4, 502, 1953).
+module adfric_numerics_largest_value
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_asserts, only: assert, has_asserts
+   use adfric_numerics_double_exponential, only: integrand_t
+   implicit none (type, external)
+   private
+   public :: find_largest_value
+
+   !> The first places stand at -12 to 12 steps; the last ones are 4e-8 of the range away from its ends.
+   integer, parameter :: n_steps = 12
+   !> Distance of the first places.
+   real(dp), parameter :: step = 0.2_dp
+   !> Next to a maximum the function is level: a bracket of this width leaves 1e-14 of its value.
+   real(dp), parameter :: last_width = 1.0e-7_dp
+   !> Inverse of the golden ratio.
+   real(dp), parameter :: golden = 0.6180339887498949_dp
+
+contains
+
+   !> The largest value; NaN if a value is NaN.
+   pure subroutine find_largest_value(function, length, value)
+      !> The function, with one maximum between neighbours of the largest of its values at the first places.
+      class(integrand_t), intent(in) :: function
+      !> Length of the range, > 0.
+      real(dp), intent(in) :: length
+      !> Its largest value.
+      real(dp), intent(out) :: value
+      real(dp) :: values(-n_steps:n_steps), low, high, places(2), inner(2)
+      integer :: k, best
+
+      if (has_asserts) call assert(length > 0, 'find_largest_value: length > 0')
+      do k = -n_steps, n_steps
+         values(k) = value_at(function, length, step*k)
+      end do
+      value = sum(values)
+      if (ieee_is_nan(value)) return
+      best = maxloc(values, 1) - 1 - n_steps
+      value = values(best)
+      low = step*(best - 1)
+      high = step*(best + 1)
+      places = [high - golden*(high - low), low + golden*(high - low)]
+      inner = [value_at(function, length, places(1)), value_at(function, length, places(2))]
+      do while (high - low > last_width)
+         if (inner(1) > inner(2)) then
+            high = places(2)
+            places = [high - golden*(high - low), places(1)]
+            inner = [value_at(function, length, places(1)), inner(1)]
+         else
+            low = places(1)
+            places = [places(2), low + golden*(high - low)]
+            inner = [inner(2), value_at(function, length, places(2))]
+         end if
+      end do
+      value = max(value, inner(1), inner(2))
+   end subroutine find_largest_value
+
+   !> Value at a place.
+   pure real(dp) function value_at(function, length, place) result(value)
+      !> The function.
+      class(integrand_t), intent(in) :: function
+      !> Length of the range.
+      real(dp), intent(in) :: length
+      !> The place, from the middle of the range; its ends are at infinity.
+      real(dp), intent(in) :: place
+      real(dp) :: ratio, near
+
+      ratio = exp(-pi*sinh(abs(place)))
+      near = length*(ratio/(1 + ratio))
+      if (place < 0) then
+         value = function%evaluate(near, length - near)
+      else
+         value = function%evaluate(length - near, near)
+      end if
+   end function value_at
+
+end module adfric_numerics_largest_value
