@@ -1,36 +1,47 @@
-!> The model `wave_1d`: a sinusoidal wave on an elastic half-plane (Westergaard).
+!> The model `wave_1d`: a sinusoidal wave on an elastic half-plane (Westergaard), or sliding over a viscoelastic one.
 module adfric_classical_wave_model
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: pi
+   use adfric_base_constants, only: pi, two_pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_classical_contact_conditions, only: largest_violation
    use adfric_classical_model, only: halfspace_model_t
+   use adfric_classical_sliding_wave_point, only: slide_point_t, is_possible_slide, solve_slide, get_slide_profiles
+   use adfric_classical_wave_variables, only: get_wave_variables, get_wave_results, v_amplitude, v_contact_modulus, v_material, &
+      & v_mean_pressure, v_penetration, v_period, v_second_poisson_ratio, v_temperature, v_velocity, r_contact_fraction, &
+      & r_contact_width, r_full_contact_pressure, r_largest_gap, r_mean_gap, r_mean_pressure, r_peak_pressure, r_penetration, &
+      & r_regime, r_violation, regime_full, regime_none, regime_partial
    use adfric_classical_westergaard, only: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, &
       & find_wave_pressure
-   use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
-   use adfric_model_pointwise, only: point_state_t
+   use adfric_material_contact_modulus, only: contact_modulus_of, check_contact_modulus, derive_contact_modulus
+   use adfric_material_given_spectrum, only: given_spectrum_t
+   use adfric_material_spectrum_rows, only: check_spectrum, derive_spectrum, describe_spectrum, doubt_spectrum, has_spectrum, &
+      & n_spectrum_rows, take_spectrum, take_spectrum_attribute
    use adfric_model_check, only: require, require_one
-   use adfric_model_rows, only: positive, number, contact_profiles, result_row
+   use adfric_model_derived, only: derived_t
+   use adfric_model_pointwise, only: point_state_t
+   use adfric_model_rows, only: contact_profiles
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: result_t, variable_t, profile_axis_t
+   use adfric_model_table, only: profile_axis_t
    implicit none (type, external)
    private
    public :: wave_model_t, new_wave_model
 
-   !> Places of the variables and of the results.
-   integer, parameter, public :: v_period = 1, v_amplitude = 2, v_contact_modulus = 3, v_second_poisson_ratio = 7, &
-      & v_mean_pressure = 8, v_penetration = 9
-   integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_width = 3, r_contact_fraction = 4, &
-      & r_peak_pressure = 5, r_mean_gap = 6, r_largest_gap = 7, r_full_contact_pressure = 8, r_regime = 9, r_violation = 10
-   integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2
    !> Places where the conditions of contact are checked, in the contact and beside it.
    integer, parameter :: n_places = 16
 
    !> The model `wave_1d`.
    type, extends(halfspace_model_t) :: wave_model_t
+      private
+      !> Lists and datasets of the material.
+      type(given_spectrum_t) :: given
    contains
+      procedure :: take_dataset
+      procedure :: take_attribute
       procedure :: check_case
+      procedure :: derive_quantities
+      procedure :: describe_case
+      procedure :: describe_doubts
       procedure :: solve_point
       procedure :: fill_profiles
    end type wave_model_t
@@ -41,34 +52,52 @@ contains
    subroutine new_wave_model(self)
       !> The new model; receives its tables.
       type(wave_model_t), intent(out) :: self
-      type(variable_t) :: v(v_penetration)
-      type(result_t) :: r(10)
 
-      v(v_period) = positive(group='surface', name='period', unit='m', meaning='wavelength l')
-      v(v_amplitude) = positive(group='surface', name='amplitude', unit='m', meaning='D of the wave z = D (1 - cos 2 pi x/l)')
-      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
-         & v(v_contact_modulus:v_second_poisson_ratio))
-      v(v_mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', meaning='load over nominal area', &
-         & lower=0.0_dp)
-      v(v_penetration) = number(group='operating', name='penetration', unit='m', &
-         & meaning='approach of the mean planes since first touch, instead')
-      r(r_mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over nominal area', is_main=.true.)
-      r(r_penetration) = result_row(name='penetration', unit='m', long_name='approach of the mean planes since first touch', &
-         & is_main=.true.)
-      r(r_contact_width) = result_row(name='contact_width', unit='m', long_name='width 2a of contact on one wave', is_main=.true.)
-      r(r_contact_fraction) = result_row(name='contact_fraction', unit='-', long_name='share of the wave in contact')
-      r(r_peak_pressure) = result_row(name='peak_pressure', unit='Pa', long_name='pressure on the crests', is_main=.true.)
-      r(r_mean_gap) = result_row(name='mean_gap', unit='m', long_name='mean gap')
-      r(r_largest_gap) = result_row(name='largest_gap', unit='m', long_name='gap in the troughs')
-      r(r_full_contact_pressure) = result_row(name='full_contact_pressure', unit='Pa', &
-         & long_name='p* = pi E* D/l, where full contact begins')
-      r(r_regime) = result_row(name='regime', unit='-', long_name='regime', flag_meanings='no_contact partial full')
-      r(r_violation) = result_row(name='contact_violation', unit='-', long_name='largest violation of g >= 0, p >= 0, g p = 0')
       call self%set_tables(name='wave_1d', &
-         & summary='a sinusoidal wave on an elastic half-plane: pressure and gap up to full contact', variables=v, results=r, &
-         & profiles=contact_profiles(), axes='x', is_depth=.false.)
-      self%solids = [v_contact_modulus, v_second_poisson_ratio]
+         & summary='a sinusoidal wave on an elastic half-plane, or sliding over a viscoelastic one, up to full contact', &
+         & variables=get_wave_variables(), results=get_wave_results(), profiles=contact_profiles(), axes='x', is_depth=.false.)
+      self%references = self%references//'; N. Menga, C. Putignano, G. Carbone, G. P. Demelio, Proc. R. Soc. A 470 (2014)'
    end subroutine new_wave_model
+
+   !> Does the wave slide over a viscoelastic half-plane?
+   pure logical function is_sliding(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      is_sliding = has_spectrum(values(v_material:v_temperature))
+   end function is_sliding
+
+   !> See `model_t`.
+   subroutine take_dataset(self, place, values, problems)
+      !> The model, which keeps the values.
+      class(wave_model_t), intent(inout) :: self
+      !> Place of the variable, one of the rows of the material.
+      integer, intent(in) :: place
+      !> The values in SI units; shape `(n, n_columns)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the values; nothing here.
+      type(problems_t), intent(inout) :: problems
+
+      call take_spectrum(self%given, place - v_material + 1, values)
+      associate (unused => problems)
+      end associate
+   end subroutine take_dataset
+
+   !> See `model_t`.
+   subroutine take_attribute(self, place, name, value, problems)
+      !> The model, which keeps the value.
+      class(wave_model_t), intent(inout) :: self
+      !> Place of the variable, one of the rows of the material.
+      integer, intent(in) :: place
+      !> Name of the attribute.
+      character(*), intent(in) :: name
+      !> Its value in SI units.
+      real(dp), intent(in) :: value
+      !> Receives what is wrong with it.
+      type(problems_t), intent(inout) :: problems
+
+      call take_spectrum_attribute(self%given, self%variables(place), place - v_material + 1, name, value, problems)
+   end subroutine take_attribute
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
@@ -78,12 +107,103 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
+      integer :: before
 
+      before = problems%count()
       call require(self%variables, values, [v_period, v_amplitude], problems)
+      if (is_sliding(values)) then
+         call check_material(self, values, problems)
+      else
+         call check_solid(self, values, problems)
+      end if
+      call require_one(self%variables, values, [v_mean_pressure, v_penetration], .true., problems)
+      if (.not. is_sliding(values) .or. problems%count() > before) return
+      if (.not. is_possible_slide(values, self%given)) call problems%add('operating', 'velocity', &
+         & 'is too small or too large for the period and the relaxation times')
+   end subroutine check_case
+
+   !> Add to `problems` what is wrong with an elastic solid, over which no velocity counts.
+   subroutine check_solid(self, values, problems)
+      !> The model; its tables give the variables their names.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
       call check_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
          & values(v_contact_modulus:v_second_poisson_ratio), problems, .false.)
-      call require_one(self%variables, values, [v_mean_pressure, v_penetration], .true., problems)
-   end subroutine check_case
+      do k = v_temperature, v_velocity
+         if (is_set(values(k))) call problems%add(self%variables(k)%group, self%variables(k)%name, &
+            & 'has no meaning without &material; over an elastic solid nothing rubs')
+      end do
+   end subroutine check_solid
+
+   !> Add to `problems` what is wrong with a viscoelastic material.
+   subroutine check_material(self, values, problems)
+      !> The model; its tables give the variables their names.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      logical :: is_swept(n_spectrum_rows)
+      integer :: k
+
+      do k = v_contact_modulus, v_second_poisson_ratio
+         if (is_set(values(k))) call problems%add(self%variables(k)%group, self%variables(k)%name, &
+            & 'stands beside &material; give &solid for an elastic solid, &material for a viscoelastic one')
+      end do
+      ! what is swept has a value here, and is refused for that
+      is_swept = .false.
+      call check_spectrum(self%variables(v_material:v_temperature), values(v_material:v_temperature), self%given, is_swept, &
+         & problems)
+      call require(self%variables, values, [v_velocity], problems)
+   end subroutine check_material
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(list)
+      !> The model, for the rows of its moduli.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: list(:)
+
+      if (is_sliding(values)) then
+         call derive_spectrum(list, values(v_material:v_temperature), self%given)
+      else
+         list = derive_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
+            & values(v_contact_modulus:v_second_poisson_ratio))
+      end if
+   end function derive_quantities
+
+   !> See `model_t`.
+   function describe_case(self, values) result(text)
+      !> The model with its lists and datasets.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      if (is_sliding(values)) text = describe_spectrum(values(v_material:v_temperature), self%given)
+   end function describe_case
+
+   !> See `model_t`.
+   function describe_doubts(self, values) result(text)
+      !> The model with its lists and datasets.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      real(dp) :: frequency
+
+      text = ''
+      if (.not. is_sliding(values)) return
+      frequency = two_pi*abs(values(v_velocity))/values(v_period)
+      text = doubt_spectrum(values(v_material:v_temperature), self%given, [frequency, frequency])
+   end function describe_doubts
 
    !> Pressure p* of full contact.
    pure real(dp) function full_pressure(values)
@@ -93,13 +213,13 @@ contains
       full_pressure = pi*contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))*(values(v_amplitude)/values(v_period))
    end function full_pressure
 
-   !> See `pointwise_model_t`. Beyond full contact the penetration of a half-plane is undefined.
+   !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model; nothing is read from it here.
+      !> The model with its lists and datasets.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Nothing is left for the next point.
+      !> A sliding wave leaves its contact and the spectrum.
       class(point_state_t), allocatable, intent(inout) :: state
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -109,6 +229,32 @@ contains
       integer, intent(out) :: status
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
+
+      if (is_sliding(values)) then
+         if (.not. allocated(state)) allocate (slide_point_t :: state)
+         status = status_not_converged
+         error_estimate = 0
+         select type (state)
+         type is (slide_point_t)
+            call solve_slide(values, self%given, state, results, error_estimate, status)
+         end select
+      else
+         call solve_elastic(values, results, error_estimate, status)
+      end if
+      associate (unused => counts)
+      end associate
+   end subroutine solve_point
+
+   !> A wave on an elastic half-plane. Beyond full contact the penetration is undefined.
+   subroutine solve_elastic(values, results, error_estimate, status)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
+      real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
+      integer, intent(out) :: status
       real(dp) :: q, p, d, half_width, x(n_places), lift
       integer :: i
       logical :: is_converged
@@ -143,9 +289,7 @@ contains
       associate (places => [half_width*x, half_width + (0.5_dp - half_width)*x])
          results(r_violation) = largest_violation(wave_pressure(q, places), wave_gap(q, places), 1.0_dp, 1.0_dp)
       end associate
-      associate (unused => self, unused_state => state, unused_counts => counts)
-      end associate
-   end subroutine solve_point
+   end subroutine solve_elastic
 
    !> See `pointwise_model_t`.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
@@ -155,7 +299,7 @@ contains
       real(dp), intent(in) :: values(:)
       !> What `solve_block` found for this point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
-      !> What `solve_point` has left, not used here.
+      !> What `solve_point` has left: the contact of a sliding wave.
       class(point_state_t), allocatable, intent(in) :: state
       !> Axes of the profiles, the slowest first.
       type(profile_axis_t), intent(in) :: axes(:)
@@ -163,6 +307,15 @@ contains
       real(dp), intent(inout) :: profiles(:, :, :)
       real(dp) :: q, p, lift
 
+      associate (unused => self)
+      end associate
+      if (is_sliding(values)) then
+         select type (state)
+         type is (slide_point_t)
+            call get_slide_profiles(state, axes(1)%coordinates, profiles(:, 1, 1), profiles(:, 1, 2))
+         end select
+         return
+      end if
       lift = 0
       if (is_set(values(v_penetration))) then
          if (values(v_penetration) > values(v_amplitude)) return
@@ -172,8 +325,6 @@ contains
       q = results(r_mean_pressure)/p
       profiles(:, 1, 1) = p*wave_pressure(q, axes(1)%coordinates/values(v_period))
       profiles(:, 1, 2) = values(v_amplitude)*wave_gap(q, axes(1)%coordinates/values(v_period)) + lift
-      associate (unused => self, unused_state => state)
-      end associate
    end subroutine fill_profiles
 
 end module adfric_classical_wave_model

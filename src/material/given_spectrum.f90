@@ -15,14 +15,12 @@ module adfric_material_given_spectrum
    private
    public :: given_spectrum_t, set_arm_rows, fit_given_curve, check_numbers_of_arms, check_curve, check_fit
    public :: describe_fit, describe_arms, doubt_range
-   public :: n_arm_rows, arm_names, a_young_moduli, a_relaxation_times, a_master_curve, a_terms_per_decade, a_time_factor
+   public :: n_arm_rows
 
    !> Number of rows.
    integer, parameter :: n_arm_rows = 5
    !> Places among the rows.
-   integer, parameter :: a_young_moduli = 1, a_relaxation_times = 2, a_master_curve = 3, a_terms_per_decade = 4, a_time_factor = 5
-   !> Names of the rows.
-   character(*), parameter :: arm_names = 'young_moduli relaxation_times master_curve terms_per_decade time_factor'
+   integer, parameter :: young_moduli = 1, relaxation_times = 2, master_curve = 3, terms_per_decade = 4, time_factor = 5
 
    !> Lists and datasets of an input; what is not given is not allocated.
    type :: given_spectrum_t
@@ -43,17 +41,17 @@ contains
       !> Receives the rows; shape `(n_arm_rows)`.
       type(variable_t), intent(out) :: rows(:)
 
-      rows(a_young_moduli) = list_row(group=group, name='young_moduli', unit='Pa', &
+      rows(young_moduli) = list_row(group=group, name='young_moduli', unit='Pa', &
          & meaning='moduli of arms beside young_modulus, one for each of relaxation_times', lower=0.0_dp, least_count=1, &
          & most_count=most_arms)
-      rows(a_relaxation_times) = list_row(group=group, name='relaxation_times', unit='s', meaning='relaxation times of the arms', &
+      rows(relaxation_times) = list_row(group=group, name='relaxation_times', unit='s', meaning='relaxation times of the arms', &
          & lower=1.0e-60_dp, least_count=1, most_count=most_arms)
-      rows(a_master_curve) = columns_row(group=group, name='master_curve', columns='omega storage loss', units='rad/s Pa Pa', &
+      rows(master_curve) = columns_row(group=group, name='master_curve', columns='omega storage loss', units='rad/s Pa Pa', &
          & meaning='group with storage and loss modulus over the frequency, to which arms are fitted', least_count=2, &
          & attributes='reference_temperature', attribute_units='K')
-      rows(a_terms_per_decade) = any_number(group=group, name='terms_per_decade', unit='-', &
+      rows(terms_per_decade) = any_number(group=group, name='terms_per_decade', unit='-', &
          & meaning='arms that are offered to a master curve in a decade; 1.5 if not given', lower=0.1_dp, upper=10.0_dp)
-      rows(a_time_factor) = above_zero(group=group, name='time_factor', unit='-', &
+      rows(time_factor) = above_zero(group=group, name='time_factor', unit='-', &
          & meaning='factor of all relaxation times; 1 if not given')
    end subroutine set_arm_rows
 

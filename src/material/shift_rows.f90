@@ -11,14 +11,12 @@ module adfric_material_shift_rows
    use adfric_model_table, only: variable_t
    implicit none (type, external)
    private
-   public :: set_shift_rows, time_temperature_of, check_shift, n_shift_rows, shift_names
+   public :: set_shift_rows, time_temperature_of, check_shift, n_shift_rows
 
    !> Number of rows.
    integer, parameter :: n_shift_rows = 5
    !> Places among the rows.
    integer, parameter :: shift = 1, reference_temperature = 2, wlf_c1 = 3, wlf_c2 = 4, activation_energy = 5
-   !> Names of the rows.
-   character(*), parameter :: shift_names = 'shift reference_temperature wlf_c1 wlf_c2 activation_energy'
 
 contains
 

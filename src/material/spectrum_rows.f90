@@ -19,12 +19,12 @@ module adfric_material_spectrum_rows
    use adfric_material_time_temperature, only: time_temperature_t
    use adfric_model_check, only: require, refuse_given
    use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_rows, only: above_zero, list_row
+   use adfric_model_rows, only: above_zero, list_row, positive
    use adfric_model_table, only: variable_t
    implicit none (type, external)
    private
    public :: set_spectrum_rows, take_spectrum, take_spectrum_attribute, has_spectrum, check_spectrum, get_spectrum
-   public :: shift_factor_of, poisson_ratio_of, describe_spectrum, doubt_spectrum, derive_spectrum
+   public :: is_same_spectrum, shift_factor_of, poisson_ratio_of, describe_spectrum, doubt_spectrum, derive_spectrum
    public :: n_spectrum_rows, spectrum_names
 
    !> Places among the rows; the last one stands in the group of the operating conditions.
@@ -48,7 +48,7 @@ contains
       type(variable_t), intent(out) :: rows(:)
       character(*), parameter :: group = 'material'
 
-      call set_modulus_rows(above_zero(group=group, name='', unit='Pa', meaning=''), rows(modulus:poisson_ratio))
+      call set_modulus_rows(positive(group=group, name='', unit='Pa', meaning=''), rows(modulus:poisson_ratio))
       rows(modulus)%name = 'modulus'
       rows(modulus)%meaning = 'relaxed contact modulus E0 = E/(1 - nu^2)'
       rows(young_modulus)%meaning = 'relaxed Young''s modulus, instead of modulus'
@@ -234,6 +234,14 @@ contains
          end if
       end associate
    end subroutine get_spectrum
+
+   !> Do two points have the same spectrum before it is shifted?
+   pure logical function is_same_spectrum(values, others)
+      !> Values of the rows at both points; shape `(n_spectrum_rows)`.
+      real(dp), intent(in) :: values(:), others(:)
+
+      is_same_spectrum = all(abs(values(:terms_per_decade) - others(:terms_per_decade)) <= 0)
+   end function is_same_spectrum
 
    !> The factor of all relaxation times, by the temperature and by `time_factor` [-]. A body that slides at V over the shifted
    !> material meets what it meets at this factor times V over the one that is not.

@@ -1,0 +1,85 @@
+!> The namelist variables and results of the model `wave_1d`.
+module adfric_classical_wave_variables
+   use adfric_base_kinds, only: dp
+   use adfric_material_contact_modulus, only: set_modulus_rows
+   use adfric_material_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
+   use adfric_model_rows, only: positive, number, result_row
+   use adfric_model_table, only: variable_t, result_t
+   implicit none (type, external)
+   private
+   public :: get_wave_variables, get_wave_results
+
+   !> Places of the variables. The rows of the material stand between `v_material` and `v_temperature`.
+   integer, parameter, public :: v_period = 1, v_amplitude = 2, v_contact_modulus = 3, v_second_poisson_ratio = 7, &
+      & v_material = 8, v_temperature = v_material - 1 + n_spectrum_rows, v_velocity = v_temperature + 1, &
+      & v_mean_pressure = v_temperature + 2, v_penetration = v_temperature + 3
+   !> Places of the results; those from `r_friction_stress` on belong to sliding.
+   integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_width = 3, r_contact_fraction = 4, &
+      & r_peak_pressure = 5, r_mean_gap = 6, r_largest_gap = 7, r_full_contact_pressure = 8, r_regime = 9, r_violation = 10, &
+      & r_friction_stress = 11, r_friction_coefficient = 12, r_contact_shift = 13, r_dissipation = 14, r_energy_imbalance = 15
+   !> Number of results.
+   integer, parameter :: n_results = 15
+   !> Places in the meanings of `regime`, from 0.
+   integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2
+
+contains
+
+   !> The table of variables.
+   function get_wave_variables() result(v)
+      type(variable_t), allocatable :: v(:)
+
+      allocate (v(v_penetration))
+      v(v_period) = positive(group='surface', name='period', unit='m', meaning='wavelength l')
+      v(v_amplitude) = positive(group='surface', name='amplitude', unit='m', meaning='D of the wave z = D (1 - cos 2 pi x/l)')
+      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
+         & v(v_contact_modulus:v_second_poisson_ratio))
+      call set_spectrum_rows(v(v_material:v_temperature))
+      ! a sweep of a modulus means the one of `solid`, where both have the name
+      v(v_material:v_temperature - 1)%has_bare_name = .not. is_of_solid(v(v_material:v_temperature - 1))
+      v(v_velocity) = number(group='operating', name='velocity', unit='m/s', &
+         & meaning='sliding velocity over the material, positive to +x')
+      v(v_mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', meaning='load over nominal area', &
+         & lower=0.0_dp)
+      v(v_penetration) = number(group='operating', name='penetration', unit='m', &
+         & meaning='approach of the mean planes since first touch, instead')
+   end function get_wave_variables
+
+   !> Does the group `solid` have a variable of the same name?
+   elemental logical function is_of_solid(variable)
+      !> A variable of another group.
+      type(variable_t), intent(in) :: variable
+
+      is_of_solid = variable%name == 'young_modulus' .or. variable%name == 'poisson_ratio'
+   end function is_of_solid
+
+   !> The table of results.
+   function get_wave_results() result(r)
+      type(result_t), allocatable :: r(:)
+
+      allocate (r(n_results))
+      r(r_mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over nominal area', is_main=.true.)
+      r(r_penetration) = result_row(name='penetration', unit='m', long_name='approach of the mean planes since first touch', &
+         & is_main=.true.)
+      r(r_contact_width) = result_row(name='contact_width', unit='m', long_name='width 2a of contact on one wave', is_main=.true.)
+      r(r_contact_fraction) = result_row(name='contact_fraction', unit='-', long_name='share of the wave in contact')
+      r(r_peak_pressure) = result_row(name='peak_pressure', unit='Pa', long_name='largest pressure, at rest that on the crests', &
+         & is_main=.true.)
+      r(r_mean_gap) = result_row(name='mean_gap', unit='m', long_name='mean gap')
+      r(r_largest_gap) = result_row(name='largest_gap', unit='m', long_name='largest gap, at rest that in the troughs')
+      r(r_full_contact_pressure) = result_row(name='full_contact_pressure', unit='Pa', &
+         & long_name='where full contact begins; at rest p* = pi E* D/l')
+      r(r_regime) = result_row(name='regime', unit='-', long_name='regime', flag_meanings='no_contact partial full')
+      r(r_violation) = result_row(name='contact_violation', unit='-', long_name='largest violation of g >= 0, p >= 0, g p = 0')
+      r(r_friction_stress) = result_row(name='friction_stress', unit='Pa', &
+         & long_name='friction force over nominal area, with the sign of the velocity')
+      r(r_friction_coefficient) = result_row(name='friction_coefficient', unit='-', &
+         & long_name='friction stress over mean pressure', is_main=.true.)
+      r(r_contact_shift) = result_row(name='contact_shift', unit='m', &
+         & long_name='middle of the contact, from the crest; no value without contact and in full contact')
+      r(r_dissipation) = result_row(name='dissipation', unit='Pa', &
+         & long_name='energy lost over nominal area and distance, in closed form')
+      r(r_energy_imbalance) = result_row(name='energy_imbalance', unit='-', &
+         & long_name='work of the pressure, from its profile, less the dissipation, over the dissipation')
+   end function get_wave_results
+
+end module adfric_classical_wave_variables
