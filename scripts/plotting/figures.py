@@ -25,6 +25,7 @@ SHOWN = {
     ("surface_sliding", "direction"): ("friction_coefficient", "lateral_stress"),
     ("surface_sliding", "mean_pressure"): ("friction_coefficient", "contact_fraction", "peak_pressure", "contact_shift"),
     ("wave_1d", "mean_pressure"): ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap"),
+    ("wave_1d", "velocity"): ("friction_coefficient", "contact_fraction", "contact_shift", "peak_pressure"),
 }
 
 
