@@ -11,12 +11,12 @@ program rough_surface
    use omp_lib, only: omp_get_max_threads, omp_set_num_threads
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
-   use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
    use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, integer_argument, open_table
+   use rough_shapes, only: make_surface
    implicit none (type, external)
 
    integer, parameter :: n_repeats = 3
@@ -70,35 +70,6 @@ contains
          call report_load(table, n, hurst, most_waves, loads(k), solver, shape, scale, n_threads)
       end do
    end subroutine report_surface
-
-   !> Gaps of a surface above its highest cell: white noise whose waves are weighed.
-   subroutine make_surface(n, hurst, most_waves, shape)
-      integer, intent(in) :: n, most_waves
-      real(dp), intent(in) :: hurst
-      real(dp), allocatable, intent(out) :: shape(:, :)
-      integer, parameter :: fewest_waves = 4
-      type(spectral_filter_t) :: filter
-      type(error_t), allocatable :: error
-      real(dp), allocatable :: noise(:, :), symbol(:, :)
-      real(dp) :: waves
-      integer :: i, j
-
-      call new_spectral_filter(filter, n, n, .false., .false., error)
-      if (allocated(error)) error stop 'no transform'
-      allocate (noise(n, n), shape(n, n), symbol(filter%n_modes(2), filter%n_modes(1)))
-      call random_init(.true., .true.)
-      call random_number(noise)
-      do i = 1, size(symbol, 2)
-         do j = 1, size(symbol, 1)
-            waves = hypot(real(i - 1, dp), real(min(j - 1, n - j + 1), dp))
-            symbol(j, i) = 0
-            if (waves >= fewest_waves .and. waves <= most_waves) symbol(j, i) = waves**(-1 - hurst)
-         end do
-      end do
-      call filter%apply(symbol, noise, shape)
-      shape = shape - minval(shape)
-      shape = shape/maxval(shape)
-   end subroutine make_surface
 
    !> One load on one number of threads.
    subroutine report_load(table, n, hurst, most_waves, load, solver, shape, scale, n_threads)
