@@ -30,7 +30,7 @@ program sliding
    n_threads = omp_get_max_threads()
    table = open_table(text_argument(1, 'sliding.csv'), 'case,cells,speed,load,area,threads,ms,ms_least,ms_most,pairs,steps,'// &
       'friction,error,imbalance')
-   print '(a10, a6, a10, a8, a8, a8, a24, a8, a7, a12, a9, a10)', 'case', 'cells', 'speed', 'load', 'area', 'threads', &
+   print '(a10, a6, a10, a10, a8, a8, a29, a8, a7, a12, a9, a10)', 'case', 'cells', 'speed', 'load', 'area', 'threads', &
       'ms (range)', 'pairs', 'steps', 'friction', 'error', 'imbalance'
    call omp_set_num_threads(1)
    n = 128
@@ -174,7 +174,8 @@ contains
          error = 0
          if (present(exact)) error = abs(friction/exact - 1)
          imbalance = s%friction%direct(1)/friction - 1
-         print '(a10, i6, es10.1, f8.4, f8.4, i8, f8.2, 2(a, f7.2), a, f8.1, i7, es12.4, es9.1, es10.1)', name, size(shape, 1), speed, &
+         print '(a10, i6, es10.1, es10.2, f8.4, i8, f9.2, 2(a, f8.2), a, f8.1, i7, es12.4, es9.1, es10.1)', name, size(shape, 1), &
+            & speed, &
             & load, s%area%cells, n_threads, time%median, ' (', time%least, ' to', time%most, ')', s%n_pairs, s%n_iterations, &
             & friction, error, imbalance
          write (table, '(2a, i0, 3(",", es12.5), ",", i0, 3(",", f0.3), ",", f0.2, ",", i0, 3(",", es12.5))') trim(name), ',', &
