@@ -14,7 +14,7 @@ import sys
 from tools import read_table
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DOCUMENTS = [ROOT / "docs" / "accuracy.md", ROOT / "docs" / "scenes.md"]
+DOCUMENTS = [ROOT / "docs" / f"{name}.md" for name in ("accuracy", "periodic", "scenes")]
 
 
 def rows_of(folder, name, **wanted):
@@ -274,9 +274,29 @@ def profiles(folder):
                   "time of the plain march over this", "difference of friction"], body)
 
 
+def sliding(folder):
+    """Waves and random surfaces that slide over a viscoelastic half-space."""
+    body = []
+    cases = {}
+    for row in rows_of(folder, "sliding"):
+        if row["threads"] == "1":
+            cases.setdefault((row["case"].strip(), int(row["cells"])), []).append(row)
+    for (name, cells), rows in cases.items():
+        times, pairs, errors, imbalances = ([abs(float(row[key])) for row in rows] for key in ("ms", "pairs", "error", "imbalance"))
+        body.append([f"`{name}`" if name.startswith("wave") else f"random, {name}", str(cells), between(times, time), between(pairs, lambda n: f"{float(n):.0f}"),
+                     between(errors, error) if max(errors) > 0 else "", error(max(imbalances))])
+    return table(["surface", "cells along x", "time [ms]", "pairs of transforms", "error of the friction", "largest imbalance"], body)
+
+
+def between(numbers, text):
+    """The least and the largest of some numbers."""
+    ends = [text(str(end)) for end in (min(numbers), max(numbers))]
+    return ends[0] if ends[0] == ends[1] else " to ".join(ends)
+
+
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles)}
+    wave_2d_public, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding)}
 
 
 def main():

@@ -63,6 +63,10 @@ module adfric_periodic_gap_solver
       logical :: is_symmetric = .true.
       !> Directions of the last steps, under a sliding body alone.
       type(past_directions_t) :: past
+      !> `stiff` preconditioned, under a sliding body alone; shape of the cells.
+      real(dp), allocatable :: preconditioned(:, :)
+      !> Is `correction` known already?
+      logical :: has_correction = .false.
       !> Is there a direction in this region already?
       logical :: has_direction = .false.
       !> Are there gaps left in closed cells?
@@ -127,7 +131,9 @@ contains
       call self%levels%set_open(is_open)
       self%has_direction = .false.
       self%is_symmetric = operator%is_symmetric
+      self%has_correction = .false.
       call self%past%clear()
+      if (.not. (self%is_symmetric .or. allocated(self%preconditioned))) allocate (self%preconditioned, source=self%correction)
       self%has_remains = has_remains
       self%has_fixed_mean = has_fixed_mean
       self%has_special_mean = has_fixed_mean .or. resists_mean
@@ -163,7 +169,7 @@ contains
 
       extremes = extremes_t()
       is_stuck = .false.
-      call self%precondition(pressure, mean_pressure, sums)
+      if (.not. self%has_correction) call self%precondition(pressure, mean_pressure, sums)
       if (self%has_remains) then
          call self%set_first_step(is_open, mean_gap, gap)
          call operator%apply_stiffness(self%direction, self%stiff)
@@ -174,6 +180,9 @@ contains
          is_stuck = .not. length > 0
          if (is_stuck) return
          self%length = length
+         ! what M makes of the pressure follows it, but for the mean pressure that a given mean gap asks for
+         self%has_correction = .not. self%has_fixed_mean
+         if (self%has_correction) call add_multiple(self%correction, length, self%preconditioned)
       else
          is_stuck = .not. sums(1) > 0
          if (is_stuck) return
@@ -299,10 +308,10 @@ contains
 
       call self%set_direction(0.0_dp)
       call operator%apply_stiffness(self%direction, self%stiff)
-      call self%precondition_freely(self%stiff, self%correction)
-      call self%past%take(self%direction, self%stiff, self%correction, product)
+      call self%precondition_freely(self%stiff, self%preconditioned)
+      call self%past%take(self%direction, self%stiff, self%preconditioned, product)
       length = 0
-      if (product > 0) length = -dot_of(pressure, self%correction)/product
+      if (product > 0) length = -dot_of(pressure, self%preconditioned)/product
    end subroutine set_sliding_step
 
    !> Apply the preconditioner to a pressure; as in `precondition`, without a change of the mean pressure.

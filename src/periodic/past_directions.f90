@@ -4,13 +4,13 @@
 !> that w_i M w_j = 0: w_i . v_j = 0 over the open cells for i other than j.
 module adfric_periodic_past_directions
    use adfric_base_kinds, only: dp
-   use adfric_periodic_maps, only: dot_of, add_multiple
+   use adfric_periodic_maps, only: dot_of, is_shared
    implicit none (type, external)
    private
    public :: past_directions_t
 
    !> Directions that are kept; more save few steps, and every step has to go through them.
-   integer, parameter :: most_directions = 4
+   integer, parameter :: most_directions = 2
 
    !> One direction.
    type :: direction_t
@@ -50,27 +50,50 @@ contains
       real(dp), intent(inout), contiguous, dimension(:, :) :: gap, pressure, preconditioned
       !> Receives the sum of `pressure` times `preconditioned`.
       real(dp), intent(out) :: product
-      real(dp) :: factor
-      integer :: i
+      real(dp) :: factors(most_directions), rows(size(gap, 2))
+      integer :: i, j, n, place
 
-      do i = 1, min(self%n_taken, most_directions)
-         associate (d => self%directions(i))
-            factor = -dot_of(pressure, d%preconditioned)/d%product
-            call add_multiple(gap, factor, d%gap)
-            call add_multiple(pressure, factor, d%pressure)
-            call add_multiple(preconditioned, factor, d%preconditioned)
-         end associate
+      n = min(self%n_taken, most_directions)
+      place = mod(self%n_taken, most_directions) + 1
+      do i = 1, n
+         factors(i) = -dot_of(pressure, self%directions(i)%preconditioned)/self%directions(i)%product
       end do
-      product = dot_of(pressure, preconditioned)
+      !$omp parallel do if(is_shared(size(gap))) default(none) shared(self, gap, pressure, preconditioned, factors, rows, n) &
+      !$omp& private(i, j)
+      do j = 1, size(gap, 2)
+         do i = 1, n
+            associate (d => self%directions(i))
+               gap(:, j) = gap(:, j) + factors(i)*d%gap(:, j)
+               pressure(:, j) = pressure(:, j) + factors(i)*d%pressure(:, j)
+               preconditioned(:, j) = preconditioned(:, j) + factors(i)*d%preconditioned(:, j)
+            end associate
+         end do
+         rows(j) = dot_product(pressure(:, j), preconditioned(:, j))
+      end do
+      !$omp end parallel do
+      product = sum(rows)
       if (.not. product > 0) return
-      i = mod(self%n_taken, most_directions) + 1
+      call keep(self%directions(place), gap, pressure, preconditioned)
+      self%directions(place)%product = product
       self%n_taken = self%n_taken + 1
-      associate (d => self%directions(i))
-         d%gap = gap
-         d%pressure = pressure
-         d%preconditioned = preconditioned
-         d%product = product
-      end associate
    end subroutine take
+
+   !> Keep a direction.
+   subroutine keep(self, gap, pressure, preconditioned)
+      !> Receives the direction.
+      type(direction_t), intent(inout) :: self
+      !> The direction, its pressure in all cells, and this preconditioned; shape of the cells.
+      real(dp), intent(in), contiguous, dimension(:, :) :: gap, pressure, preconditioned
+      integer :: j
+
+      if (.not. allocated(self%gap)) allocate (self%gap, self%pressure, self%preconditioned, mold=gap)
+      !$omp parallel do if(is_shared(size(gap))) default(none) shared(self, gap, pressure, preconditioned) private(j)
+      do j = 1, size(gap, 2)
+         self%gap(:, j) = gap(:, j)
+         self%pressure(:, j) = pressure(:, j)
+         self%preconditioned(:, j) = preconditioned(:, j)
+      end do
+      !$omp end parallel do
+   end subroutine keep
 
 end module adfric_periodic_past_directions
