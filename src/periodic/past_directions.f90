@@ -9,8 +9,11 @@ module adfric_periodic_past_directions
    private
    public :: past_directions_t
 
-   !> Directions that are kept; more save few steps, and every step has to go through them.
-   integer, parameter :: most_directions = 2
+   !> Least and largest number of directions that are kept. A step has to go through all of them, which is worth it where there are
+   !> many steps, on hard cases; on large maps they would take more memory than the rest of the solution.
+   integer, parameter :: fewest_directions = 2, most_directions = 40
+   !> Cells that are kept in all, as far as the least number of directions allows.
+   integer, parameter :: cells_kept = 2**20
 
    !> One direction.
    type :: direction_t
@@ -24,7 +27,7 @@ module adfric_periodic_past_directions
    type :: past_directions_t
       private
       !> Directions, in no order.
-      type(direction_t) :: directions(most_directions)
+      type(direction_t), allocatable :: directions(:)
       !> How many there have been since the last `clear`.
       integer :: n_taken = 0
    contains
@@ -53,8 +56,10 @@ contains
       real(dp) :: factors(most_directions), rows(size(gap, 2))
       integer :: i, j, n, place
 
-      n = min(self%n_taken, most_directions)
-      place = mod(self%n_taken, most_directions) + 1
+      if (.not. allocated(self%directions)) &
+         & allocate (self%directions(min(most_directions, max(fewest_directions, cells_kept/size(gap)))))
+      n = min(self%n_taken, size(self%directions))
+      place = mod(self%n_taken, size(self%directions)) + 1
       do i = 1, n
          factors(i) = -dot_of(pressure, self%directions(i)%preconditioned)/self%directions(i)%product
       end do
