@@ -115,7 +115,9 @@ contains
       !> Components along x and y.
       real(dp), intent(in) :: vector(2)
 
-      forward = merge(-1, 1, self%motion%is_backward)*vector(self%motion%along)
+      forward = vector(self%motion%along)
+      ! 0 stays 0, and not -0
+      if (self%motion%is_backward) forward = 0 - forward
    end function forward
 
    !> Component of a vector to the left of the motion, seen from above the solid's surface with x to the right and y upward.
@@ -125,7 +127,8 @@ contains
       !> Components along x and y.
       real(dp), intent(in) :: vector(2)
 
-      leftward = merge(-1, 1, self%motion%is_backward .neqv. self%motion%along == 2)*vector(3 - self%motion%along)
+      leftward = vector(3 - self%motion%along)
+      if (self%motion%is_backward .neqv. self%motion%along == 2) leftward = 0 - leftward
    end function leftward
 
 end module adfric_periodic_viscoelastic_solid
