@@ -193,6 +193,19 @@ def wave_2d_public(folder):
     return table(["cells", "p/p*", "quarter: ms, residual, ratio", "general", *solvers], body)
 
 
+def sliding_public(folder):
+    """Sliding waves beside a march in time."""
+    body = []
+    rows = rows_of(folder, "sliding_public")
+    for row in rows:
+        if row["solver"] == "Tamaas":
+            ours = [mine for mine in rows if mine["solver"] == "adfric" and (mine["case"], mine["speed"], mine["cells"]) == (
+                row["case"], row["speed"], row["beside"])][0]
+            body.append([f"`{row['case']}`", row["speed"], row["cells"], row["steps"], f"{time(row['ms'])}, {error(row['error'])}",
+                         ours["cells"], f"{time(ours['ms'])}, {error(ours['error'])}", time(row["slower"])])
+    return table(["wave", "k V t", "cells of Tamaas 2.9.0", "steps", "ms, error", "our cells", "ms, error", "ratio of times"], body)
+
+
 def closed_forms(folder):
     """Time of a point."""
     body = [[f"`{row['model']}`", row["case"], f"`{row['swept']}`", time(row["us_least"]), error(row["error_estimate"])]
@@ -296,7 +309,7 @@ def between(numbers, text):
 
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding)}
+    wave_2d_public, sliding_public, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding)}
 
 
 def main():

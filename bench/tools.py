@@ -10,6 +10,8 @@ import subprocess
 import sys
 
 ONE_THREAD = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+#: A public library: name, folder, packages, and what must be importable.
+TAMAAS = ("Tamaas 2.9.0", "tamaas", ["tamaas==2.9.0", "numpy"], "import tamaas, numpy")
 
 
 def last_line(text):
