@@ -1,4 +1,4 @@
-"""Tables of docs/accuracy.md and docs/scenes.md from those of the benchmarks.
+"""Tables of docs/accuracy.md, docs/periodic.md and docs/scenes.md from those of the benchmarks.
 
 usage: tables.py [FOLDER [--write]]
 
