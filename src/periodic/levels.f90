@@ -358,7 +358,8 @@ contains
          if (grid%coarser > 0) call interpolate(coarse, j, is_quarter, work(:, 1), work(1:size(residual, 1), 3))
          if (grid%beside > 0) then
             call interpolate(beside, j, is_quarter, work(:, 1), work(1:size(residual, 1), 4))
-            work(:, 3) = work(:, 3) + work(:, 4)
+            ! the ends of the workspace have no values
+            work(1:size(residual, 1), 3) = work(1:size(residual, 1), 3) + work(1:size(residual, 1), 4)
          end if
          associate (before => neighbour_of(j, -1, ny, is_quarter), after => neighbour_of(j, 1, ny, is_quarter))
             call correct_row(grid%weight, grid%open(:, j), grid%open(:, before), grid%open(:, after), residual(:, j), &
