@@ -4,7 +4,7 @@
 !> error_estimates [TABLE.csv [SEED]]
 !>
 !> True errors come from quadruple precision (strips, spheres), from the tightest tolerance and from thousands of equal strips
-!> (surfaces), from finer grids (2-D wave) and from Westergaard (1-D wave). An error below the round-off of a number in double
+!> (surfaces), from finer grids (2-D waves), from Westergaard (1-D wave) and from the closed form of the sliding 1-D wave. An error below the round-off of a number in double
 !> precision counts as that.
 program error_estimates
    use, intrinsic :: iso_fortran_env, only: output_unit
@@ -25,13 +25,14 @@ program error_estimates
       touching_approach, relative, qp
    use quad_strips, only: get_quad_forces
    use random_dice, only: dice_t, new_dice
+   use sliding_estimates, only: count_sliding_lines, count_sliding_waves
    use trial_strips, only: trial_t, draw_trial
    implicit none (type, external)
 
    integer, parameter :: n_strips = 20000, n_surfaces = 400, n_spheres = 4000
    !> Sums below this share of their terms are as good as zero, as the solver has it.
    real(dp), parameter :: share_of_scale = 0.01_dp
-   type(counts_t) :: counts(16)
+   type(counts_t) :: counts(19)
    integer :: table, seed
 
    call print_heading('Error estimates beside true errors')
@@ -46,6 +47,8 @@ program error_estimates
    call count_lines(counts(11), counts(12), cubic_pieces, seed + 4)
    call count_lines(counts(13), counts(14), linear_pieces, seed + 5)
    call count_maps(counts(15), counts(16), seed + 6)
+   call count_sliding_lines(counts(17), counts(18), seed + 7)
+   call count_sliding_waves(counts(19), seed + 8)
    table = open_table(text_argument(1, 'error_estimates.csv'), 'cases,decade,count')
    call report_counts(table, counts)
    close (table)
