@@ -1,9 +1,9 @@
-!> Gauss's rule of 16 nodes on (-1, 1), exact for polynomials of degree 31.
+!> Gauss's rules of 16 and of 10 nodes on (-1, 1), exact for polynomials of degree 31 and 19.
 module adfric_numerics_gauss
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: gauss_nodes, gauss_weights
+   public :: gauss_nodes, gauss_weights, gauss_nodes_10, gauss_weights_10
 
    !> The 16 nodes and their weights.
    real(dp), parameter :: gauss_nodes(16) = [ &
@@ -40,5 +40,28 @@ module adfric_numerics_gauss
       & 0.095158511682492784810_dp, &
       & 0.062253523938647892863_dp, &
       & 0.027152459411754094852_dp]
+   !> The same of the rule of 10 nodes, exact for polynomials of degree 19.
+   real(dp), parameter :: gauss_nodes_10(10) = [ &
+      & -0.97390652851717172008_dp, &
+      & -0.86506336668898451073_dp, &
+      & -0.67940956829902440623_dp, &
+      & -0.43339539412924719080_dp, &
+      & -0.14887433898163121088_dp, &
+      & 0.14887433898163121088_dp, &
+      & 0.43339539412924719080_dp, &
+      & 0.67940956829902440623_dp, &
+      & 0.86506336668898451073_dp, &
+      & 0.97390652851717172008_dp]
+   real(dp), parameter :: gauss_weights_10(10) = [ &
+      & 0.066671344308688137594_dp, &
+      & 0.14945134915058059315_dp, &
+      & 0.21908636251598204400_dp, &
+      & 0.26926671930999635509_dp, &
+      & 0.29552422471475287017_dp, &
+      & 0.29552422471475287017_dp, &
+      & 0.26926671930999635509_dp, &
+      & 0.21908636251598204400_dp, &
+      & 0.14945134915058059315_dp, &
+      & 0.066671344308688137594_dp]
 
 end module adfric_numerics_gauss
