@@ -29,7 +29,7 @@ module adfric_classical_adhesive_wave_curve
    use adfric_classical_adhesive_wave_integrals, only: get_zone_integrals
    implicit none (type, external)
    private
-   public :: adhesive_wave_t, find_curve, find_contact, get_curve_state, is_open, get_saturated_penetration
+   public :: adhesive_wave_t, find_curve, find_contact, guess_y, get_curve_state, is_open, get_saturated_penetration
 
    !> Stresses and ranges that are handled.
    real(dp), parameter, public :: least_amount = 1.0e-12_dp, largest_amount = 1.0e12_dp
@@ -220,12 +220,21 @@ contains
       if (.not. is_open(self, place)) then
          equation = contact_equation_t(self%sigma, self%range, place)
          y = zones%y
-         if (.not. (y > 0 .and. y < largest_guess)) y = min(sqrt(self%range/self%sigma*cosh(place)), &
-            & (self%range*(1 + exp(-2*place)))**(1.0_dp/3), 3.0_dp)
+         if (.not. (y > 0 .and. y < largest_guess)) y = guess_y(self, place)
          call find_root(equation, 0.0_dp, open_crest, .true., y, is_converged)
       end if
       call get_zones_of_place(place, y, zones)
    end subroutine find_contact
+
+   !> About y of the equilibrium at a place, from the leading terms of (2).
+   pure real(dp) function guess_y(self, place)
+      !> The wave.
+      type(adhesive_wave_t), intent(in) :: self
+      !> ln T.
+      real(dp), intent(in) :: place
+
+      guess_y = min(sqrt(self%range/self%sigma*cosh(place)), (self%range*(1 + exp(-2*place)))**(1.0_dp/3), 3.0_dp)
+   end function guess_y
 
    !> Load and penetration at zones of the curve.
    pure subroutine get_curve_state(self, zones, load, penetration, crest_gap)

@@ -18,7 +18,7 @@ module adfric_classical_adhesive_wave_states
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_classical_adhesive_wave, only: zones_t, get_zones_of_place, get_zones_of_angle, range_excess, load_slope, &
       & penetration_slope, get_range_slopes, open_crest
-   use adfric_classical_adhesive_wave_curve, only: adhesive_wave_t, find_contact, get_curve_state, is_open, &
+   use adfric_classical_adhesive_wave_curve, only: adhesive_wave_t, find_contact, guess_y, get_curve_state, is_open, &
       & get_saturated_penetration
    use adfric_classical_adhesive_wave_integrals, only: get_zone_integrals
    use adfric_classical_westergaard, only: find_wave_pressure
@@ -35,6 +35,9 @@ module adfric_classical_adhesive_wave_states
    !> A Newton step of this relative size is the last.
    real(dp), parameter :: last_step = 1.0e-9_dp
    integer, parameter :: max_steps = 100
+   !> Newton steps in two unknowns, the size of the last one, whose error is its square, and the largest y for them.
+   integer, parameter :: max_newton = 12
+   real(dp), parameter :: close_enough = 1.0e-8_dp, largest_y = 12.0_dp
 
    !> A state.
    type :: wave_adhesion_t
@@ -334,12 +337,17 @@ contains
       if (wave%first_place <= low) ends(1) = -huge(x)
       if (wave%last_place >= high) ends(2) = 2
       if (wave%has_zones .and. penetration > ends(1) .and. penetration < ends(2)) then
-         contact = contact_equation_t(wave, penetration)
-         x = max(low, wave%first_place)
-         x = x + (min(high, wave%last_place) - x)*sqrt((penetration - wave%least_penetration) &
-            & /(wave%largest_penetration - wave%least_penetration))
-         call find_root(contact, max(low, wave%first_place), min(high, wave%last_place), .true., x, is_converged)
-         if (is_converged) call find_contact(wave, x, zones, is_converged)
+         low = max(low, wave%first_place)
+         high = min(high, wave%last_place)
+         x = low + (high - low)*sqrt((penetration - wave%least_penetration)/(wave%largest_penetration - wave%least_penetration))
+         call get_zones_of_place(x, guess_y(wave, x), zones)
+         call approach_contact(wave, penetration, low, high, zones, is_converged)
+         if (.not. is_converged) then
+            contact = contact_equation_t(wave, penetration)
+            call find_root(contact, low, high, .true., x, is_converged)
+            zones%y = 0
+            if (is_converged) call find_contact(wave, x, zones, is_converged)
+         end if
       else
          if (wave%has_zones .and. penetration <= ends(1)) high = min(high, wave%first_place)
          if (wave%has_zones .and. penetration >= ends(2)) low = max(low, wave%last_place)
@@ -352,6 +360,39 @@ contains
       call state_of_zones(wave, zones, state)
       state%penetration = penetration
    end subroutine find_penetration
+
+   !> Newton's method for (2) and (3) in x and y, which may fail. A solution between the extremes is the only one.
+   pure subroutine approach_contact(wave, penetration, low, high, zones, is_converged)
+      !> The wave.
+      type(adhesive_wave_t), intent(in) :: wave
+      !> delta [D].
+      real(dp), intent(in) :: penetration
+      !> Bounds of x.
+      real(dp), intent(in) :: low, high
+      !> In: a first guess. Out: the zones.
+      type(zones_t), intent(inout) :: zones
+      !> Were they found?
+      logical, intent(out) :: is_converged
+      real(dp) :: by_place, by_y, range, load, delta, gap, dx, dy
+      integer :: i
+
+      is_converged = .false.
+      do i = 1, max_newton
+         range = range_excess(wave%sigma, wave%range, zones)
+         call get_range_slopes(wave%sigma, zones, by_place, by_y)
+         call get_curve_state(wave, zones, load, delta, gap)
+         associate (ratio => zones%lambda/zones%y)
+            dx = (penetration - delta - ratio*range)*zones%y/(2*zones%sine*zones%cosine*penetration_slope(wave%sigma, zones))
+         end associate
+         dy = -(range + by_place*dx)/by_y
+         is_converged = abs(dx) < close_enough .and. abs(dy) < close_enough*zones%y
+         if (.not. is_converged) dx = min(max(dx, (low - zones%place)/2), (high - zones%place)/2)
+         dy = min(max(dy, -zones%y/2), 2*zones%y)
+         call get_zones_of_place(zones%place + dx, zones%y + dy, zones)
+         if (is_converged .or. .not. zones%y < largest_y) exit
+      end do
+      is_converged = is_converged .and. zones%place >= low .and. zones%place <= high
+   end subroutine approach_contact
 
    !> delta with an open crest.
    pure real(dp) function open_penetration(wave, place) result(penetration)
