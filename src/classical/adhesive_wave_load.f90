@@ -41,6 +41,7 @@ contains
       logical, intent(out) :: is_converged
       !> Load of the approach's state from which the adhered branch comes, instead of saturation.
       real(dp), intent(in), optional :: turning_load
+      type(zones_t) :: zones
       logical :: is_partial
 
       is_converged = .true.
@@ -55,8 +56,8 @@ contains
          return
       end if
       if (is_partial) then
-         call find_partial(wave, load, state%zones, is_converged)
-         call state_of_zones(wave, state%zones, state)
+         call find_partial(wave, load, zones, is_converged)
+         call state_of_zones(wave, zones, state)
          state%mean_pressure = load
       else
          call saturate(wave, load, state)
@@ -84,42 +85,50 @@ contains
       type(zones_t), intent(out) :: zones
       !> Were they found?
       logical, intent(out) :: is_converged
-      real(dp) :: low, high, phi, value, slope, step, old
+      real(dp) :: low, high, phi, value, slope, step, last
+      logical :: is_newton
       integer :: i
 
       low = max(0.0_dp, -load/wave%sigma)
       high = min(pi/2, (1 - load)/wave%sigma)
       phi = guess_angle(wave, load)
       if (.not. (phi > low .and. phi < high)) phi = low + (high - low)/2
-      old = high - low
+      last = high - low
       is_converged = .false.
       do i = 1, max_steps
          call get_zones_of_angle(phi, load + wave%sigma*phi, zones)
-         value = sign(huge(value), zones%place - wave%least%place)
-         if (zones%place > wave%least%place .and. zones%place < wave%largest%place) value = range_excess(wave%sigma, wave%range, &
-            & zones)
-         slope = 2*load_slope(wave%sigma, zones)*angle_slope(wave%sigma, zones)
+         call get_excess(wave, zones, value, slope)
          if (value < 0) low = phi
          if (value > 0) high = phi
-         is_converged = abs(value) < tiny(value)
-         if (is_converged) return
-         step = -value/slope
-         if (slope > 0 .and. abs(step) <= last_step*phi .and. phi + step > low .and. phi + step < high) then
-            phi = phi + step
-            is_converged = .true.
-         else if (.not. (slope > 0 .and. phi + step > low .and. phi + step < high .and. abs(step) < old/2)) then
-            step = low + (high - low)/2 - phi
-            is_converged = high - low <= 4*epsilon(phi)*high
-            phi = phi + step
-            old = high - low
-         else
-            phi = phi + step
-            old = abs(step)
-         end if
+         step = low + (high - low)/2 - phi
+         is_newton = slope > 0
+         if (is_newton) is_newton = abs(value) < slope*min(high - low, last/2)
+         if (is_newton) step = -value/slope
+         last = merge(abs(step), high - low, is_newton)
+         is_converged = (is_newton .and. abs(step) <= last_step*phi) .or. high - low <= 4*epsilon(phi)*high
+         phi = min(max(phi + step, low), high)
          if (is_converged) exit
       end do
       call get_zones_of_angle(phi, load + wave%sigma*phi, zones)
    end subroutine find_partial
+
+   !> What the range of zones is more than eta, and its slope by phi; beyond the folds only the sign, and no slope.
+   pure subroutine get_excess(wave, zones, value, slope)
+      !> The wave.
+      type(adhesive_wave_t), intent(in) :: wave
+      !> The zones.
+      type(zones_t), intent(in) :: zones
+      !> The excess.
+      real(dp), intent(out) :: value
+      !> Its slope under a held load.
+      real(dp), intent(out) :: slope
+
+      value = sign(1.0_dp, zones%place - wave%least%place)
+      slope = 0
+      if (zones%place <= wave%least%place .or. zones%place >= wave%largest%place) return
+      value = range_excess(wave%sigma, wave%range, zones)
+      slope = 2*load_slope(wave%sigma, zones)*angle_slope(wave%sigma, zones)
+   end subroutine get_excess
 
    !> A first guess of phi, between those of both folds.
    pure real(dp) function guess_angle(wave, load) result(phi)
