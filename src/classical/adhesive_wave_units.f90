@@ -5,6 +5,7 @@ module adfric_classical_adhesive_wave_units
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_classical_adhesive_wave_curve, only: adhesive_wave_t, least_amount, largest_amount
    use adfric_classical_adhesive_wave_events, only: new_adhesive_wave
+   use adfric_classical_adhesive_wave_jumps, only: wave_jumps_t, get_jumps
    use adfric_classical_adhesive_wave_load, only: state_of_load, pull_off_load
    use adfric_classical_adhesive_wave_penetration, only: state_of_penetration
    use adfric_classical_adhesive_wave_profile, only: adhesive_wave_pressure, adhesive_wave_gap
@@ -27,6 +28,7 @@ module adfric_classical_adhesive_wave_units
       procedure :: solve_pressure
       procedure :: solve_penetration
       procedure :: pull_off_pressure
+      procedure :: loop_energy
       procedure :: pressure_at
       procedure :: gap_at
    end type wave_adhesion_case_t
@@ -142,6 +144,20 @@ contains
          pull_off_pressure = self%pressure_unit*pull_off_load(self%wave)
       end if
    end function pull_off_pressure
+
+   !> Energy per area that a loop of approach and retraction at held penetrations loses [J/m^2].
+   pure subroutine loop_energy(self, energy, is_converged)
+      !> What adheres to what.
+      class(wave_adhesion_case_t), intent(in) :: self
+      !> The energy.
+      real(dp), intent(out) :: energy
+      !> Were all jumps found?
+      logical, intent(out) :: is_converged
+      type(wave_jumps_t) :: jumps
+
+      call get_jumps(self%wave, jumps, is_converged)
+      energy = self%pressure_unit*self%amplitude*jumps%total
+   end subroutine loop_energy
 
    !> Give the results of a state their units.
    pure subroutine give_units(self, state)
