@@ -90,8 +90,9 @@ contains
       real(dp) :: x
 
       equation%logarithm = log(sigma/2)
-      x = min(-2*equation%logarithm - 2, 0.5_dp)
-      call find_rising_root(equation, least_logarithm, largest_logarithm, 0.5_dp, round_off, x, is_converged)
+      ! F^2 tends to 0.293/L at small L and to exp(-L)/L at large L
+      x = log(log1p(1.17_dp/sigma**2))
+      call find_rising_root(equation, least_logarithm, largest_logarithm, (1 + exp(x))/2, round_off, x, is_converged)
       turn%log_log_ratio = x
       turn%place = log(turn_square(exp(x)))/2
       call get_zones_of_ratio(exp(x), turn%place, zones)
