@@ -7,6 +7,7 @@
 module adfric_classical_adhesive_wave_penetration
    use adfric_base_kinds, only: dp
    use adfric_numerics_scalar_root, only: equation_t, find_root
+   use adfric_numerics_secant_root, only: rising_equation_t, find_rising_root
    use adfric_classical_adhesive_wave, only: zones_t, get_zones_of_place, range_excess, penetration_slope, get_range_slopes, &
       & open_crest
    use adfric_classical_adhesive_wave_curve, only: adhesive_wave_t, find_contact, guess_y, get_curve_state
@@ -20,6 +21,8 @@ module adfric_classical_adhesive_wave_penetration
    !> Newton steps in two unknowns, the size of the last one, whose error is its square, and the largest y for them.
    integer, parameter :: max_newton = 12
    real(dp), parameter :: close_enough = 1.0e-8_dp, largest_y = 12.0_dp
+   !> What the difference of two equal penetrations may be.
+   real(dp), parameter :: round_off = 2*epsilon(1.0_dp)
 
    !> delta of an open crest as a function of x, minus the wanted one.
    type, extends(equation_t) :: open_equation_t
@@ -32,7 +35,7 @@ module adfric_classical_adhesive_wave_penetration
    end type open_equation_t
 
    !> delta in contact as a function of x, minus the wanted one.
-   type, extends(equation_t) :: contact_equation_t
+   type, extends(rising_equation_t) :: contact_equation_t
       !> The wave.
       type(adhesive_wave_t) :: wave
       !> The wanted penetration.
@@ -120,7 +123,7 @@ contains
          call approach_contact(wave, penetration, low, high, zones, is_converged)
          if (.not. is_converged) then
             contact = contact_equation_t(wave, penetration)
-            call find_root(contact, low, high, .true., x, is_converged)
+            call find_rising_root(contact, low, high, wave%largest_penetration - wave%least_penetration, round_off, x, is_converged)
             zones%y = 0
             if (is_converged) call find_contact(wave, x, zones, is_converged)
          end if
@@ -201,15 +204,13 @@ contains
    end subroutine evaluate_open
 
    !> See `contact_equation_t`.
-   pure subroutine evaluate_contact(self, x, value, slope)
+   pure subroutine evaluate_contact(self, x, value)
       !> The equation with its wave.
       class(contact_equation_t), intent(in) :: self
       !> ln T.
       real(dp), intent(in) :: x
       !> delta minus the wanted one.
       real(dp), intent(out) :: value
-      !> Its derivative.
-      real(dp), intent(out) :: slope
       type(zones_t) :: zones
       real(dp) :: load, gap
       logical :: is_converged
@@ -217,7 +218,6 @@ contains
       call find_contact(self%wave, x, zones, is_converged)
       call get_curve_state(self%wave, zones, load, value, gap)
       value = value - self%penetration
-      slope = penetration_slope(self%wave%sigma, zones)/(cosh(x)*zones%y)
    end subroutine evaluate_contact
 
 end module adfric_classical_adhesive_wave_penetration
