@@ -38,11 +38,7 @@ program sliding
       call report_line(n)
       n = 2*n
    end do
-   n = 64
-   do while (n < finest_wave)
-      call report_wave(n)
-      n = 2*n
-   end do
+   call report_waves()
    n = 256
    do while (n <= integer_argument(2, 1024))
       call report_rough(n, n/8)
@@ -81,22 +77,25 @@ contains
       end do
    end subroutine report_line
 
-   !> The wave in two directions, at all speeds, beside more cells.
-   subroutine report_wave(n)
-      integer, intent(in) :: n
+   !> The wave in two directions, at all speeds and numbers of cells, beside more cells.
+   subroutine report_waves()
       type(prony_t) :: prony
       type(periodic_solution_t) :: finest
       real(dp), allocatable :: shape(:, :)
-      integer :: k
+      integer :: k, n
 
       call make_standard_solid(prony)
       do k = 1, size(speeds)
          call make_wave(finest_wave, shape)
          call solve(shape, prony, speeds(k), 0.2_dp, finest)
-         call make_wave(n, shape)
-         call report_load('wave_2d', shape, prony, speeds(k), 0.2_dp, 1, finest%friction%loss(1))
+         n = 64
+         do while (n < finest_wave)
+            call make_wave(n, shape)
+            call report_load('wave_2d', shape, prony, speeds(k), 0.2_dp, 1, finest%friction%loss(1))
+            n = 2*n
+         end do
       end do
-   end subroutine report_wave
+   end subroutine report_waves
 
    !> A wave in both directions.
    subroutine make_wave(n, shape)
