@@ -141,7 +141,7 @@ contains
       type(periodic_solver_t) :: solver
       type(error_t), allocatable :: error
 
-      call new_sliding_kernel(kernel, elastic_kernel_t(), prony, speed/two_pi, 1, .false.)
+      call new_sliding_kernel(kernel, elastic_kernel_t(), prony, speed/two_pi, [1, 0])
       call new_periodic_solver(solver, kernel, [size(shape, 1), size(shape, 2)], [1.0_dp, 1.0_dp], .false., error)
       if (allocated(error)) error stop 'no solver'
       call solver%solve_load(shape, load, tolerance, solution, error)

@@ -23,10 +23,8 @@ module adfric_periodic_sliding_kernel
       type(prony_t) :: prony
       !> Velocity of the body [length/s], > 0.
       real(dp) :: velocity = 0
-      !> Direction of its motion: 1 along x, 2 along y.
-      integer :: along = 1
-      !> Does it move the other way?
-      logical :: is_backward = .false.
+      !> Its way from cell to cell, along x and along y.
+      integer :: steps(2) = [1, 0]
    contains
       procedure :: get_stiffness
       procedure :: mean_compliance
@@ -35,7 +33,7 @@ module adfric_periodic_sliding_kernel
 contains
 
    !> Set up a kernel.
-   pure subroutine new_sliding_kernel(self, solid, prony, velocity, along, is_backward)
+   pure subroutine new_sliding_kernel(self, solid, prony, velocity, steps)
       !> The kernel.
       type(sliding_kernel_t), intent(out) :: self
       !> The elastic solid of unit modulus.
@@ -44,16 +42,13 @@ contains
       type(prony_t), intent(in) :: prony
       !> Velocity of the body in the unit of lengths per second, >= 0; with the shift of times by temperature.
       real(dp), intent(in) :: velocity
-      !> Direction of its motion: 1 along x, 2 along y.
-      integer, intent(in) :: along
-      !> Does it move towards lower x or y?
-      logical, intent(in) :: is_backward
+      !> Its way from cell to cell, along x and along y: -1, 0 or 1, not both 0. Along diagonals it goes from corner to corner.
+      integer, intent(in) :: steps(2)
 
       allocate (self%solid, source=solid)
       self%prony = prony
       self%velocity = velocity
-      self%along = along
-      self%is_backward = is_backward
+      self%steps = steps
    end subroutine new_sliding_kernel
 
    !> See `kernel_t`.
@@ -66,16 +61,20 @@ contains
       real(dp), intent(in) :: cell_size(2)
       !> Receives the stiffness of each pair of numbers; shape `(size(n_y), size(n_x))`.
       complex(dp), intent(out) :: stiffness(:, :)
-      integer :: i
+      real(dp) :: step
+      integer :: i, j
 
       call self%solid%get_stiffness(n_x, n_y, cell_size, stiffness)
-      if (self%along == 1) then
+      step = norm2(self%steps*cell_size)
+      if (self%steps(2) == 0) then
          do i = 1, size(n_x)
-            stiffness(:, i) = stiffness(:, i)*modulus_of(self, n_x(i), cell_size(1))
+            stiffness(:, i) = stiffness(:, i)*modulus_of(self, self%steps(1)*n_x(i)*cell_size(1), step)
          end do
       else
-         do i = 1, size(n_y)
-            stiffness(i, :) = stiffness(i, :)*modulus_of(self, n_y(i), cell_size(2))
+         do i = 1, size(n_x)
+            do j = 1, size(n_y)
+               stiffness(j, i) = stiffness(j, i)*modulus_of(self, dot_product(self%steps, [n_x(i), n_y(j)]*cell_size), step)
+            end do
          end do
       end if
    end subroutine get_stiffness
@@ -88,25 +87,27 @@ contains
       mean_compliance = self%solid%mean_compliance()/self%prony%relaxed
    end function mean_compliance
 
-   !> Modulus that a wave along the motion meets.
-   pure complex(dp) function modulus_of(self, n, cell_size) result(modulus)
+   !> Modulus that a wave meets.
+   pure complex(dp) function modulus_of(self, n, step) result(modulus)
       !> The solid and the motion.
       class(sliding_kernel_t), intent(in) :: self
-      !> Number of waves per length along the motion.
+      !> Number of waves on the way from cell to cell.
       real(dp), intent(in) :: n
-      !> Size of a cell along the motion.
-      real(dp), intent(in) :: cell_size
-      real(dp) :: phase, interval
+      !> Length of that way.
+      real(dp), intent(in) :: step
+      !> Numbers of waves are multiples of 1 over a number of cells; what is closer to a whole or a half one is that.
+      real(dp), parameter :: round_off = 1.0e-12_dp
+      real(dp) :: rest
 
       modulus = self%prony%relaxed
       ! slower than numbers go is at rest
-      if (.not. self%velocity > cell_size/sqrt(huge(1.0_dp))) return
-      interval = cell_size/self%velocity
-      phase = two_pi*n*cell_size
-      if (self%is_backward) phase = -phase
-      modulus = sampled_modulus(self%prony, interval, phase)
+      if (.not. self%velocity > step/sqrt(huge(1.0_dp))) return
+      ! waves that look alike along the motion meet the same
+      rest = n - nint(n)
+      if (abs(rest) < round_off) return
+      modulus = sampled_modulus(self%prony, step/self%velocity, two_pi*rest)
       ! a wave of two cells has no direction
-      if (abs(abs(n)*cell_size - 0.5_dp) < epsilon(1.0_dp)) modulus = real(modulus, dp)
+      if (abs(abs(rest) - 0.5_dp) < round_off) modulus = real(modulus, dp)
    end function modulus_of
 
 end module adfric_periodic_sliding_kernel

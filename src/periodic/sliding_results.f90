@@ -85,15 +85,19 @@ contains
       error = error/max(loss, error)
    end function error_of
 
-   !> Shift of the contact from the crest towards the leading side [periods], -1/2 to 1/2; NaN where there is no contact or no gap.
+   !> Shift of the contact from the crest towards the leading side [periods], -1/2 to 1/2; NaN where there is no contact or no gap,
+   !> and along diagonals.
    pure real(dp) function shift_of(pressure, solid) result(shift)
       !> Pressure in the middles of the cells of one period.
       real(dp), intent(in) :: pressure(:, :)
       !> The solid with the motion.
       type(viscoelastic_solid_t), intent(in) :: solid
 
-      shift = contact_centre(pressure, solid%motion%along)
-      if (solid%motion%is_backward) shift = -shift
+      shift = not_a_number()
+      associate (steps => solid%motion%steps)
+         if (steps(2) == 0) shift = steps(1)*contact_centre(pressure, 1)
+         if (steps(1) == 0) shift = steps(2)*contact_centre(pressure, 2)
+      end associate
    end function shift_of
 
    !> Largest value of a smooth map: that of the largest cell, and of the parabolas through it and its neighbours.

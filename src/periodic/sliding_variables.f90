@@ -51,7 +51,7 @@ contains
          & meaning='D of the wave z = D (1 - cos 2 pi x/l), or z = D (2 - cos 2 pi x/l - cos 2 pi y/l)')
       call set_heights_rows(v(v_heights:v_heights + n_heights_rows - 1))
       v(v_direction) = any_number(group='surface', name='direction', unit='degrees', &
-         & meaning='direction to which the body slides, 0 along +x, 90 along +y; 0, 90, 180 or 270', default=0.0_dp, &
+         & meaning='direction to which the body slides, 0 along +x, 90 along +y; a multiple of 45', default=0.0_dp, &
          & lower=0.0_dp, upper=270.0_dp)
       v(v_cells) = whole_number(group='numerics', name='cells', &
          & meaning='cells along a period of a wave, a multiple of 32; 1024 for wave_1d and 256 for wave_2d if not given', &

@@ -19,10 +19,12 @@ module adfric_periodic_viscoelastic_solid
    type :: motion_t
       !> Velocity times the shift factor of the times [m/s], >= 0.
       real(dp) :: velocity = 0
-      !> Direction: 1 along x, 2 along y.
-      integer :: along = 1
-      !> Does it move towards lower x or y?
-      logical :: is_backward = .false.
+      !> Its way from cell to cell, along x and along y: -1, 0 or 1.
+      integer :: steps(2) = [1, 0]
+      !> Does the surface vary along x, and along y?
+      logical :: varies(2) = .true.
+   contains
+      procedure :: direction
    end type motion_t
 
    !> A viscoelastic solid below a moving body.
@@ -35,7 +37,7 @@ module adfric_periodic_viscoelastic_solid
       class(kernel_t), allocatable :: elastic
    contains
       procedure :: stiffness_of_wave
-      procedure :: friction_of_wave
+      procedure :: losses_of_wave
       procedure :: forward
       procedure :: leftward
    end type viscoelastic_solid_t
@@ -56,6 +58,7 @@ contains
       type(layer_kernel_t), intent(in), optional :: layer
       type(layer_kernel_t) :: reduced
       type(sliding_kernel_t), allocatable :: kernel
+      real(dp) :: velocity
 
       self%modulus = prony%relaxed
       call new_prony(self%prony, 1.0_dp, prony%moduli/prony%relaxed, prony%times)
@@ -68,16 +71,19 @@ contains
       else
          allocate (self%elastic, source=elastic_kernel_t())
       end if
-      ! at rest the solid is elastic, and its stiffness is real
-      if (self%motion%velocity > 0 .and. size(self%prony%times) > 0) then
+      ! at rest, and along what does not vary, the solid is elastic, and its stiffness is real
+      associate (along => merge(motion%direction(), 0.0_dp, motion%varies))
+         velocity = self%motion%velocity*norm2(along)
+      end associate
+      if (velocity > 0 .and. size(self%prony%times) > 0) then
          allocate (kernel)
-         call new_sliding_kernel(kernel, self%elastic, self%prony, self%motion%velocity, motion%along, motion%is_backward)
+         call new_sliding_kernel(kernel, self%elastic, self%prony, velocity, merge(motion%steps, 0, motion%varies))
          call move_alloc(kernel, self%kernel)
       else
          allocate (self%kernel, source=self%elastic)
       end if
       self%numbers = [reduced%thickness, reduced%poisson_ratio, merge(1.0_dp, 0.0_dp, [present(layer), reduced%is_bonded, &
-         & motion%is_backward]), real(motion%along, dp), self%motion%velocity, self%prony%moduli, self%prony%times]
+         & motion%varies]), real(motion%steps, dp), self%motion%velocity, self%prony%moduli, self%prony%times]
    end subroutine set_viscoelastic_solid
 
    !> Stiffness of a wave, whatever the cells [E0/period along x].
@@ -90,23 +96,23 @@ contains
       real(dp) :: storage, loss, along
 
       call self%elastic%get_stiffness(waves(1:1), waves(2:2), [0.0_dp, 0.0_dp], elastic)
-      along = waves(self%motion%along)
-      if (self%motion%is_backward) along = -along
+      along = self%forward(waves)
       call self%prony%get_complex_modulus(two_pi*abs(along)*self%motion%velocity, storage, loss)
       stiffness = elastic(1, 1)*cmplx(storage, -sign(loss, along), dp)
    end function stiffness_of_wave
 
-   !> Friction of a wave in full contact, k (-Im A) D^2/2 [E0].
-   pure real(dp) function friction_of_wave(self, waves, amplitude) result(friction)
+   !> Stress along x and y that a wave holds the body back with in full contact, k (-Im A) D^2/2 [E0].
+   pure function losses_of_wave(self, waves, amplitude) result(losses)
       !> The solid.
       class(viscoelastic_solid_t), intent(in) :: self
       !> Number of waves in a period along x, along x and y.
       real(dp), intent(in) :: waves(2)
       !> Amplitude D [periods along x].
       real(dp), intent(in) :: amplitude
+      real(dp) :: losses(2)
 
-      friction = two_pi*abs(waves(self%motion%along))*abs(aimag(self%stiffness_of_wave(waves)))*amplitude**2/2
-   end function friction_of_wave
+      losses = two_pi*waves*(-aimag(self%stiffness_of_wave(waves)))*amplitude**2/2
+   end function losses_of_wave
 
    !> Component along the motion of a vector.
    pure real(dp) function forward(self, vector)
@@ -115,9 +121,7 @@ contains
       !> Components along x and y.
       real(dp), intent(in) :: vector(2)
 
-      forward = vector(self%motion%along)
-      ! 0 stays 0, and not -0
-      if (self%motion%is_backward) forward = 0 - forward
+      forward = dot_product(self%motion%direction(), vector)
    end function forward
 
    !> Component of a vector to the left of the motion, seen from above the solid's surface with x to the right and y upward.
@@ -127,8 +131,18 @@ contains
       !> Components along x and y.
       real(dp), intent(in) :: vector(2)
 
-      leftward = vector(3 - self%motion%along)
-      if (self%motion%is_backward .neqv. self%motion%along == 2) leftward = 0 - leftward
+      associate (e => self%motion%direction())
+         leftward = e(1)*vector(2) - e(2)*vector(1)
+      end associate
    end function leftward
+
+   !> Vector of length 1 along the motion; cells are as long as wide where it is a diagonal.
+   pure function direction(self)
+      !> The motion.
+      class(motion_t), intent(in) :: self
+      real(dp) :: direction(2)
+
+      direction = self%steps/norm2(real(self%steps, dp))
+   end function direction
 
 end module adfric_periodic_viscoelastic_solid

@@ -37,9 +37,22 @@ contains
       !> Are there waves along x and y, or along x alone?
       logical, intent(in) :: is_2d
 
-      friction = solid%friction_of_wave(along_x, amplitude)
-      if (is_2d) friction = friction + solid%friction_of_wave(along_y, amplitude)
+      friction = solid%forward(losses_of_full_contact(solid, amplitude, is_2d))
    end function wave_friction_of_full_contact
+
+   !> Stress along x and y that holds the body back in full contact [E0].
+   pure function losses_of_full_contact(solid, amplitude, is_2d) result(losses)
+      !> The solid.
+      type(viscoelastic_solid_t), intent(in) :: solid
+      !> Amplitude D [periods].
+      real(dp), intent(in) :: amplitude
+      !> Are there waves along x and y, or along x alone?
+      logical, intent(in) :: is_2d
+      real(dp) :: losses(2)
+
+      losses = solid%losses_of_wave(along_x, amplitude)
+      if (is_2d) losses = losses + solid%losses_of_wave(along_y, amplitude)
+   end function losses_of_full_contact
 
    !> Mean pressure of full contact at a penetration into a layer [E0]; 0 for a half-space, in which no penetration is known of it.
    pure real(dp) function mean_pressure_at(penetration, solid, amplitude, period, is_2d) result(pressure)
@@ -88,8 +101,7 @@ contains
       solution%area%corrected = 1
       solution%area%error = 0
       solution%full_pressure = wave_pressure_of_full_contact(solid, amplitude/period, is_2d)
-      solution%friction%loss(solid%motion%along) = merge(-1, 1, solid%motion%is_backward) &
-         & *wave_friction_of_full_contact(solid, amplitude/period, is_2d)
+      solution%friction%loss = losses_of_full_contact(solid, amplitude/period, is_2d)
       solution%friction%direct = solution%friction%loss
       solution%residual = 0
       solution%status = contact_solved
