@@ -163,9 +163,10 @@ contains
          associate (ratio => zones%lambda/zones%y)
             dx = (penetration - delta - ratio*range)*zones%y/(2*zones%sine*zones%cosine*penetration_slope(wave%sigma, zones))
          end associate
-         dy = -(range + by_place*dx)/by_y
-         is_converged = abs(dx) < close_enough .and. abs(dy) < close_enough*zones%y
+         is_converged = abs(dx) < close_enough
          if (.not. is_converged) dx = min(max(dx, (low - zones%place)/2), (high - zones%place)/2)
+         dy = -(range + by_place*dx)/by_y
+         is_converged = is_converged .and. abs(dy) < close_enough*zones%y
          dy = min(max(dy, -zones%y/2), 2*zones%y)
          call get_zones_of_place(zones%place + dx, zones%y + dy, zones)
          if (is_converged .or. .not. zones%y < largest_y) exit
