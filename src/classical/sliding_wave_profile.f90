@@ -110,7 +110,8 @@ contains
          range = min(contact%half_width - y, long_way*integrand%length)
          integrand%rest = (contact%half_width - y) - range
          amplitude = 2*solid%ratios(i)*contact%shift%edge_pressures(i)
-         call integrate(integrand, range, part, is_converged, round_off/amplitude)
+         if (.not. abs(amplitude) > 0) cycle
+         call integrate(integrand, range, part, is_converged, round_off/abs(amplitude))
          p = p + amplitude*part
          if (.not. is_converged) p = not_a_number()
       end do
@@ -212,13 +213,15 @@ contains
       ! that of these terms where the root is largest
       round_off = epsilon(g)*(contact%shift%cosine*elastic_gap(contact%sine, contact%cosine) + 2*contact%shift%sine*contact%cosine)
       do j = 1, solid%n_arms
+         ! an arm between two of nearly the same time has none
+         if (.not. abs(contact%shift%shares(j)) > 0) cycle
          associate (b => solid%retardation(j))
             integrand%length = b
             integrand%factor = contact%sine**2 + 2*(1 + 1/b**2)*contact%gap_rho(j)
          end associate
          range = min(way, long_way*integrand%length)
          integrand%rest = way - range
-         call integrate(integrand, range, part, is_converged, round_off/contact%shift%shares(j))
+         call integrate(integrand, range, part, is_converged, round_off/abs(contact%shift%shares(j)))
          g = g + contact%shift%shares(j)*part
          if (.not. is_converged) g = not_a_number()
       end do

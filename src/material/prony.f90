@@ -28,7 +28,8 @@ module adfric_material_prony
 
 contains
 
-   !> A relaxation spectrum from arms in any order. Arms of equal times become one, and arms without a modulus are left out.
+   !> A relaxation spectrum from arms in any order. Arms of times that are equal to round-off become one, and arms without a modulus
+   !> are left out.
    pure subroutine new_prony(self, relaxed, moduli, times)
       !> The spectrum.
       type(prony_t), intent(out) :: self
@@ -54,7 +55,8 @@ contains
       self%times = sorted_times(:n)
    end subroutine new_prony
 
-   !> Put an arm at its place among others of rising times.
+   !> Put an arm at its place among others of rising times. Times that are the same but for round-off are one: between two of them
+   !> there would be a retardation time without digits.
    pure subroutine insert_arm(moduli, times, n, modulus, time)
       !> Moduli of the arms so far, with a place left for one more.
       real(dp), intent(inout) :: moduli(:)
@@ -66,15 +68,15 @@ contains
       real(dp), intent(in) :: modulus
       !> Relaxation time of the new arm [s], > 0.
       real(dp), intent(in) :: time
+      real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
       integer :: place
 
+      do place = 1, n
+         if (abs(times(place) - time) > round_off*time) cycle
+         moduli(place) = moduli(place) + modulus
+         return
+      end do
       place = count(times(:n) < time) + 1
-      if (any(times(:n) >= time)) then
-         if (times(place) <= time) then
-            moduli(place) = moduli(place) + modulus
-            return
-         end if
-      end if
       moduli(place + 1:n + 1) = moduli(place:n)
       times(place + 1:n + 1) = times(place:n)
       moduli(place) = modulus
