@@ -168,6 +168,8 @@ contains
       character(200) :: line
 
       text = ''
+      ! nothing is excited where the surface does not vary along the motion
+      if (.not. frequencies(2) > 0) return
       if (.not. (frequencies(1) < fit%lowest_frequency .or. frequencies(2) > fit%highest_frequency)) return
       write (line, '(4(a, es9.2), a)') 'the surface excites', frequencies(1), ' to', frequencies(2), &
          & ' rad/s, and the master curve was measured from', fit%lowest_frequency, ' to', fit%highest_frequency, &

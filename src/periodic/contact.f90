@@ -1,11 +1,11 @@
-!> Frictionless contact without adhesion of a rigid periodic surface with an elastic half-space, on one grid.
+!> Frictionless contact without adhesion of a rigid periodic surface with an elastic half-space, or another solid, on one grid.
 !>
 !> Unknown is the gap. With the gap of the undeformed surfaces at first touch g0, the penetration delta, and the displacement
 !> u = g - g0 + delta of the surface, of mean zero, the pressure is
 !>
 !>     p = q + A (g - g0),     p >= 0, g >= 0, p g = 0,
 !>
-!> A the stiffness |k|/2 (`adfric_periodic_operator`), q the mean pressure; delta = mean(g0) - mean(g). Given the load
+!> A the stiffness, |k|/2 of an elastic half-space (`adfric_periodic_operator`), q the mean pressure; delta = mean(g0) - mean(g). Given the load
 !> this is a linear complementarity problem without a constraint, and close to full contact nothing cancels: the few gaps are what
 !> is solved for. Off its diagonal A is negative (1-D) or nearly so (2-D), a discrete fractional Laplacian. For such matrices the
 !> primal-dual active-set method, which is Newton's, converges from any start (M. Hintermueller, K. Ito, K. Kunisch, SIAM J.

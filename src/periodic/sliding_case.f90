@@ -12,12 +12,10 @@ module adfric_periodic_sliding_case
    use adfric_periodic_viscoelastic_solid, only: motion_t, viscoelastic_solid_t, set_viscoelastic_solid
    implicit none (type, external)
    private
-   public :: set_sliding_solid, frequencies_of, has_way, is_direction, speed_of
+   public :: set_sliding_solid, frequencies_of, is_direction, speed_of
 
    !> Directions are multiples of it [degrees].
    real(dp), parameter :: half_right_angle = 45
-   !> Diagonals need cells whose length and width differ by no more than that share.
-   real(dp), parameter :: square_enough = 1.0e-9_dp
 
 contains
 
@@ -25,7 +23,7 @@ contains
    subroutine set_sliding_solid(values, direction, spectrum, surface)
       !> Values of the rows of the solid, which have been checked; shape `(n_solid_rows)`.
       real(dp), intent(in) :: values(:)
-      !> Direction of the motion [degrees], a multiple of 45.
+      !> Direction of the motion [degrees], a multiple of 45, of 90 for heights.
       real(dp), intent(in) :: direction
       !> Lists and master curve of the input.
       type(given_spectrum_t), intent(in) :: spectrum
@@ -61,27 +59,18 @@ contains
       speed = values(s_velocity)*shift_factor_of(values(:n_spectrum_rows), spectrum)
    end function speed_of
 
-   !> Is it one along rows, columns or diagonals of cells?
-   pure logical function is_direction(direction)
+   !> Can the body slide to there? Along diagonals of cells the history of a place has less samples than the surface, and waves shorter
+   !> than two of them would be taken for others: that is for waves alone, which have none.
+   pure logical function is_direction(direction, has_heights)
       !> Direction of the motion [degrees].
       real(dp), intent(in) :: direction
+      !> Is the surface one of heights, and no wave?
+      logical, intent(in) :: has_heights
 
-      is_direction = .not. abs(direction - half_right_angle*nint(direction/half_right_angle)) > 0
-   end function is_direction
-
-   !> Can the body slide to there, from cell to cell? Along diagonals only where cells are as long as wide.
-   pure logical function has_way(direction, surface)
-      !> Direction of the motion [degrees].
-      real(dp), intent(in) :: direction
-      !> Periods and cells of the surface.
-      type(periodic_surface_t), intent(in) :: surface
-
-      has_way = is_direction(direction)
-      if (.not. has_way .or. any(steps_of(direction) == 0) .or. any(surface%n_cells <= 1)) return
-      associate (size => surface%period/surface%n_cells)
-         has_way = abs(size(1) - size(2)) <= square_enough*size(1)
+      associate (unit => merge(2, 1, has_heights)*half_right_angle)
+         is_direction = .not. abs(direction - unit*nint(direction/unit)) > 0
       end associate
-   end function has_way
+   end function is_direction
 
    !> The way from cell to cell along x and y.
    pure function steps_of(direction) result(steps)
@@ -107,9 +96,11 @@ contains
       !> Its periods and cells.
       type(periodic_surface_t), intent(in) :: surface
       real(dp) :: frequencies(2), passed(2)
+      integer :: steps(2)
 
       ! periods that pass in a second, along x and y
-      passed = abs(steps_of(direction))*velocity/norm2(real(steps_of(direction), dp))/surface%period
+      steps = steps_of(direction)
+      passed = abs(steps)*velocity/norm2(real(steps, dp))/surface%period
       passed = merge(passed, 0.0_dp, surface%n_cells > 1)
       frequencies = two_pi*maxval(passed)
       if (any(passed > 0)) frequencies(1) = two_pi*minval(passed, mask=passed > 0)

@@ -8,8 +8,7 @@ module adfric_periodic_sliding_check
    use adfric_model_check, only: require, refuse_given, refuse_swept
    use adfric_model_table, only: variable_t
    use adfric_periodic_given_heights, only: given_heights_t
-   use adfric_periodic_sliding_case, only: has_way, is_direction, speed_of
-   use adfric_periodic_point, only: periodic_surface_t
+   use adfric_periodic_sliding_case, only: is_direction, speed_of
    use adfric_periodic_sliding_variables
    implicit none (type, external)
    private
@@ -40,7 +39,6 @@ contains
       logical, intent(in) :: has_profiles
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      type(periodic_surface_t) :: surface
 
       call require(variables, values, [v_kind], problems)
       if (.not. is_set(values(v_kind))) return
@@ -54,13 +52,11 @@ contains
          if (nint(values(v_kind)) == kind_wave_2d .and. cells_of(values) > most_cells_2d) &
             & call add(v_cells, 'is more than 8192, the most for wave_2d')
       end if
-      if (.not. is_direction(values(v_direction))) then
-         call add(v_direction, 'is no multiple of 45 degrees')
-      else if (nint(values(v_kind)) == kind_heights .and. all(is_set(values([v_heights, v_length_x, v_length_y])))) then
-         call heights%get_cells(values(v_heights:v_length_y), surface)
-         if (.not. has_way(values(v_direction), surface)) call add(v_direction, &
-            & 'is along the diagonals of cells, which must be as long as wide for it')
-      end if
+      if (nint(values(v_kind)) == kind_heights .and. .not. is_direction(values(v_direction), .true.)) &
+         & call add(v_direction, 'is no multiple of 90 degrees')
+      if (.not. is_direction(values(v_direction), .false.) .and. nint(values(v_kind)) /= kind_heights) &
+         & call add(v_direction, 'is no multiple of 45 degrees')
+      call refuse_swept(variables, is_swept, [v_direction], problems)
       if (has_profiles) call refuse_swept(variables, is_swept, [v_period, v_cells, v_length_x, v_length_y], problems)
 
    contains

@@ -15,7 +15,7 @@ module adfric_periodic_sliding_model
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
-   use adfric_periodic_sliding_case, only: set_sliding_solid, frequencies_of, has_way
+   use adfric_periodic_sliding_case, only: set_sliding_solid, frequencies_of, is_direction
    use adfric_periodic_sliding_check, only: check_sliding_surface, check_sliding_solid
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_sliding_variables
@@ -249,7 +249,7 @@ contains
       real(dp) :: pressure
 
       ! a sweep may have met it between its ends
-      is_known = .not. has_way(values(v_direction), surface)
+      is_known = .not. is_direction(values(v_direction), nint(values(v_kind)) == kind_heights)
       if (is_known) solution%status = contact_not_converged
       if (is_known .or. nint(values(v_kind)) == kind_heights) return
       select type (solid => surface%solid)

@@ -43,7 +43,7 @@ contains
       results(r_contact_shift) = not_a_number()
       if (is_wave) results(r_contact_shift) = values(v_period)*shift_of(solution%pressure, solid)
       results(r_energy_imbalance) = 0
-      if (loss > 0) results(r_energy_imbalance) = (direct - loss)/max(abs(direct), loss)
+      if (max(abs(direct), abs(loss)) > 0) results(r_energy_imbalance) = (direct - loss)/max(abs(direct), abs(loss))
       results(r_regime) = regime_of(solution)
       error_estimate = error_of(solid, solution)
       ! in closed form
@@ -61,7 +61,7 @@ contains
    end function regime_of
 
    !> Relative error of the friction: the largest of what its two forms differ by, of what the last grid has changed, and of half of what
-   !> the one before it has changed; 1 at most. Where nothing rubs, that of the area.
+   !> the one before it has changed; 1 at most, and where the loss is no number above round-off. Where nothing rubs, that of the area.
    pure real(dp) function error_of(solid, solution) result(error)
       !> The solid of the point.
       type(viscoelastic_solid_t), intent(in) :: solid
@@ -71,10 +71,9 @@ contains
       integer :: k
 
       loss = solid%forward(solution%friction%loss)
-      if (.not. loss > 0) then
-         error = relative_error_of(solution%area)
-         return
-      end if
+      error = 1
+      if (.not. max(abs(loss), abs(solid%forward(solution%friction%direct))) > 0) error = relative_error_of(solution%area)
+      if (.not. loss > 0) return
       error = abs(solid%forward(solution%friction%direct) - loss)
       coarse = [(solid%forward(solution%coarse_losses(:, k)), k=1, size(coarse))]
       if (solution%n_coarse_losses < size(coarse)) then

@@ -6,7 +6,7 @@ module adfric_periodic_sliding_variables
    use adfric_model_rows, only: above_zero, any_number, choice, number, poisson_ratio, positive, result_row, whole_number
    use adfric_model_table, only: variable_t, result_t
    use adfric_periodic_given_heights, only: set_heights_rows, n_heights_rows
-   use adfric_periodic_variables, only: get_periodic_results, n_periodic_results
+   use adfric_periodic_variables, only: get_periodic_results, n_periodic_results, r_penetration
    implicit none (type, external)
    private
    public :: set_surface_rows, set_solid_rows, get_sliding_results, cells_of
@@ -51,8 +51,8 @@ contains
          & meaning='D of the wave z = D (1 - cos 2 pi x/l), or z = D (2 - cos 2 pi x/l - cos 2 pi y/l)')
       call set_heights_rows(v(v_heights:v_heights + n_heights_rows - 1))
       v(v_direction) = any_number(group='surface', name='direction', unit='degrees', &
-         & meaning='direction to which the body slides, 0 along +x, 90 along +y; a multiple of 45', default=0.0_dp, &
-         & lower=0.0_dp, upper=270.0_dp)
+         & meaning='direction to which the body slides, 0 along +x, 90 along +y; a multiple of 90, of 45 for waves', &
+         & default=0.0_dp, lower=0.0_dp, upper=315.0_dp)
       v(v_cells) = whole_number(group='numerics', name='cells', &
          & meaning='cells along a period of a wave, a multiple of 32; 1024 for wave_1d and 256 for wave_2d if not given', &
          & default=default_cells_1d, lower=32, upper=65536)
@@ -90,14 +90,15 @@ contains
 
       allocate (r(n_sliding_results))
       r(:n_periodic_results) = get_periodic_results()
+      r(r_penetration)%long_name = 'approach from first touch, at the mean of the deformed surface, or at the base of a layer'
       r(r_friction_stress) = result_row(name='friction_stress', unit='Pa', long_name='friction over nominal area', is_main=.true.)
       r(r_friction_coefficient) = result_row(name='friction_coefficient', unit='-', long_name='friction over load', is_main=.true.)
       r(r_lateral_stress) = result_row(name='lateral_stress', unit='Pa', &
          & long_name='stress across the motion that keeps the body on its way, positive to the left')
       r(r_full_contact_friction) = result_row(name='full_contact_friction', unit='Pa', &
-         & long_name='friction over nominal area in full contact at this velocity')
+         & long_name='friction over nominal area in full contact at this velocity, of heights on their cells')
       r(r_contact_shift) = result_row(name='contact_shift', unit='m', &
-         & long_name='shift of the contact of a wave from the crest towards the leading side')
+         & long_name='shift of the contact of a wave from the crest towards the leading side; none along diagonals')
       r(r_dissipation) = result_row(name='dissipation', unit='Pa', &
          & long_name='energy lost in the solid per nominal area and distance slid')
       r(r_energy_imbalance) = result_row(name='energy_imbalance', unit='-', &
