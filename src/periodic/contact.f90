@@ -114,7 +114,7 @@ contains
             state%is_converged = residual_of(state) <= tolerance
             n_checks = n_checks + 1
             if (state%is_converged .or. n_checks > most_checks) exit
-            call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, state%resists_mean, .false.)
+            call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, state%resists_mean, state%has_fixed_mean)
             call search%note_region()
          end if
          call gap_solver%improve(operator, state%is_open, state%mean_gap, state%gap, state%pressure, state%mean_pressure, &
@@ -122,7 +122,7 @@ contains
          if (is_stuck) call gap_solver%advance(0.0_dp, state%gap, state%pressure, extremes)
          state%n_iterations = state%n_iterations + 1
       end do
-      state%mean_gap = sum(state%gap)/size(state%gap)
+      if (.not. state%has_fixed_mean) state%mean_gap = sum(state%gap)/size(state%gap)
    end subroutine solve_contact
 
    !> See to it that gap, region and pressure are those of one contact.
@@ -232,13 +232,14 @@ contains
       state%n_rounds = state%n_rounds + 1
    end subroutine change_region
 
-   !> Largest violation of p >= 0, g >= 0, p g = 0 in any cell, |min(p, g)|, with p in units of the largest pressure and g in
-   !> units of the range of the undeformed gap.
+   !> Largest violation of p >= 0, g >= 0, p g = 0 in any cell, |min(p, g)|, and of a given mean of g, with p in units of the largest
+   !> pressure and g in units of the range of the undeformed gap.
    pure real(dp) function residual_of(state) result(residual)
       !> Contact whose gap and pressure are judged.
       type(contact_state_t), intent(in) :: state
 
       residual = maxval(abs(min(state%pressure/state%pressure_scale, state%gap/state%gap_scale)))
+      if (state%has_fixed_mean) residual = max(residual, abs(sum(state%gap)/size(state%gap) - state%mean_gap)/state%gap_scale)
    end function residual_of
 
 end module adfric_periodic_contact

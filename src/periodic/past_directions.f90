@@ -14,6 +14,8 @@ module adfric_periodic_past_directions
    integer, parameter :: fewest_directions = 2, most_directions = 40
    !> Cells that are kept in all, as far as the least number of directions allows.
    integer, parameter :: cells_kept = 2**20
+   !> A direction that comes out so many times shorter than it went in is made of round-off.
+   real(dp), parameter :: round_off = 1.0e-13_dp
 
    !> One direction.
    type :: direction_t
@@ -51,15 +53,16 @@ contains
       class(past_directions_t), intent(inout) :: self
       !> The direction, its pressure in all cells, and this preconditioned; shape of the cells.
       real(dp), intent(inout), contiguous, dimension(:, :) :: gap, pressure, preconditioned
-      !> Receives the sum of `pressure` times `preconditioned`.
+      !> Receives the sum of `pressure` times `preconditioned`; 0 if only round-off is left of the direction, which is not kept then.
       real(dp), intent(out) :: product
-      real(dp) :: factors(most_directions), rows(size(gap, 2))
+      real(dp) :: factors(most_directions), rows(size(gap, 2)), product_before
       integer :: i, j, n, place
 
       if (.not. allocated(self%directions)) &
          & allocate (self%directions(min(most_directions, max(fewest_directions, cells_kept/size(gap)))))
       n = min(self%n_taken, size(self%directions))
       place = mod(self%n_taken, size(self%directions)) + 1
+      product_before = dot_of(pressure, preconditioned)
       do i = 1, n
          factors(i) = -dot_of(pressure, self%directions(i)%preconditioned)/self%directions(i)%product
       end do
@@ -77,6 +80,7 @@ contains
       end do
       !$omp end parallel do
       product = sum(rows)
+      if (.not. product > round_off**2*product_before) product = 0
       if (.not. product > 0) return
       call keep(self%directions(place), gap, pressure, preconditioned)
       self%directions(place)%product = product
