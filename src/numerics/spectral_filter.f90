@@ -56,6 +56,7 @@ module adfric_numerics_spectral_filter
    contains
       procedure :: apply
       procedure, private :: rows_there
+      procedure, private :: multiply
       procedure, private :: multiply_line
       procedure, private :: columns_of_waves
       procedure, private :: columns_of_cosines
@@ -191,12 +192,11 @@ contains
       !$omp end do
       !$omp do schedule(dynamic)
       do part = 1, self%n_parts
-         if (self%n(2) == 1) then
-            if (part == 1) call self%multiply_line(symbol, imaginary)
-         else if (self%is_even) then
-            call self%columns_of_cosines(part, symbol)
+         ! what is absent is not passed on, which sanitizers take for a load from nowhere
+         if (present(imaginary)) then
+            call self%multiply(part, symbol, imaginary)
          else
-            call self%columns_of_waves(part, symbol, imaginary)
+            call self%multiply(part, symbol)
          end if
       end do
       !$omp end do
@@ -208,6 +208,33 @@ contains
       !$omp end parallel
       if (present(product)) product = sum(products)
    end subroutine apply
+
+   !> Multiply the modes of a part.
+   subroutine multiply(self, part, symbol, imaginary)
+      !> The filter with the modes of its rows.
+      class(spectral_filter_t), intent(inout) :: self
+      !> Number of the part, from 1.
+      integer, intent(in) :: part
+      !> Real part of each factor.
+      real(dp), intent(in), contiguous :: symbol(:, :)
+      !> Imaginary part of each factor; 0 if it is absent.
+      real(dp), intent(in), contiguous, optional :: imaginary(:, :)
+
+      if (self%n(2) == 1) then
+         if (part > 1) return
+         if (present(imaginary)) then
+            call self%multiply_line(symbol, imaginary)
+         else
+            call self%multiply_line(symbol)
+         end if
+      else if (self%is_even) then
+         call self%columns_of_cosines(part, symbol)
+      else if (present(imaginary)) then
+         call self%columns_of_waves(part, symbol, imaginary)
+      else
+         call self%columns_of_waves(part, symbol)
+      end if
+   end subroutine multiply
 
    !> The first of the lines, or groups of them, of a part.
    pure integer function first_of(part, n_parts, n_lines)
