@@ -13,10 +13,15 @@
 !> negative, open those that pull, each time as soon as it is clear which these are (`adfric_periodic_region_search`, which sees to it
 !> that this ends). Pressure and gap are carried along; what counts in the end is the pressure that is found from the gap anew.
 !>
+!> With adhesion p is pressure plus the tension sigma0 t of the shares t of the cells within its range (`adfric_periodic_cohesion`), p >= 0
+!> as before. Shares that are held leave the problem as it is. Shares that follow the gap in a straight line make A - sigma0 dt/dg of A;
+!> they are found anew where the pressure is, which is Newton's method, and it may fail: `adfric_periodic_adhesive_contact`.
+!>
 !> The pressure cannot be more accurate than the round-off of A g0. Surfaces with steps under very light load, where that is more
 !> than the tolerance, are reported as not converged, with the residual that was reached.
 module adfric_periodic_contact
    use adfric_base_kinds, only: dp
+   use adfric_periodic_cohesion, only: cohesion_t
    use adfric_periodic_gap_solver, only: gap_solver_t, extremes_t
    use adfric_periodic_maps, only: is_shared
    use adfric_periodic_operator, only: periodic_operator_t
@@ -29,6 +34,14 @@ module adfric_periodic_contact
    integer, parameter :: max_rounds = 300, max_iterations = 3000
    !> How often the solution is begun again where its pressure, found anew, is not as good as it seemed.
    integer, parameter :: most_checks = 3
+   !> Pressure in open cells that no step leaves on the way to a contact, in units of the tension of adhesion and the largest pressure.
+   real(dp), parameter :: far_pressure = 1.0e3_dp
+   !> How often shares that follow the gap are found anew.
+   integer, parameter :: most_shares = 12
+   !> Steps in all of them.
+   integer, parameter :: newton_iterations = 400
+   !> Residual to which the first of these problems is solved, and that of the next in units of what the one before left.
+   real(dp), parameter :: first_goal = 1.0e-3_dp, next_goal = 0.02_dp
 
    !> Contact on one grid; arrays have the shape of its cells.
    type :: contact_state_t
@@ -56,6 +69,8 @@ module adfric_periodic_contact
       integer :: patience = 3
       !> Changes of the open region, and steps in all of them.
       integer :: n_rounds = 0, n_iterations = 0
+      !> Adhesion; not allocated: none. `pressure` then has its tension added.
+      type(cohesion_t), allocatable :: cohesion
       !> Has the residual come below the tolerance?
       logical :: is_converged = .false.
    end type contact_state_t
@@ -95,35 +110,65 @@ contains
       type(region_search_t) :: search
       type(verdict_t) :: verdict
       type(extremes_t) :: extremes
-      integer :: n_checks
+      real(dp) :: goal, residual, residual_before
+      integer :: n_checks, checks_at_most
       logical :: is_stuck, has_ended
 
       call begin(state, operator, gap_solver, extremes)
+      checks_at_most = most_checks
+      ! what is linear only near the gap is solved no further than it holds
+      goal = tolerance
+      residual_before = huge(1.0_dp)
+      if (follows_gap(state)) then
+         checks_at_most = most_shares
+         goal = max(tolerance, first_goal)
+      end if
       call new_region_search(search, state%patience)
       n_checks = 0
       is_stuck = .false.
+      state%is_converged = .false.
       do while (state%n_iterations < max_iterations .and. state%n_rounds < max_rounds)
-         call judge(state, extremes, tolerance, verdict)
+         call judge(state, extremes, goal, verdict)
          call search%note_step(verdict)
-         has_ended = verdict%left <= tolerance*state%pressure_scale/2 .or. is_stuck .or. search%is_stalled()
-         if (verdict%violation > 0 .and. (has_ended .or. search%is_due(verdict, tolerance*state%pressure_scale/2))) then
-            call change_region(state, tolerance, search)
+         has_ended = verdict%left <= goal*state%pressure_scale/2 .or. is_stuck .or. search%is_stalled()
+         if (verdict%violation > 0 .and. (has_ended .or. search%is_due(verdict, goal*state%pressure_scale/2))) then
+            call change_region(state, goal, search)
             call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, state%resists_mean, .true.)
          else if (has_ended) then
             call update_pressure(state, operator)
-            state%is_converged = residual_of(state) <= tolerance
+            residual = residual_of(state)
+            state%is_converged = residual <= tolerance
             n_checks = n_checks + 1
-            if (state%is_converged .or. n_checks > most_checks) exit
+            if (state%is_converged .or. n_checks > checks_at_most) exit
+            if (follows_gap(state)) then
+               if (is_stuck .or. residual > residual_before/2 .or. state%n_iterations > newton_iterations) exit
+               residual_before = residual
+               goal = max(tolerance/2, min(goal, next_goal*residual))
+            end if
             call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, state%resists_mean, state%has_fixed_mean)
             call search%note_region()
          end if
          call gap_solver%improve(operator, state%is_open, state%mean_gap, state%gap, state%pressure, state%mean_pressure, &
-            & extremes, is_stuck)
+            & extremes, is_stuck, state%cohesion)
          if (is_stuck) call gap_solver%advance(0.0_dp, state%gap, state%pressure, extremes)
          state%n_iterations = state%n_iterations + 1
+         ! a tension that follows the gap may make the solid give way without end
+         if (follows_gap(state)) then
+            if (is_stuck .and. extremes%left > goal*state%pressure_scale) exit
+            if (.not. extremes%left <= far_pressure*(state%cohesion%stress + state%pressure_scale)) exit
+         end if
       end do
       if (.not. state%has_fixed_mean) state%mean_gap = sum(state%gap)/size(state%gap)
    end subroutine solve_contact
+
+   !> Do shares of adhesion follow the gap?
+   pure logical function follows_gap(state)
+      !> Contact with its adhesion, if it has any.
+      type(contact_state_t), intent(in) :: state
+
+      follows_gap = .false.
+      if (allocated(state%cohesion)) follows_gap = state%cohesion%is_linear
+   end function follows_gap
 
    !> See to it that gap, region and pressure are those of one contact.
    subroutine begin(state, operator, gap_solver, extremes)
@@ -171,7 +216,7 @@ contains
       end if
    end subroutine keep_region_sound
 
-   !> Find the pressure of the present gap.
+   !> Find the pressure of the present gap, and the shares that follow it.
    subroutine update_pressure(state, operator)
       !> Contact whose pressure is set from its gap.
       type(contact_state_t), intent(inout) :: state
@@ -180,6 +225,9 @@ contains
 
       call operator%apply_stiffness(state%gap - state%shape, state%pressure)
       state%pressure(:, :) = state%mean_pressure + state%pressure
+      if (.not. allocated(state%cohesion)) return
+      if (state%cohesion%is_linear) call state%cohesion%follow(state%gap)
+      state%pressure(:, :) = state%pressure + state%cohesion%stress*state%cohesion%share
    end subroutine update_pressure
 
    !> Find what is wrong by more than the tolerance.

@@ -19,6 +19,7 @@
 !> SIAM J. Sci. Comput. 23, 2001, 1376).
 module adfric_periodic_gap_solver
    use adfric_base_kinds, only: dp
+   use adfric_periodic_cohesion, only: cohesion_t
    use adfric_periodic_levels, only: levels_t, new_levels
    use adfric_periodic_maps, only: sum_of, dot_of, add_multiple, is_shared
    use adfric_periodic_operator, only: periodic_operator_t
@@ -106,6 +107,9 @@ contains
       class(gap_solver_t), intent(inout) :: self
 
       self%length = first_length
+      ! a step of length 0 must not find what is no number
+      self%direction(:, :) = 0
+      self%stiff(:, :) = 0
    end subroutine forget
 
    !> Begin with another region.
@@ -146,7 +150,7 @@ contains
    end subroutine set_region
 
    !> Improve the gap in the open region by one step, so that the pressure there becomes small.
-   subroutine improve(self, operator, is_open, mean_gap, gap, pressure, mean_pressure, extremes, is_stuck)
+   subroutine improve(self, operator, is_open, mean_gap, gap, pressure, mean_pressure, extremes, is_stuck, cohesion)
       !> Workspace for the cells of the operator.
       class(gap_solver_t), intent(inout) :: self
       !> Operator of the same cells, which counts how often it is applied.
@@ -163,9 +167,12 @@ contains
       real(dp), intent(inout) :: mean_pressure
       !> Receives the largest values after the step.
       type(extremes_t), intent(out) :: extremes
-      !> Is there nothing to be improved, but for round-off? The gap is not changed then.
+      !> Is there nothing to be improved, but for round-off? The gap is not changed then. So it is where the tension of adhesion
+      !> makes the solid give way.
       logical, intent(out) :: is_stuck
-      real(dp) :: sums(2), length
+      !> Adhesion whose shares may follow the gap; symmetric stiffness alone. Not allocated: none.
+      type(cohesion_t), allocatable, intent(in) :: cohesion
+      real(dp) :: sums(2), length, lost
 
       extremes = extremes_t()
       is_stuck = .false.
@@ -173,6 +180,7 @@ contains
       if (self%has_remains) then
          call self%set_first_step(is_open, mean_gap, gap)
          call operator%apply_stiffness(self%direction, self%stiff)
+         if (allocated(cohesion)) call cohesion%subtract_slope(self%direction, self%stiff, lost)
          self%has_remains = .false.
          length = 1
       else if (.not. self%is_symmetric) then
@@ -188,6 +196,10 @@ contains
          if (is_stuck) return
          call self%set_direction(sums(2))
          call operator%apply_stiffness(self%direction, self%stiff, self%curvature)
+         if (allocated(cohesion)) then
+            call cohesion%subtract_slope(self%direction, self%stiff, lost)
+            self%curvature = self%curvature - lost
+         end if
          is_stuck = .not. self%curvature > 0
          if (is_stuck) return
          self%has_direction = .true.

@@ -1,0 +1,351 @@
+!> Adhesive contact of a periodic surface under a load, on one grid: the most or the least adhered of its states.
+!>
+!> With the shares t of the cells within the range of adhesion (`adfric_periodic_cohesion`) the contact has one solution G(t)
+!> (`adfric_periodic_contact`), and a state is a gap g = T(g) = G(t(g)). A smaller gap has larger shares; where the stiffness A has no
+!> positive entries off its diagonal (lines: exact; maps: up to 2 % of it) larger shares make a smaller gap. So T is monotone, and:
+!>
+!> - From shares that are not below those of a state, shares found anew again and again fall to the **most adhered** state below them; from
+!>   shares that are not above, they rise to the **least adhered** one. No path is followed, and no state in between is passed.
+!> - These rounds close in by a constant factor, next to a fold by one near 1. Newton's method is faster, but may pass a state. Its
+!>   state g is taken only where none is passed: let b be shares that bound the wanted state, x >= |g - G(b)|, and m the largest slope
+!>   of the shares from g towards there, m = sup |t(g -+ s x) - t(g)|/s, 0 < s <= 1. If y = sigma0 A_OO^-1 m is below x where m > 0
+!>   (O open at g; for the least adhered one, at G(b)), then T(g -+ s x) lies nearer to g than g -+ s x for all s, so that a sequence
+!>   from G(b) on passes them all and ends at g. Else y bounds the next member of the sequence as x did the first, and is tried.
+!>
+!> Where mean(p) = q + sigma0 mean(t) is not above 0 no contact carries the load: there is no state below these shares.
+module adfric_periodic_adhesive_contact
+   use adfric_base_kinds, only: dp
+   use adfric_periodic_cohesion, only: cohesion_t
+   use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact
+   use adfric_periodic_gap_solver, only: gap_solver_t, extremes_t
+   use adfric_periodic_maps, only: sum_of
+   use adfric_periodic_operator, only: periodic_operator_t
+   implicit none (type, external)
+   private
+   public :: solve_adhesive_contact, widen_share
+
+   !> Rounds from the bound, at most.
+   integer, parameter :: most_rounds = 2000
+   !> Largest change of a share that ends the rounds, and residual of the contacts on the way.
+   real(dp), parameter :: resting_share = 1.0e-7_dp, passing_tolerance = 1.0e-5_dp
+   !> Residual of a contact on the way, in units of the change of tension that led to it.
+   real(dp), parameter :: part_of_change = 0.02_dp
+   !> Pieces of the way s on which slopes are found, and parts of each.
+   real(dp), parameter :: pieces(*) = [1.0_dp, 0.85_dp, 0.7_dp, 0.5_dp, 0.3_dp, 0.1_dp]
+   integer, parameter :: n_pieces = size(pieces), parts_of_piece = 16
+   !> Part of the last piece from which on slopes are those next to the state.
+   real(dp), parameter :: last_part = 0.5_dp
+   !> Part of the way to a state that a round leaves, below which it may be near enough.
+   real(dp), parameter :: fastest_closing = 0.95_dp
+   !> What a bound is compared with is smaller by that: linear systems are solved to a part of it.
+   real(dp), parameter :: safe_share = 0.99_dp, linear_tolerance = 2.0e-3_dp
+   integer, parameter :: most_steps = 200
+
+contains
+
+   !> Solve under the load in `state`.
+   subroutine solve_adhesive_contact(state, operator, gap_solver, tolerance, is_adhered, bound, has_guess, has_contact)
+      !> In: the shape, the load, the law of adhesion, and with `has_guess` gap and open region near the state. Out: the state.
+      type(contact_state_t), intent(inout) :: state
+      !> Operator of this grid, which counts how often it is applied.
+      type(periodic_operator_t), intent(inout) :: operator
+      !> Workspace for the cells of this grid.
+      type(gap_solver_t), intent(inout) :: gap_solver
+      !> Largest residual that is allowed [-], see `residual_of`.
+      real(dp), intent(in) :: tolerance
+      !> Is the most adhered state wanted? Else the least adhered one is.
+      logical, intent(in) :: is_adhered
+      !> Shares that are not smaller than those of the most adhered state that is wanted, or not larger than those of the least.
+      real(dp), intent(in), contiguous :: bound(:, :)
+      !> Is there a gap near the state?
+      logical, intent(in) :: has_guess
+      !> Receives whether there is a state with contact; else `state` has no meaning.
+      logical, intent(out) :: has_contact
+      type(contact_state_t) :: found
+      real(dp), allocatable :: share(:, :), gap_before(:, :)
+      real(dp) :: change, closing
+      logical :: is_certain, has_found
+      integer :: k, next_try, next_proof
+
+      has_contact = .true.
+      has_found = .false.
+      is_certain = .false.
+      if (has_guess) then
+         found = state
+         call find_state(found, operator, gap_solver, tolerance, has_found)
+      end if
+      allocate (share, source=bound)
+      allocate (gap_before, mold=bound)
+      next_try = 2
+      next_proof = 1
+      closing = 1
+      change = 0
+      do k = 1, most_rounds
+         if (k > 1) gap_before(:, :) = state%gap
+         call solve_with_share(state, operator, gap_solver, share, change, has_contact)
+         if (.not. has_contact) return
+         if (has_found .and. .not. is_bound(found, is_adhered, share)) has_found = .false.
+         if (has_found .and. k > 1) closing = closing_of(found%gap, gap_before, state%gap)
+         if (has_found .and. k >= next_proof .and. (k == 1 .or. closing < fastest_closing)) then
+            next_proof = k + 1 + k/3
+            is_certain = is_next_to(found, operator, gap_solver, merge(found%is_open, state%is_open, is_adhered), is_adhered, &
+               & state%gap)
+            if (is_certain) exit
+         end if
+         call state%cohesion%set_share(state%gap)
+         change = maxval(abs(state%cohesion%share - share))
+         share(:, :) = state%cohesion%share
+         if (change <= resting_share .or. (k >= next_try .and. .not. has_found)) then
+            next_try = k + max(3, k/4)
+            found = state
+            call find_state(found, operator, gap_solver, tolerance, has_found)
+            is_certain = has_found .and. change <= resting_share
+         end if
+         if (change <= resting_share) exit
+      end do
+      state = found
+      state%is_converged = is_certain
+   end subroutine solve_adhesive_contact
+
+   !> Do the shares of a state stay on one side of a bound?
+   pure logical function is_bound(state, is_adhered, bound)
+      !> The state, with its shares.
+      type(contact_state_t), intent(in) :: state
+      !> Is the bound more adhered?
+      logical, intent(in) :: is_adhered
+      !> Shares of the bound.
+      real(dp), intent(in), contiguous :: bound(:, :)
+
+      is_bound = maxval(merge(1, -1, is_adhered)*(state%cohesion%share - bound)) <= resting_share
+   end function is_bound
+
+   !> The largest part of the way to a state that a round leaves, over cells where there is a way.
+   pure real(dp) function closing_of(gap, before, behind) result(closing)
+      !> Gap of the state, of the round before and of the round.
+      real(dp), intent(in), contiguous, dimension(:, :) :: gap, before, behind
+      real(dp) :: way
+
+      way = maxval(abs(before - gap))
+      closing = 0
+      if (way > 0) closing = maxval(abs(behind - gap)/max(abs(before - gap), 1.0e-3_dp*way))
+   end function closing_of
+
+   !> Solve the contact with given shares.
+   subroutine solve_with_share(state, operator, gap_solver, share, change, has_contact)
+      !> In: gap and open region of the round before, if there was one. Out: the contact.
+      type(contact_state_t), intent(inout) :: state
+      !> Operator of this grid.
+      type(periodic_operator_t), intent(inout) :: operator
+      !> Workspace for the cells of this grid.
+      type(gap_solver_t), intent(inout) :: gap_solver
+      !> Shares of the cells.
+      real(dp), intent(in), contiguous :: share(:, :)
+      !> By how much they differ from those of the contact before.
+      real(dp), intent(in) :: change
+      !> Receives whether the load can be carried.
+      logical, intent(out) :: has_contact
+
+      call state%cohesion%hold()
+      state%cohesion%share = share
+      has_contact = state%mean_pressure + state%cohesion%stress*(sum_of(share)/size(share)) > 0
+      if (.not. has_contact) return
+      if (.not. allocated(state%gap)) call start_contact(state, operator)
+      call solve_again(state, operator, gap_solver, &
+         & max(passing_tolerance, min(part_of_change*change*state%cohesion%stress/state%pressure_scale, 1.0e-3_dp)))
+   end subroutine solve_with_share
+
+   !> Solve from the gap and the open region of a state, with iterations of its own.
+   subroutine solve_again(state, operator, gap_solver, tolerance)
+      !> In: where to begin. Out: the contact; iterations are added to those of before.
+      type(contact_state_t), intent(inout) :: state
+      !> Operator of this grid.
+      type(periodic_operator_t), intent(inout) :: operator
+      !> Workspace for the cells of this grid.
+      type(gap_solver_t), intent(inout) :: gap_solver
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      integer :: n_before
+
+      n_before = state%n_iterations
+      state%n_iterations = 0
+      state%n_rounds = 0
+      call solve_contact(state, operator, gap_solver, tolerance)
+      state%n_iterations = state%n_iterations + n_before
+   end subroutine solve_again
+
+   !> Newton's method from a guess.
+   subroutine find_state(state, operator, gap_solver, tolerance, has_found)
+      !> In: gap and open region to begin from. Out: a state with its shares, or where Newton's method went.
+      type(contact_state_t), intent(inout) :: state
+      !> Operator of this grid.
+      type(periodic_operator_t), intent(inout) :: operator
+      !> Workspace for the cells of this grid.
+      type(gap_solver_t), intent(inout) :: gap_solver
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> Receives whether it is a state, to the tolerance.
+      logical, intent(out) :: has_found
+
+      call state%cohesion%follow(state%gap)
+      call solve_again(state, operator, gap_solver, tolerance)
+      call state%cohesion%set_share(state%gap)
+      has_found = state%is_converged
+   end subroutine find_state
+
+   !> Is there no other state on the way from the bound to a state?
+   logical function is_next_to(state, operator, gap_solver, is_open, is_adhered, far)
+      !> The state, with its shares.
+      type(contact_state_t), intent(in) :: state
+      !> Operator of this grid.
+      type(periodic_operator_t), intent(inout) :: operator
+      !> Workspace for the cells of this grid.
+      type(gap_solver_t), intent(inout) :: gap_solver
+      !> Open cells of the state, or of the contact with the shares of the bound, where that has more of them.
+      logical, intent(in), contiguous :: is_open(:, :)
+      !> Is the bound more adhered?
+      logical, intent(in) :: is_adhered
+      !> Gap of the contact with the shares of the bound.
+      real(dp), intent(in), contiguous :: far(:, :)
+      type(cohesion_t) :: law
+      real(dp), allocatable :: way(:, :), next(:, :), slope(:, :)
+      integer :: k
+
+      law = state%cohesion
+      call law%follow(state%gap)
+      allocate (way, next, slope, mold=far)
+      way(:, :) = abs(far - state%gap)
+      is_next_to = .not. maxval(way) > 0
+      if (is_next_to) return
+      call law%set_band(min(far, state%gap), max(far, state%gap))
+      do k = 1, n_pieces
+         call find_slope(law, state, merge(-1, 1, is_adhered)*way, k, slope)
+         call solve_open(operator, gap_solver, is_open, law%stress*slope, next)
+         is_next_to = all(next <= safe_share*way .or. .not. slope > 0)
+         if (.not. is_next_to) return
+      end do
+   end function is_next_to
+
+   !> The largest slopes of the shares from a state to places of a piece of the way.
+   subroutine find_slope(law, state, way, piece, slope)
+      !> The law with its slopes at the state, and the squares on the way.
+      type(cohesion_t), intent(in) :: law
+      !> The state, with its shares.
+      type(contact_state_t), intent(in) :: state
+      !> Change of the gap, of one sign.
+      real(dp), intent(in), contiguous :: way(:, :)
+      !> Number of the piece; the last one ends at the state.
+      integer, intent(in) :: piece
+      !> Receives the largest change of the share over the part of the way, >= 0.
+      real(dp), intent(out), contiguous :: slope(:, :)
+      real(dp) :: part, ratio, product
+      real(dp), allocatable, dimension(:, :) :: gap, here, there
+      integer :: k
+
+      allocate (gap, source=state%gap)
+      allocate (here, there, mold=gap)
+      call law%get_band_share(gap, here)
+      slope(:, :) = 0
+      ratio = last_part**(1.0_dp/parts_of_piece)
+      if (piece < n_pieces) ratio = (pieces(min(piece + 1, n_pieces))/pieces(piece))**(1.0_dp/parts_of_piece)
+      if (piece == n_pieces) call law%subtract_slope(way, slope, product)
+      slope(:, :) = abs(slope)/law%stress
+      ! shares change one way, so that between two parts of the way the change is not above that of the longer one
+      part = pieces(piece)
+      do k = 1, parts_of_piece
+         gap(:, :) = state%gap + part*way
+         call law%get_band_share(gap, there)
+         part = ratio*part
+         slope(:, :) = max(slope, abs(there - here)/part)
+      end do
+   end subroutine find_slope
+
+   !> Solve A_OO x = b over given open cells.
+   subroutine solve_open(operator, gap_solver, is_open, load, x)
+      !> Operator of this grid.
+      type(periodic_operator_t), intent(inout) :: operator
+      !> Workspace for the cells of this grid.
+      type(gap_solver_t), intent(inout) :: gap_solver
+      !> The open cells.
+      logical, intent(in), contiguous :: is_open(:, :)
+      !> b [E*].
+      real(dp), intent(in), contiguous :: load(:, :)
+      !> Receives x, 0 in closed cells.
+      real(dp), intent(out), contiguous :: x(:, :)
+      type(cohesion_t), allocatable :: no_cohesion
+      type(extremes_t) :: extremes
+      real(dp), allocatable :: pressure(:, :)
+      real(dp) :: mean_pressure, largest
+      logical :: is_stuck
+      integer :: k
+
+      x(:, :) = 0
+      allocate (pressure, source=-load)
+      mean_pressure = 0
+      largest = maxval(load)
+      call gap_solver%forget()
+      call gap_solver%set_region(operator, is_open, .false., .false., .false.)
+      do k = 1, most_steps
+         call gap_solver%improve(operator, is_open, 0.0_dp, x, pressure, mean_pressure, extremes, is_stuck, no_cohesion)
+         if (is_stuck .or. extremes%left <= linear_tolerance*largest) exit
+      end do
+   end subroutine solve_open
+
+   !> Shares of a coarser grid, so wide or so narrow that they bound those of the finer one.
+   pure subroutine widen_share(coarse, is_quarter, is_wider, bound)
+      !> Shares on the coarser grid.
+      real(dp), intent(in), contiguous :: coarse(:, :)
+      !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
+      logical, intent(in) :: is_quarter
+      !> Shall they be wider? Else narrower.
+      logical, intent(in) :: is_wider
+      !> Receives 1 or 0 in the cells of the finer grid.
+      real(dp), intent(out), contiguous :: bound(:, :)
+      !> Cells of the coarser grid by which edges may be elsewhere.
+      integer, parameter :: cells_beside = 1
+      logical :: is_in(size(coarse, 1), size(coarse, 2)), is_near(size(coarse, 1), size(coarse, 2))
+      integer :: k, i, j, n(2), m(2)
+
+      n = shape(coarse)
+      m = shape(bound)
+      is_in = coarse > 0
+      if (.not. is_wider) is_in = coarse < 1
+      ! what is not to be reached grows
+      do k = 1, cells_beside
+         is_near = is_in
+         do j = 1, n(2)
+            do i = 1, n(1)
+               if (.not. is_in(i, j)) cycle
+               is_near([before(i, n(1)), i, behind(i, n(1))], [before(j, n(2)), j, behind(j, n(2))]) = .true.
+            end do
+         end do
+         is_in = is_near
+      end do
+      do j = 1, m(2)
+         do i = 1, m(1)
+            bound(i, j) = merge(1.0_dp, 0.0_dp, is_in((i*n(1) + m(1) - 1)/m(1), (j*n(2) + m(2) - 1)/m(2)) .eqv. is_wider)
+         end do
+      end do
+
+   contains
+
+      !> The cell before a cell, in a period or in a mirror.
+      pure integer function before(k, n_cells)
+         !> The cell, and the number of cells.
+         integer, intent(in) :: k, n_cells
+
+         before = k - 1
+         if (k == 1) before = merge(1, n_cells, is_quarter)
+      end function before
+
+      !> The cell behind a cell, in a period or in a mirror.
+      pure integer function behind(k, n_cells)
+         !> The cell, and the number of cells.
+         integer, intent(in) :: k, n_cells
+
+         behind = k + 1
+         if (k == n_cells) behind = merge(n_cells, 1, is_quarter)
+      end function behind
+
+   end subroutine widen_share
+
+end module adfric_periodic_adhesive_contact

@@ -1,0 +1,429 @@
+!> Adhesion of Maugis and Dugdale between periodic surfaces: a tension of constant size while the gap is not larger than a range.
+!>
+!> Between the middles of four neighbouring cells the gap is taken as linear in triangles, as the mean over both ways to cut the
+!> square in two. With the hat functions H_i of the triangles the energy of adhesion per area of a cell, and its derivative, are
+!>
+!>     Phi = sigma0 sum_i integral (min(g, h0) - h0),      d Phi/d g_i = sigma0 t_i,    t_i = integral of H_i where g <= h0
+!>
+!> (integrals over cells, in units of their area). The share t_i of the cell within the range goes from 1 to 0 as the edge of
+!> the cohesive zone passes; nothing pins the edge to cells, as a yes or no in each cell does. What makes the shares usable:
+!>
+!> - Phi is concave, since min is and g is linear in each triangle. So the energy with the tangent of Phi in its place is above it, and
+!>   solving the contact with given shares, which is convex, lowers the energy whenever the shares change.
+!> - t_i falls with every g_j. A smaller gap means larger shares, and those, where the stiffness has no positive entries off its
+!>   diagonal, a smaller gap (`adfric_periodic_adhesive_contact`).
+!> - -d t_i/d g_j = integral of H_i H_j/|grad g| along the line g = h0, symmetric; where the gap is flat, no width is spread over it.
+module adfric_periodic_cohesion
+   use adfric_base_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: cohesion_t, new_cohesion
+
+   !> A square between the middles of four cells.
+   type :: square_t
+      !> Places of the middles along x and y; the same one twice on both sides of a mirror.
+      integer :: x(2) = 1, y(2) = 1
+      !> Weight: a mirror halves it.
+      real(dp) :: weight = 1
+   end type square_t
+
+   !> The law, the shares of a gap, and how they change.
+   type :: cohesion_t
+      !> Tension sigma0 [E*]; range h0, in the unit of the gap.
+      real(dp) :: stress = 0, range = 0
+      !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
+      logical :: is_quarter = .false.
+      !> Do the shares change with the gap as `corners` and `slopes` say? Else they are held.
+      logical :: is_linear = .false.
+      !> Shares t of the cells within the range, 0 to 1; shape of the cells.
+      real(dp), allocatable :: share(:, :)
+      !> Number of triangles that the edge of the zone passes.
+      integer :: n_triangles = 0
+      !> Cells at their corners, column by column; shape `(3, n)`, n >= `n_triangles`.
+      integer, allocatable :: corners(:, :)
+      !> sigma0 times the integrals of H_i H_j/|grad g| along the line, of corners 11, 22, 33, 12, 23, 31; shape `(6, n)`.
+      real(dp), allocatable :: slopes(:, :)
+      !> Number of squares that an edge passes on its way.
+      integer :: n_squares = 0
+      !> These squares; shape `(n)`, n >= `n_squares`.
+      type(square_t), allocatable :: squares(:)
+   contains
+      procedure :: set_share
+      procedure :: follow
+      procedure :: set_band
+      procedure :: get_band_share
+      procedure :: hold
+      procedure :: subtract_slope
+      procedure :: energy_of
+   end type cohesion_t
+
+   !> Corners of the triangles among those of a square, which are counted round it; both ways to cut it.
+   integer, parameter :: triangles(3, 4) = reshape([1, 2, 3, 1, 3, 4, 1, 2, 4, 2, 3, 4], [3, 4])
+   !> Share of each triangle in the area of the square, of which it is half, and one cut of two.
+   real(dp), parameter :: weight_of_triangle = 0.25_dp
+
+contains
+
+   !> Set the law, without shares.
+   subroutine new_cohesion(self, stress, range, is_quarter)
+      !> The new law.
+      type(cohesion_t), intent(out) :: self
+      !> Tension sigma0 [E*], > 0.
+      real(dp), intent(in) :: stress
+      !> Range h0, in the unit of the gap, > 0.
+      real(dp), intent(in) :: range
+      !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
+      logical, intent(in) :: is_quarter
+
+      self%stress = stress
+      self%range = range
+      self%is_quarter = is_quarter
+   end subroutine new_cohesion
+
+   !> Find the shares of a gap, and hold them.
+   subroutine set_share(self, gap)
+      !> The law; receives the shares.
+      class(cohesion_t), intent(inout) :: self
+      !> Gap in the middles of the cells.
+      real(dp), intent(in), contiguous :: gap(:, :)
+      type(square_t) :: square
+      integer :: i, j, first
+
+      call self%hold()
+      if (.not. allocated(self%share)) allocate (self%share(size(gap, 1), size(gap, 2)))
+      self%share(:, :) = 0
+      first = merge(0, 1, self%is_quarter)
+      do j = first, size(gap, 2)
+         do i = first, size(gap, 1)
+            square = square_at(i, j, shape(gap), self%is_quarter)
+            call add_shares(self%range, gap, square, self%share)
+         end do
+      end do
+   end subroutine set_share
+
+   !> Find the shares of a gap, and let them change with it in a straight line from there.
+   subroutine follow(self, gap)
+      !> The law; receives shares and slopes.
+      class(cohesion_t), intent(inout) :: self
+      !> Gap in the middles of the cells.
+      real(dp), intent(in), contiguous :: gap(:, :)
+      integer :: k
+
+      call self%set_share(gap)
+      if (.not. allocated(self%corners)) allocate (self%corners(3, 64), self%slopes(6, 64))
+      call self%set_band(gap, gap)
+      do k = 1, self%n_squares
+         call add_slopes(self, gap, self%squares(k))
+      end do
+      self%is_linear = .true.
+   end subroutine follow
+
+   !> Find the squares in which shares change on the way from a gap to another one that is nowhere smaller.
+   subroutine set_band(self, low, high)
+      !> The law; receives the squares.
+      class(cohesion_t), intent(inout) :: self
+      !> The two gaps, in the middles of the cells.
+      real(dp), intent(in), contiguous :: low(:, :), high(:, :)
+      type(square_t), allocatable :: squares(:)
+      type(square_t) :: square
+      integer :: i, j, first
+
+      if (.not. allocated(self%squares)) allocate (self%squares(64))
+      self%n_squares = 0
+      first = merge(0, 1, self%is_quarter)
+      do j = first, size(low, 2)
+         do i = first, size(low, 1)
+            square = square_at(i, j, shape(low), self%is_quarter)
+            associate (x => square%x, y => square%y)
+               if (min(low(x(1), y(1)), low(x(2), y(1)), low(x(1), y(2)), low(x(2), y(2))) > self%range) cycle
+               if (max(high(x(1), y(1)), high(x(2), y(1)), high(x(1), y(2)), high(x(2), y(2))) <= self%range) cycle
+            end associate
+            if (self%n_squares == size(self%squares)) then
+               allocate (squares(2*self%n_squares))
+               squares(:self%n_squares) = self%squares
+               call move_alloc(squares, self%squares)
+            end if
+            self%n_squares = self%n_squares + 1
+            self%squares(self%n_squares) = square
+         end do
+      end do
+   end subroutine set_band
+
+   !> What the squares of the band add to the shares.
+   pure subroutine get_band_share(self, gap, share)
+      !> The law with its band.
+      class(cohesion_t), intent(in) :: self
+      !> Gap in the middles of the cells.
+      real(dp), intent(in), contiguous :: gap(:, :)
+      !> Receives the shares that come from the band; shape of the cells.
+      real(dp), intent(out), contiguous :: share(:, :)
+      integer :: k
+
+      share(:, :) = 0
+      do k = 1, self%n_squares
+         call add_shares(self%range, gap, self%squares(k), share)
+      end do
+   end subroutine get_band_share
+
+   !> Hold the shares as they are.
+   pure subroutine hold(self)
+      !> The law with its shares.
+      class(cohesion_t), intent(inout) :: self
+
+      self%n_triangles = 0
+      self%is_linear = .false.
+   end subroutine hold
+
+   !> The square behind a cell, in a period or in a mirror.
+   pure type(square_t) function square_at(i, j, n, is_quarter) result(square)
+      !> The cell; 0 before the first one in a mirror.
+      integer, intent(in) :: i, j
+      !> Number of cells in each direction.
+      integer, intent(in) :: n(2)
+      !> Do mirrors bound the surface? Else it goes on with its period.
+      logical, intent(in) :: is_quarter
+
+      square%x = [max(i, 1), i + 1]
+      square%y = [max(j, 1), j + 1]
+      if (i == n(1)) square%x(2) = merge(n(1), 1, is_quarter)
+      if (j == n(2)) square%y(2) = merge(n(2), 1, is_quarter)
+      if (.not. is_quarter) return
+      if (square%x(1) == square%x(2)) square%weight = square%weight/2
+      if (square%y(1) == square%y(2)) square%weight = square%weight/2
+   end function square_at
+
+   !> Add what a square has within the range to the shares of its corners.
+   pure subroutine add_shares(range, gap, square, share)
+      !> Range h0.
+      real(dp), intent(in) :: range
+      !> Gap in the middles of the cells.
+      real(dp), intent(in), contiguous :: gap(:, :)
+      !> The square.
+      type(square_t), intent(in) :: square
+      !> Receives the shares; shape of the cells.
+      real(dp), intent(inout), contiguous :: share(:, :)
+      real(dp) :: corner(4), shares(4), found(3)
+      integer :: k
+
+      corner = corners_of(gap, square)
+      if (min(corner(1), corner(2), corner(3), corner(4)) > range) return
+      shares = 0.25_dp
+      if (max(corner(1), corner(2), corner(3), corner(4)) > range) then
+         shares = 0
+         do k = 1, 4
+            found = shares_of(corner(triangles(:, k)), range)
+            shares(triangles(:, k)) = shares(triangles(:, k)) + weight_of_triangle*found
+         end do
+      end if
+      shares = square%weight*shares
+      associate (x => square%x, y => square%y)
+         share(x(1), y(1)) = share(x(1), y(1)) + shares(1)
+         share(x(2), y(1)) = share(x(2), y(1)) + shares(2)
+         share(x(2), y(2)) = share(x(2), y(2)) + shares(3)
+         share(x(1), y(2)) = share(x(1), y(2)) + shares(4)
+      end associate
+   end subroutine add_shares
+
+   !> Gap at the corners of a square, round it.
+   pure function corners_of(gap, square) result(corner)
+      !> Gap in the middles of the cells.
+      real(dp), intent(in), contiguous :: gap(:, :)
+      !> The square.
+      type(square_t), intent(in) :: square
+      real(dp) :: corner(4)
+
+      associate (x => square%x, y => square%y)
+         corner = [gap(x(1), y(1)), gap(x(2), y(1)), gap(x(2), y(2)), gap(x(1), y(2))]
+      end associate
+   end function corners_of
+
+   !> Integrals of the hat functions over the part of a triangle within the range, in units of its area.
+   pure function shares_of(corner, range) result(shares)
+      !> Gap at the corners.
+      real(dp), intent(in) :: corner(3)
+      !> Range h0.
+      real(dp), intent(in) :: range
+      real(dp) :: shares(3), part(2)
+      integer :: order(3)
+
+      shares = 0
+      if (minval(corner) > range) return
+      shares = 1.0_dp/3
+      if (maxval(corner) <= range) return
+      order = order_of(corner)
+      associate (low => corner(order(1)), middle => corner(order(2)), high => corner(order(3)))
+         if (range < middle) then
+            part = (range - low)/[middle - low, high - low]
+            shares(order(1)) = product(part)*(1 - sum(part)/3)
+            shares(order(2:3)) = product(part)*part/3
+         else
+            part = (high - range)/[high - low, high - middle]
+            shares(order(3)) = 1.0_dp/3 - product(part)*(1 - sum(part)/3)
+            shares(order(1:2)) = 1.0_dp/3 - product(part)*part/3
+         end if
+      end associate
+   end function shares_of
+
+   !> Corners from the lowest gap to the highest.
+   pure function order_of(corner) result(order)
+      !> Gap at the corners.
+      real(dp), intent(in) :: corner(3)
+      integer :: order(3)
+
+      order = [1, 2, 3]
+      if (corner(2) < corner(1)) order(1:2) = order([2, 1])
+      if (corner(3) < corner(order(2))) order(2:3) = order([3, 2])
+      if (corner(order(2)) < corner(order(1))) order(1:2) = order([2, 1])
+   end function order_of
+
+   !> Keep the triangles of a square that the edge of the zone passes.
+   subroutine add_slopes(self, gap, square)
+      !> The law; receives triangles.
+      type(cohesion_t), intent(inout) :: self
+      !> Gap in the middles of the cells.
+      real(dp), intent(in), contiguous :: gap(:, :)
+      !> The square.
+      type(square_t), intent(in) :: square
+      real(dp) :: corner(4)
+      integer :: cells(4), k
+
+      corner = corners_of(gap, square)
+      cells = square%x([1, 2, 2, 1]) + size(gap, 1)*(square%y([1, 1, 2, 2]) - 1)
+      do k = 1, 4
+         associate (of => triangles(:, k))
+            if (minval(corner(of)) > self%range .or. maxval(corner(of)) <= self%range) cycle
+            if (self%n_triangles == size(self%corners, 2)) call make_room(self)
+            self%n_triangles = self%n_triangles + 1
+            self%corners(:, self%n_triangles) = cells(of)
+            self%slopes(:, self%n_triangles) = square%weight*weight_of_triangle*self%stress*slopes_of(corner(of), self%range)
+         end associate
+      end do
+   end subroutine add_slopes
+
+   !> Make room for twice as many triangles.
+   pure subroutine make_room(self)
+      !> The law with its triangles.
+      type(cohesion_t), intent(inout) :: self
+      integer, allocatable :: corners(:, :)
+      real(dp), allocatable :: slopes(:, :)
+      integer :: n
+
+      n = self%n_triangles
+      allocate (corners(3, 2*n), slopes(6, 2*n))
+      corners(:, :n) = self%corners(:, :n)
+      slopes(:, :n) = self%slopes(:, :n)
+      call move_alloc(corners, self%corners)
+      call move_alloc(slopes, self%slopes)
+   end subroutine make_room
+
+   !> Integrals of products of hat functions along the line, over the gradient of the gap, in units of the triangle's area; pairs
+   !> 11, 22, 33, 12, 23, 31. They are quadratic along the line, so that Simpson's rule is exact.
+   pure function slopes_of(corner, range) result(slopes)
+      !> Gap at the corners, not all on one side of the range.
+      real(dp), intent(in) :: corner(3)
+      !> Range h0.
+      real(dp), intent(in) :: range
+      real(dp) :: slopes(6), part(2), rate
+      real(dp) :: ends(3, 3)
+      integer :: order(3), k
+      integer, parameter :: pairs(2, 6) = reshape([1, 1, 2, 2, 3, 3, 1, 2, 2, 3, 3, 1], [2, 6])
+
+      order = order_of(corner)
+      ends = 0
+      associate (low => corner(order(1)), middle => corner(order(2)), high => corner(order(3)))
+         ! derivative of the area within the range by the range
+         if (range < middle) then
+            part = (range - low)/[middle - low, high - low]
+            rate = 2*part(1)/(high - low)
+            ends(order(1), 1:3:2) = 1 - part
+            ends(order(2), 1) = part(1)
+            ends(order(3), 3) = part(2)
+         else
+            part = (high - range)/[high - low, high - middle]
+            rate = 2*part(2)/(high - low)
+            ends(order(3), 1:3:2) = 1 - part
+            ends(order(1), 1) = part(1)
+            ends(order(2), 3) = part(2)
+         end if
+      end associate
+      ends(:, 2) = (ends(:, 1) + ends(:, 3))/2
+      do k = 1, 6
+         associate (products => ends(pairs(1, k), :)*ends(pairs(2, k), :))
+            slopes(k) = rate*(products(1) + 4*products(2) + products(3))/6
+         end associate
+      end do
+   end function slopes_of
+
+   !> Subtract what the tension loses along a direction from its pressure, where shares follow the gap.
+   pure subroutine subtract_slope(self, direction, pressure, product)
+      !> The law with its triangles.
+      class(cohesion_t), intent(in) :: self
+      !> Change of the gap, in columns; shape `(n_cells)`.
+      real(dp), intent(in) :: direction(*)
+      !> Pressure of the change; shape `(n_cells)`.
+      real(dp), intent(inout) :: pressure(*)
+      !> Receives the sum of the change times what has been subtracted.
+      real(dp), intent(out) :: product
+      real(dp) :: change(3), lost(3)
+      integer :: k
+
+      product = 0
+      do k = 1, self%n_triangles
+         associate (c => self%corners(:, k), s => self%slopes(:, k))
+            change = direction(c)
+            lost = s(1:3)*change + s(4:6)*change([2, 3, 1]) + s([6, 4, 5])*change([3, 1, 2])
+            pressure(c(1)) = pressure(c(1)) - lost(1)
+            pressure(c(2)) = pressure(c(2)) - lost(2)
+            pressure(c(3)) = pressure(c(3)) - lost(3)
+            product = product + sum(change*lost)
+         end associate
+      end do
+   end subroutine subtract_slope
+
+   !> Energy of adhesion per area, less than 0 where there is any: the mean of Phi [E* times the unit of the gap].
+   pure real(dp) function energy_of(self, gap) result(energy)
+      !> The law.
+      class(cohesion_t), intent(in) :: self
+      !> Gap in the middles of the cells.
+      real(dp), intent(in), contiguous :: gap(:, :)
+      type(square_t) :: square
+      real(dp) :: corner(4), total
+      integer :: first, i, j, k
+
+      first = merge(0, 1, self%is_quarter)
+      total = 0
+      do j = first, size(gap, 2)
+         do i = first, size(gap, 1)
+            square = square_at(i, j, shape(gap), self%is_quarter)
+            corner = corners_of(gap, square)
+            do k = 1, 4
+               total = total + square%weight*weight_of_triangle*depth_of(corner(triangles(:, k)), self%range)
+            end do
+         end do
+      end do
+      energy = -self%stress*total/size(gap)
+   end function energy_of
+
+   !> Mean of the way from the gap up to the range, over a triangle.
+   pure real(dp) function depth_of(corner, range) result(depth)
+      !> Gap at the corners.
+      real(dp), intent(in) :: corner(3)
+      !> Range h0.
+      real(dp), intent(in) :: range
+      integer :: order(3)
+
+      depth = 0
+      if (minval(corner) > range) return
+      depth = range - sum(corner)/3
+      if (maxval(corner) <= range) return
+      order = order_of(corner)
+      associate (low => corner(order(1)), middle => corner(order(2)), high => corner(order(3)))
+         if (range < middle) then
+            depth = (range - low)**3/(3*(middle - low)*(high - low))
+         else
+            depth = depth + (high - range)**3/(3*(high - low)*(high - middle))
+         end if
+      end associate
+   end function depth_of
+
+end module adfric_periodic_cohesion
