@@ -7,10 +7,14 @@
 !> - From shares that are not below those of a state, shares found anew again and again fall to the **most adhered** state below them; from
 !>   shares that are not above, they rise to the **least adhered** one. No path is followed, and no state in between is passed.
 !> - These rounds close in by a constant factor, next to a fold by one near 1. Newton's method is faster, but may pass a state. Its
-!>   state g is taken only where none is passed: let b be shares that bound the wanted state, x >= |g - G(b)|, and m the largest slope
-!>   of the shares from g towards there, m = sup |t(g -+ s x) - t(g)|/s, 0 < s <= 1. If y = sigma0 A_OO^-1 m is below x where m > 0
-!>   (O open at g; for the least adhered one, at G(b)), then T(g -+ s x) lies nearer to g than g -+ s x for all s, so that a sequence
-!>   from G(b) on passes them all and ends at g. Else y bounds the next member of the sequence as x did the first, and is tried.
+!>   state g is taken only where none is passed on the way from a gap g -+ x, x >= 0, whose shares bound the wanted state: let m be the
+!>   largest slope of the shares on a piece of the way, |t(g -+ s x) - t(g)|/s, a < s <= b. If y = sigma0 A_OO^-1 m is below x where m > 0
+!>   (O open at g; for the least adhered one, at the far end), then T(g -+ s x) lies nearer to g than g -+ s x for all these s. Where
+!>   that is so for all pieces, a growing sequence passes the whole way and ends at g.
+!> - As way serves what a round has left, or the change of g with the load, (A - sigma0 dt/dg)_OO^-1 1, so far that zones move by a cell.
+!>   A state under more load is more adhered, so that it bounds the wanted one.
+!> - Shares of a coarser grid, a cell wider or narrower, are a bound where one round changes them to no more than they are; else they
+!>   are joined with what the round made of them, until it is so.
 !>
 !> Where mean(p) = q + sigma0 mean(t) is not above 0 no contact carries the load: there is no state below these shares.
 module adfric_periodic_adhesive_contact
@@ -28,15 +32,17 @@ module adfric_periodic_adhesive_contact
    integer, parameter :: most_rounds = 2000
    !> Largest change of a share that ends the rounds, and residual of the contacts on the way.
    real(dp), parameter :: resting_share = 1.0e-7_dp, passing_tolerance = 1.0e-5_dp
+   !> Cells by which the zones of a coarser grid may be too narrow or too wide on the finer one.
+   integer, parameter :: cells_beside = 1
+   !> Shares that stay on one side of a bound by less do so: contacts on the way are not exact.
+   real(dp), parameter :: like_share = 1.0e-3_dp
    !> Residual of a contact on the way, in units of the change of tension that led to it.
    real(dp), parameter :: part_of_change = 0.02_dp
    !> Pieces of the way s on which slopes are found, and parts of each.
-   real(dp), parameter :: pieces(*) = [1.0_dp, 0.85_dp, 0.7_dp, 0.5_dp, 0.3_dp, 0.1_dp]
-   integer, parameter :: n_pieces = size(pieces), parts_of_piece = 16
+   real(dp), parameter :: pieces(*) = [1.0_dp, 0.85_dp, 0.72_dp, 0.6_dp, 0.5_dp, 0.4_dp, 0.3_dp, 0.2_dp]
+   integer, parameter :: n_pieces = size(pieces), parts_of_piece = 20
    !> Part of the last piece from which on slopes are those next to the state.
    real(dp), parameter :: last_part = 0.5_dp
-   !> Part of the way to a state that a round leaves, below which it may be near enough.
-   real(dp), parameter :: fastest_closing = 0.95_dp
    !> What a bound is compared with is smaller by that: linear systems are solved to a part of it.
    real(dp), parameter :: safe_share = 0.99_dp, linear_tolerance = 2.0e-3_dp
    integer, parameter :: most_steps = 200
@@ -44,8 +50,8 @@ module adfric_periodic_adhesive_contact
 contains
 
    !> Solve under the load in `state`.
-   subroutine solve_adhesive_contact(state, operator, gap_solver, tolerance, is_adhered, bound, has_guess, has_contact)
-      !> In: the shape, the load, the law of adhesion, and with `has_guess` gap and open region near the state. Out: the state.
+   subroutine solve_adhesive_contact(state, operator, gap_solver, tolerance, is_adhered, bound, is_sure, has_guess, has_contact)
+      !> In: the shape, the load, the law of adhesion, and with `has_guess` gap, shares and open region near the state. Out: the state.
       type(contact_state_t), intent(inout) :: state
       !> Operator of this grid, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
@@ -57,14 +63,16 @@ contains
       logical, intent(in) :: is_adhered
       !> Shares that are not smaller than those of the most adhered state that is wanted, or not larger than those of the least.
       real(dp), intent(in), contiguous :: bound(:, :)
+      !> Is that certain? Else it comes from a coarser grid, as gap and shares in `state` do.
+      logical, intent(in) :: is_sure
       !> Is there a gap near the state?
       logical, intent(in) :: has_guess
       !> Receives whether there is a state with contact; else `state` has no meaning.
       logical, intent(out) :: has_contact
       type(contact_state_t) :: found
-      real(dp), allocatable :: share(:, :), gap_before(:, :)
-      real(dp) :: change, closing
-      logical :: is_certain, has_found
+      real(dp), allocatable :: share(:, :)
+      real(dp) :: change
+      logical :: is_certain, has_found, is_widening
       integer :: k, next_try, next_proof
 
       has_contact = .true.
@@ -73,39 +81,62 @@ contains
       if (has_guess) then
          found = state
          call find_state(found, operator, gap_solver, tolerance, has_found)
+         if (has_found) has_found = is_bound(found, is_adhered, bound)
+         if (has_found .and. .not. is_sure) &
+            & call prove_alone(found, operator, gap_solver, is_adhered, state%cohesion%share, is_certain)
+         if (is_certain) then
+            state = found
+            state%is_converged = .true.
+            return
+         end if
       end if
       allocate (share, source=bound)
-      allocate (gap_before, mold=bound)
       next_try = 2
       next_proof = 1
-      closing = 1
       change = 0
+      is_widening = .not. is_sure
       do k = 1, most_rounds
-         if (k > 1) gap_before(:, :) = state%gap
          call solve_with_share(state, operator, gap_solver, share, change, has_contact)
          if (.not. has_contact) return
-         if (has_found .and. .not. is_bound(found, is_adhered, share)) has_found = .false.
-         if (has_found .and. k > 1) closing = closing_of(found%gap, gap_before, state%gap)
-         if (has_found .and. k >= next_proof .and. (k == 1 .or. closing < fastest_closing)) then
+         if (has_found) has_found = is_bound(found, is_adhered, share)
+         if (has_found .and. k >= next_proof .and. .not. is_widening) then
             next_proof = k + 1 + k/3
             is_certain = is_next_to(found, operator, gap_solver, merge(found%is_open, state%is_open, is_adhered), is_adhered, &
                & state%gap)
             if (is_certain) exit
          end if
          call state%cohesion%set_share(state%gap)
+         if (is_widening) is_widening = .not. is_bound(state, is_adhered, share)
+         if (is_widening) call join_share(state%cohesion%share, share, is_adhered)
          change = maxval(abs(state%cohesion%share - share))
          share(:, :) = state%cohesion%share
          if (change <= resting_share .or. (k >= next_try .and. .not. has_found)) then
             next_try = k + max(3, k/4)
             found = state
             call find_state(found, operator, gap_solver, tolerance, has_found)
-            is_certain = has_found .and. change <= resting_share
+            is_certain = has_found .and. change <= resting_share .and. .not. is_widening
          end if
          if (change <= resting_share) exit
       end do
       state = found
       state%is_converged = is_certain
    end subroutine solve_adhesive_contact
+
+   !> The larger of two shares in each cell, or the smaller.
+   pure subroutine join_share(share, other, is_adhered)
+      !> In: shares. Out: those that bound them and the others.
+      real(dp), intent(inout), contiguous :: share(:, :)
+      !> The others; shape of the cells.
+      real(dp), intent(in), contiguous :: other(:, :)
+      !> Is the larger one wanted?
+      logical, intent(in) :: is_adhered
+
+      if (is_adhered) then
+         share(:, :) = max(share, other)
+      else
+         share(:, :) = min(share, other)
+      end if
+   end subroutine join_share
 
    !> Do the shares of a state stay on one side of a bound?
    pure logical function is_bound(state, is_adhered, bound)
@@ -116,19 +147,8 @@ contains
       !> Shares of the bound.
       real(dp), intent(in), contiguous :: bound(:, :)
 
-      is_bound = maxval(merge(1, -1, is_adhered)*(state%cohesion%share - bound)) <= resting_share
+      is_bound = maxval(merge(1, -1, is_adhered)*(state%cohesion%share - bound)) <= like_share
    end function is_bound
-
-   !> The largest part of the way to a state that a round leaves, over cells where there is a way.
-   pure real(dp) function closing_of(gap, before, behind) result(closing)
-      !> Gap of the state, of the round before and of the round.
-      real(dp), intent(in), contiguous, dimension(:, :) :: gap, before, behind
-      real(dp) :: way
-
-      way = maxval(abs(before - gap))
-      closing = 0
-      if (way > 0) closing = maxval(abs(behind - gap)/max(abs(before - gap), 1.0e-3_dp*way))
-   end function closing_of
 
    !> Solve the contact with given shares.
    subroutine solve_with_share(state, operator, gap_solver, share, change, has_contact)
@@ -192,6 +212,50 @@ contains
       has_found = state%is_converged
    end subroutine find_state
 
+   !> Is a state alone among those that are more, or less, adhered by a few cells? The way there is that of a change of the load: a
+   !> state under more load is more adhered, so that it is no state under this one, nor are those on the way to it.
+   subroutine prove_alone(state, operator, gap_solver, is_adhered, guess, is_certain)
+      !> The state, with its shares.
+      type(contact_state_t), intent(in) :: state
+      !> Operator of this grid.
+      type(periodic_operator_t), intent(inout) :: operator
+      !> Workspace for the cells of this grid.
+      type(gap_solver_t), intent(inout) :: gap_solver
+      !> Is the most adhered state wanted?
+      logical, intent(in) :: is_adhered
+      !> Shares that the way has to reach: those of the coarser grid.
+      real(dp), intent(in), contiguous :: guess(:, :)
+      !> Receives whether it is alone.
+      logical, intent(out) :: is_certain
+      type(contact_state_t) :: far
+      type(cohesion_t), allocatable :: law
+      real(dp), allocatable, dimension(:, :) :: way, load
+      real(dp) :: lost
+      logical :: has_contact
+
+      allocate (law, source=state%cohesion)
+      call law%follow(state%gap)
+      is_certain = law%n_triangles == 0 .and. .not. maxval(abs(guess - law%share)) > like_share
+      if (law%n_triangles == 0) return
+      allocate (way, load, mold=state%gap)
+      load(:, :) = law%stress
+      call solve_open(operator, gap_solver, state%is_open, load, way, law)
+      if (minval(way) < 0) return
+      load(:, :) = 0
+      call law%subtract_slope(way, load, lost)
+      way(:, :) = merge(-1, 1, is_adhered)*way*(cells_beside*law%stress*law%n_squares/sum(abs(load)))
+      far = state
+      call far%cohesion%set_share(state%gap + way)
+      if (maxval(merge(1, -1, is_adhered)*(guess - far%cohesion%share)) > like_share) return
+      if (is_adhered) then
+         is_certain = is_next_to(state, operator, gap_solver, state%is_open, is_adhered, state%gap + way)
+      else
+         load(:, :) = far%cohesion%share
+         call solve_with_share(far, operator, gap_solver, load, 0.0_dp, has_contact)
+         if (has_contact) is_certain = is_next_to(state, operator, gap_solver, far%is_open, is_adhered, state%gap + way)
+      end if
+   end subroutine prove_alone
+
    !> Is there no other state on the way from the bound to a state?
    logical function is_next_to(state, operator, gap_solver, is_open, is_adhered, far)
       !> The state, with its shares.
@@ -207,6 +271,7 @@ contains
       !> Gap of the contact with the shares of the bound.
       real(dp), intent(in), contiguous :: far(:, :)
       type(cohesion_t) :: law
+      type(cohesion_t), allocatable :: none
       real(dp), allocatable :: way(:, :), next(:, :), slope(:, :)
       integer :: k
 
@@ -219,7 +284,7 @@ contains
       call law%set_band(min(far, state%gap), max(far, state%gap))
       do k = 1, n_pieces
          call find_slope(law, state, merge(-1, 1, is_adhered)*way, k, slope)
-         call solve_open(operator, gap_solver, is_open, law%stress*slope, next)
+         call solve_open(operator, gap_solver, is_open, law%stress*slope, next, none)
          is_next_to = all(next <= safe_share*way .or. .not. slope > 0)
          if (.not. is_next_to) return
       end do
@@ -259,8 +324,8 @@ contains
       end do
    end subroutine find_slope
 
-   !> Solve A_OO x = b over given open cells.
-   subroutine solve_open(operator, gap_solver, is_open, load, x)
+   !> Solve A_OO x = b over given open cells. Where the slopes of adhesion leave no positive A, x is below 0 somewhere.
+   subroutine solve_open(operator, gap_solver, is_open, load, x, cohesion)
       !> Operator of this grid.
       type(periodic_operator_t), intent(inout) :: operator
       !> Workspace for the cells of this grid.
@@ -271,7 +336,8 @@ contains
       real(dp), intent(in), contiguous :: load(:, :)
       !> Receives x, 0 in closed cells.
       real(dp), intent(out), contiguous :: x(:, :)
-      type(cohesion_t), allocatable :: no_cohesion
+      !> Adhesion whose slopes are taken from A; not allocated: none.
+      type(cohesion_t), allocatable, intent(in) :: cohesion
       type(extremes_t) :: extremes
       real(dp), allocatable :: pressure(:, :)
       real(dp) :: mean_pressure, largest
@@ -285,66 +351,49 @@ contains
       call gap_solver%forget()
       call gap_solver%set_region(operator, is_open, .false., .false., .false.)
       do k = 1, most_steps
-         call gap_solver%improve(operator, is_open, 0.0_dp, x, pressure, mean_pressure, extremes, is_stuck, no_cohesion)
+         call gap_solver%improve(operator, is_open, 0.0_dp, x, pressure, mean_pressure, extremes, is_stuck, cohesion)
          if (is_stuck .or. extremes%left <= linear_tolerance*largest) exit
       end do
+      if (allocated(cohesion) .and. is_stuck .and. extremes%left > linear_tolerance*largest) x(:, :) = -1
    end subroutine solve_open
 
-   !> Shares of a coarser grid, so wide or so narrow that they bound those of the finer one.
-   pure subroutine widen_share(coarse, is_quarter, is_wider, bound)
-      !> Shares on the coarser grid.
-      real(dp), intent(in), contiguous :: coarse(:, :)
+   !> Bounds of shares that are known but for a few cells: 1 in cells that the zone may reach, 0 in others.
+   pure subroutine widen_share(share, is_quarter, is_wider, bound)
+      !> The shares; shape of the cells.
+      real(dp), intent(in), contiguous :: share(:, :)
       !> Is the surface even about 0 and half a period in x and in y, and only that quarter given?
       logical, intent(in) :: is_quarter
-      !> Shall they be wider? Else narrower.
+      !> Shall the zone be wider? Else narrower.
       logical, intent(in) :: is_wider
-      !> Receives 1 or 0 in the cells of the finer grid.
+      !> Receives 1 or 0; shape of the cells.
       real(dp), intent(out), contiguous :: bound(:, :)
-      !> Cells of the coarser grid by which edges may be elsewhere.
-      integer, parameter :: cells_beside = 1
-      logical :: is_in(size(coarse, 1), size(coarse, 2)), is_near(size(coarse, 1), size(coarse, 2))
-      integer :: k, i, j, n(2), m(2)
+      integer :: i, j, n(2)
 
-      n = shape(coarse)
-      m = shape(bound)
-      is_in = coarse > 0
-      if (.not. is_wider) is_in = coarse < 1
-      ! what is not to be reached grows
-      do k = 1, cells_beside
-         is_near = is_in
-         do j = 1, n(2)
-            do i = 1, n(1)
-               if (.not. is_in(i, j)) cycle
-               is_near([before(i, n(1)), i, behind(i, n(1))], [before(j, n(2)), j, behind(j, n(2))]) = .true.
-            end do
-         end do
-         is_in = is_near
-      end do
-      do j = 1, m(2)
-         do i = 1, m(1)
-            bound(i, j) = merge(1.0_dp, 0.0_dp, is_in((i*n(1) + m(1) - 1)/m(1), (j*n(2) + m(2) - 1)/m(2)) .eqv. is_wider)
+      n = shape(share)
+      bound(:, :) = merge(0, 1, is_wider)
+      ! what is in grows, or what is out
+      do j = 1, n(2)
+         do i = 1, n(1)
+            if (merge(share(i, j) > 0, share(i, j) < 1, is_wider)) bound(beside(i, n(1)), beside(j, n(2))) = merge(1, 0, is_wider)
          end do
       end do
 
    contains
 
-      !> The cell before a cell, in a period or in a mirror.
-      pure integer function before(k, n_cells)
+      !> A cell and those beside it, in a period or in a mirror.
+      pure function beside(k, n_cells) result(cells)
          !> The cell, and the number of cells.
          integer, intent(in) :: k, n_cells
+         integer :: cells(2*cells_beside + 1)
+         integer :: i
 
-         before = k - 1
-         if (k == 1) before = merge(1, n_cells, is_quarter)
-      end function before
-
-      !> The cell behind a cell, in a period or in a mirror.
-      pure integer function behind(k, n_cells)
-         !> The cell, and the number of cells.
-         integer, intent(in) :: k, n_cells
-
-         behind = k + 1
-         if (k == n_cells) behind = merge(n_cells, 1, is_quarter)
-      end function behind
+         cells = [(i, i=k - cells_beside, k + cells_beside)]
+         if (is_quarter) then
+            cells = max(1, min(cells, n_cells))
+         else
+            cells = modulo(cells - 1, n_cells) + 1
+         end if
+      end function beside
 
    end subroutine widen_share
 

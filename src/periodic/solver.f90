@@ -8,8 +8,6 @@ module adfric_periodic_solver
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_periodic_area, only: area_t, area_of_cells, refine_area
    use adfric_periodic_friction, only: friction_t, get_friction, get_losses
-   use adfric_periodic_adhesive_contact, only: solve_adhesive_contact, widen_share
-   use adfric_periodic_cohesion, only: new_cohesion
    use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact, residual_of
    use adfric_periodic_gap_solver, only: gap_solver_t, new_gap_solver
    use adfric_periodic_grids, only: coarsen, refine, n_grids_of
@@ -18,7 +16,8 @@ module adfric_periodic_solver
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    implicit none (type, external)
    private
-   public :: periodic_solver_t, periodic_solution_t, periodic_adhesion_t, new_periodic_solver
+   public :: periodic_solver_t, periodic_solution_t, new_periodic_solver
+   public :: check_shape, set_full_pressure, set_solution, start_from_coarse, coarse_tolerance
    public :: contact_solved, contact_not_converged, contact_out_of_range, grids_for_error
 
    !> How a solution ended.
@@ -29,18 +28,6 @@ module adfric_periodic_solver
    integer, parameter :: grids_for_error = 3
    !> Largest residual that a grid other than the finest needs.
    real(dp), parameter :: coarse_tolerance = 1.0e-6_dp
-
-   !> Adhesion of Maugis and Dugdale, and which of the states is wanted.
-   type :: periodic_adhesion_t
-      !> Tension sigma0 [E*], and range h0 in the unit of the gap; both > 0.
-      real(dp) :: stress = 0, range = 0
-      !> Is the most adhered state wanted? Else the least adhered one is, which slow loading reaches.
-      logical :: is_adhered = .true.
-      !> Was the surface loaded no further than to `turning_pressure` [E*] before? Of use for the most adhered state alone.
-      logical :: has_turned = .false.
-      !> Mean pressure from which the load falls [E*], >= 0.
-      real(dp) :: turning_pressure = 0
-   end type periodic_adhesion_t
 
    !> What a solution is; the maps have the shape of the cells.
    type :: periodic_solution_t
@@ -89,14 +76,11 @@ module adfric_periodic_solver
 
    !> Plans and workspaces for one size of surface. Not to be copied; one for each thread.
    type :: periodic_solver_t
-      private
-      !> The finest is the last.
+      !> The finest is the last. They are `adfric_periodic_adhesive_solver`'s as well, and nobody else's.
       type(grid_t), allocatable :: grids(:)
    contains
       procedure :: solve_load
       procedure :: solve_penetration
-      procedure :: solve_adhesive_load
-      procedure, private :: pass_grids
       procedure, private :: solve
       procedure, private :: set_touch
    end type periodic_solver_t
@@ -195,115 +179,6 @@ contains
          solution%status = contact_out_of_range
       end if
    end subroutine solve_penetration
-
-   !> Solve under a mean pressure with adhesion; elastic solids alone.
-   subroutine solve_adhesive_load(self, shape, mean_pressure, adhesion, tolerance, solution, error)
-      !> Solver for surfaces of these cells and periods.
-      class(periodic_solver_t), intent(inout) :: self
-      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
-      real(dp), intent(in) :: shape(:, :)
-      !> Mean pressure [E*], negative where the surface is pulled.
-      real(dp), intent(in) :: mean_pressure
-      !> The law, and which state is wanted.
-      type(periodic_adhesion_t), intent(in) :: adhesion
-      !> Largest residual that is allowed [-].
-      real(dp), intent(in) :: tolerance
-      !> The solution; `status` tells how it ended. Out of range: no state with contact carries the load.
-      type(periodic_solution_t), intent(out) :: solution
-      !> Not allocated if all went well.
-      type(error_t), allocatable, intent(out) :: error
-      type(contact_state_t), allocatable :: states(:), turned(:)
-      integer :: k, n
-
-      call check_shape(self, shape, error)
-      if (allocated(error)) return
-      n = size(self%grids)
-      allocate (states(n), turned(n))
-      states(n)%shape = shape
-      do k = n, 1, -1
-         if (k < n) states(k)%shape = coarsen(states(k + 1)%shape)
-         allocate (states(k)%cohesion)
-         call new_cohesion(states(k)%cohesion, adhesion%stress, adhesion%range, self%grids(k)%operator%is_quarter)
-         states(k)%mean_pressure = mean_pressure
-      end do
-      if (adhesion%is_adhered .and. adhesion%has_turned .and. mean_pressure < adhesion%turning_pressure) then
-         turned(:) = states
-         do k = 1, n
-            turned(k)%mean_pressure = adhesion%turning_pressure
-         end do
-         call self%pass_grids(turned, .false., tolerance, solution)
-         if (solution%status == contact_solved) call self%pass_grids(states, .true., tolerance, solution, turned)
-      else
-         call self%pass_grids(states, adhesion%is_adhered .and. .not. adhesion%has_turned, tolerance, solution)
-      end if
-      if (solution%status == contact_out_of_range) return
-      call set_full_pressure(self%grids(n)%operator, shape, solution)
-      call set_solution(states, self%grids(n)%operator, solution)
-   end subroutine solve_adhesive_load
-
-   !> Solve with adhesion on each grid, from the coarsest to the finest.
-   subroutine pass_grids(self, states, is_adhered, tolerance, solution, turned)
-      !> Solver for surfaces of these cells and periods.
-      class(periodic_solver_t), intent(inout) :: self
-      !> In: shape, load and law on each grid. Out: the states; without a gap where there is no contact.
-      type(contact_state_t), intent(inout) :: states(:)
-      !> Is the most adhered state wanted?
-      logical, intent(in) :: is_adhered
-      !> Largest residual that is allowed [-].
-      real(dp), intent(in) :: tolerance
-      !> Receives pairs of transforms and how it ended.
-      type(periodic_solution_t), intent(inout) :: solution
-      !> States that are more adhered than those that are wanted, or as much.
-      type(contact_state_t), intent(in), optional :: turned(:)
-      type(contact_state_t) :: blank
-      real(dp), allocatable :: bound(:, :), near(:, :)
-      logical :: has_contact, has_guess
-      integer :: k, n_before
-
-      has_contact = .false.
-      do k = 1, size(states)
-         associate (grid => self%grids(k), state => states(k))
-            n_before = grid%operator%n_applied
-            has_guess = has_contact
-            blank = state
-            bound = first_bound(state, is_adhered)
-            if (has_guess) then
-               call start_from_coarse(state, states(max(k - 1, 1)), grid%operator)
-               state%mean_pressure = blank%mean_pressure
-               near = bound
-               call widen_share(states(max(k - 1, 1))%cohesion%share, grid%operator%is_quarter, is_adhered, near)
-               bound(:, :) = merge(min(near, bound), max(near, bound), is_adhered)
-            end if
-            if (present(turned)) bound(:, :) = min(bound, turned(k)%cohesion%share)
-            call solve_adhesive_contact(state, grid%operator, grid%gap_solver, merge(tolerance, coarse_tolerance, &
-               & k == size(states)), is_adhered, bound, has_guess, has_contact)
-            if (.not. has_contact) state = blank
-            solution%n_applied = grid%operator%n_applied - n_before
-            solution%n_pairs = solution%n_pairs + solution%n_applied &
-               & *(real(size(state%shape), dp)/size(states(size(states))%shape))
-         end associate
-      end do
-      solution%status = contact_out_of_range
-      if (has_contact) solution%status = merge(contact_solved, contact_not_converged, states(size(states))%is_converged)
-   end subroutine pass_grids
-
-   !> Shares that bound those of the wanted state whatever it is. Under no load they are those of first touch.
-   function first_bound(state, is_adhered) result(bound)
-      !> Shape, load and law.
-      type(contact_state_t), intent(in) :: state
-      !> Is the most adhered state wanted?
-      logical, intent(in) :: is_adhered
-      real(dp), allocatable :: bound(:, :)
-      type(contact_state_t) :: touch
-
-      allocate (bound, mold=state%shape)
-      bound(:, :) = merge(1, 0, is_adhered)
-      if (is_adhered .or. state%mean_pressure > 0) return
-      touch = state
-      call touch%cohesion%set_share(state%shape)
-      bound(:, :) = touch%cohesion%share
-      if (state%mean_pressure < 0) bound(:, :) = 0
-   end function first_bound
 
    !> The shape must be one of the finest grid.
    pure subroutine check_shape(self, shape, error)
@@ -466,7 +341,6 @@ contains
       ! what little pressure was left in open cells is that of the others, so that they carry the load
       total = sum_of(solution%pressure)
       if (total > 0) solution%pressure(:, :) = solution%pressure*(load_of(states(n))*size(solution%pressure)/total)
-      if (allocated(states(n)%cohesion)) call take_tension(states(n), solution)
    end subroutine set_solution
 
    !> The mean pressure that contact carries: the load, and the tension that presses the surfaces together.
@@ -478,20 +352,5 @@ contains
       if (state%resists_mean) load = sum_of(state%pressure)/size(state%pressure)
       if (allocated(state%cohesion)) load = load + state%cohesion%stress*(sum_of(state%cohesion%share)/size(state%pressure))
    end function load_of
-
-   !> Take the tension of adhesion from the pressure, and find the energies.
-   subroutine take_tension(state, solution)
-      !> A solved contact with adhesion.
-      type(contact_state_t), intent(in) :: state
-      !> In: pressure with the tension added. Out: the pressure, shares and energies.
-      type(periodic_solution_t), intent(inout) :: solution
-      real(dp), allocatable :: stiff(:, :)
-
-      solution%share = state%cohesion%share
-      solution%pressure(:, :) = solution%pressure - state%cohesion%stress*solution%share
-      allocate (stiff, source=solution%pressure - solution%mean_pressure)
-      solution%elastic_energy = sum((solution%gap - state%shape)*stiff)/(2*size(stiff))
-      solution%adhesion_energy = state%cohesion%energy_of(solution%gap)
-   end subroutine take_tension
 
 end module adfric_periodic_solver

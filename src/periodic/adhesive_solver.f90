@@ -1,0 +1,165 @@
+!> Adhesive contact of a periodic surface with an elastic half-space on nested grids: load to pressure, gap and area on either branch.
+!>
+!> Each grid has the state of the wanted branch (`adfric_periodic_adhesive_contact`), found from shares that are 1 or 0 everywhere; a coarser
+!> one says where Newton's method begins. On the finest grid alone the zones of the next coarser one, wider or narrower by a cell,
+!> are the bound, where that has contact. So the load of a jump is known as well as a grid of half the cells knows it: nearer to a jump
+!> the answer may be the state on its other side.
+module adfric_periodic_adhesive_solver
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t
+   use adfric_periodic_adhesive_contact, only: solve_adhesive_contact, widen_share
+   use adfric_periodic_cohesion, only: new_cohesion
+   use adfric_periodic_contact, only: contact_state_t
+   use adfric_periodic_grids, only: coarsen
+   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, check_shape, set_full_pressure, set_solution, &
+      & start_from_coarse, coarse_tolerance, contact_solved, contact_not_converged, contact_out_of_range
+   implicit none (type, external)
+   private
+   public :: periodic_adhesion_t, solve_adhesive_load
+
+   !> Adhesion of Maugis and Dugdale, and which of the states is wanted.
+   type :: periodic_adhesion_t
+      !> Tension sigma0 [E*], and range h0 in the unit of the gap; both > 0.
+      real(dp) :: stress = 0, range = 0
+      !> Is the most adhered state wanted? Else the least adhered one is, which slow loading reaches.
+      logical :: is_adhered = .true.
+      !> Was the surface loaded no further than to `turning_pressure` [E*] before? Of use for the most adhered state alone.
+      logical :: has_turned = .false.
+      !> Mean pressure from which the load falls [E*], >= 0.
+      real(dp) :: turning_pressure = 0
+   end type periodic_adhesion_t
+
+contains
+
+   !> Solve under a mean pressure with adhesion; elastic solids alone.
+   subroutine solve_adhesive_load(self, shape, mean_pressure, adhesion, tolerance, solution, error)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> Mean pressure [E*], negative where the surface is pulled.
+      real(dp), intent(in) :: mean_pressure
+      !> The law, and which state is wanted.
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> The solution; `status` tells how it ended. Out of range: no state with contact carries the load.
+      type(periodic_solution_t), intent(out) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(contact_state_t), allocatable :: states(:), turned(:)
+      integer :: k, n
+
+      call check_shape(self, shape, error)
+      if (allocated(error)) return
+      n = size(self%grids)
+      allocate (states(n), turned(n))
+      states(n)%shape = shape
+      do k = n, 1, -1
+         if (k < n) states(k)%shape = coarsen(states(k + 1)%shape)
+         allocate (states(k)%cohesion)
+         call new_cohesion(states(k)%cohesion, adhesion%stress, adhesion%range, self%grids(k)%operator%is_quarter)
+         states(k)%mean_pressure = mean_pressure
+      end do
+      if (adhesion%is_adhered .and. adhesion%has_turned .and. mean_pressure < adhesion%turning_pressure) then
+         turned(:) = states
+         do k = 1, n
+            turned(k)%mean_pressure = adhesion%turning_pressure
+         end do
+         call pass_grids(self, turned, .false., tolerance, solution)
+         if (solution%status == contact_solved) call pass_grids(self, states, .true., tolerance, solution, turned)
+      else
+         call pass_grids(self, states, adhesion%is_adhered .and. .not. adhesion%has_turned, tolerance, solution)
+      end if
+      if (solution%status == contact_out_of_range) return
+      call set_full_pressure(self%grids(n)%operator, shape, solution)
+      call set_solution(states, self%grids(n)%operator, solution)
+      call take_tension(states(n), solution)
+   end subroutine solve_adhesive_load
+
+   !> Solve with adhesion on each grid, from the coarsest to the finest.
+   subroutine pass_grids(self, states, is_adhered, tolerance, solution, turned)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: self
+      !> In: shape, load and law on each grid. Out: the states; without a gap where there is no contact.
+      type(contact_state_t), intent(inout) :: states(:)
+      !> Is the most adhered state wanted?
+      logical, intent(in) :: is_adhered
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> Receives pairs of transforms and how it ended.
+      type(periodic_solution_t), intent(inout) :: solution
+      !> States that are more adhered than those that are wanted, or as much.
+      type(contact_state_t), intent(in), optional :: turned(:)
+      type(contact_state_t) :: blank
+      real(dp), allocatable :: bound(:, :), widest(:, :)
+      logical :: has_contact, has_guess, is_sure
+      integer :: k, n_before
+
+      has_contact = .false.
+      do k = 1, size(states)
+         associate (grid => self%grids(k), state => states(k))
+            n_before = grid%operator%n_applied
+            has_guess = has_contact
+            blank = state
+            allocate (bound, widest, mold=state%shape)
+            call get_first_bound(state, is_adhered, widest)
+            if (present(turned)) widest(:, :) = min(widest, turned(k)%cohesion%share)
+            bound(:, :) = widest
+            if (has_guess) then
+               call start_from_coarse(state, states(max(k - 1, 1)), grid%operator)
+               state%mean_pressure = blank%mean_pressure
+               call state%cohesion%set_share(state%gap)
+            end if
+            is_sure = .not. (has_guess .and. k == size(states))
+            if (.not. is_sure) then
+               call widen_share(state%cohesion%share, grid%operator%is_quarter, is_adhered, bound)
+               bound(:, :) = merge(min(bound, widest), max(bound, widest), is_adhered)
+            end if
+            call solve_adhesive_contact(state, grid%operator, grid%gap_solver, merge(tolerance, coarse_tolerance, &
+               & k == size(states)), is_adhered, bound, is_sure, has_guess, has_contact)
+            if (.not. has_contact) state = blank
+            deallocate (bound, widest)
+            solution%n_applied = grid%operator%n_applied - n_before
+            solution%n_pairs = solution%n_pairs + solution%n_applied &
+               & *(real(size(state%shape), dp)/size(states(size(states))%shape))
+         end associate
+      end do
+      solution%status = contact_out_of_range
+      if (has_contact) solution%status = merge(contact_solved, contact_not_converged, states(size(states))%is_converged)
+   end subroutine pass_grids
+
+   !> Shares that bound those of the wanted state whatever it is. Under no load they are those of first touch.
+   subroutine get_first_bound(state, is_adhered, bound)
+      !> Shape, load and law.
+      type(contact_state_t), intent(in) :: state
+      !> Is the most adhered state wanted?
+      logical, intent(in) :: is_adhered
+      !> Receives the shares; shape of the cells.
+      real(dp), intent(out), contiguous :: bound(:, :)
+      type(contact_state_t) :: touch
+
+      bound(:, :) = merge(1, 0, is_adhered)
+      if (is_adhered .or. state%mean_pressure > 0) return
+      touch = state
+      call touch%cohesion%set_share(state%shape)
+      bound(:, :) = touch%cohesion%share
+      if (state%mean_pressure < 0) bound(:, :) = 0
+   end subroutine get_first_bound
+
+   !> Take the tension of adhesion from the pressure, and find the energies.
+   subroutine take_tension(state, solution)
+      !> A solved contact with adhesion.
+      type(contact_state_t), intent(in) :: state
+      !> In: pressure with the tension added. Out: the pressure, shares and energies.
+      type(periodic_solution_t), intent(inout) :: solution
+      real(dp), allocatable :: stiff(:, :)
+
+      solution%share = state%cohesion%share
+      solution%pressure(:, :) = solution%pressure - state%cohesion%stress*solution%share
+      allocate (stiff, source=solution%pressure - solution%mean_pressure)
+      solution%elastic_energy = sum((solution%gap - state%shape)*stiff)/(2*size(stiff))
+      solution%adhesion_energy = state%cohesion%energy_of(solution%gap)
+   end subroutine take_tension
+
+end module adfric_periodic_adhesive_solver
