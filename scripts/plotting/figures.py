@@ -19,6 +19,7 @@ MOST_RESULTS = 6
 ROUGH_LINES = ("profile", "cosines")
 # results drawn against a swept variable, as far as they vary, by model and variable; for others it is all that vary
 SHOWN = {
+    ("hertz", "velocity"): ("friction_coefficient", "contact_half_width", "contact_shift", "peak_pressure"),
     ("wavy_sliding", "load"): ("contact_width", "friction_force"),
     ("wavy_sliding", "velocity"): ("friction_coefficient",),
     ("sphere", "load"): ("friction_force", "friction_area"),

@@ -1,36 +1,47 @@
-!> The model `hertz`: smooth elastic bodies in contact along a line, on a circle or on an ellipse, without friction.
+!> The model `hertz`: smooth elastic bodies in contact along a line, on a circle or on an ellipse, without friction; or a rigid
+!> cylinder that slides over a viscoelastic half-plane (Hunter).
 module adfric_classical_hertz_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_classical_model, only: halfspace_model_t
-   use adfric_classical_hertz_ellipse, only: ellipse_t, ellipse_shape_t, find_curvatures, ellipse_of_load, &
+   use adfric_classical_hertz_check, only: check_hertz, is_sliding, get_curvatures
+   use adfric_classical_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
       & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
    use adfric_classical_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap, line_misfit
    use adfric_classical_hertz_unit, only: unit_contact_t, find_unit_line, find_unit_ellipse
-   use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, check_contact_modulus
+   use adfric_classical_hertz_variables, only: get_hertz_variables, get_hertz_results, kind_line, v_approach, v_contact_modulus, &
+      & v_kind, v_load, v_material, v_poisson_ratio, v_radius, v_second_poisson_ratio, v_temperature, r_approach, &
+      & r_contact_area, r_direction, r_half_width, r_load, r_mean_pressure, r_minor, r_peak_pressure, r_shear, r_shear_depth, &
+      & r_violation
+   use adfric_classical_sliding_cylinder_point, only: cylinder_point_t, solve_cylinder, get_cylinder_profiles, &
+      & get_cylinder_frequency
+   use adfric_material_contact_modulus, only: contact_modulus_of, derive_contact_modulus
+   use adfric_material_given_spectrum, only: given_spectrum_t
+   use adfric_material_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum, take_spectrum, &
+      & take_spectrum_attribute
    use adfric_model_pointwise, only: point_state_t
-   use adfric_model_check, only: require, require_one
-   use adfric_model_rows, only: positive, choice, number, contact_profiles, result_row
+   use adfric_model_derived, only: derived_t
+   use adfric_model_rows, only: contact_profiles
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: result_t, variable_t, profile_axis_t
+   use adfric_model_table, only: result_t, profile_axis_t
    implicit none (type, external)
    private
    public :: hertz_model_t, new_hertz_model
 
-   !> Places of the variables, of the words of the kind, and of the results.
-   integer, parameter, public :: v_kind = 1, v_radius = 2, v_radius_1x = 3, v_radius_1y = 4, v_radius_2x = 5, v_radius_2y = 6, &
-      & v_angle = 7, v_contact_modulus = 8, v_poisson_ratio = 10, v_second_poisson_ratio = 12, v_load = 13, v_approach = 14
-   integer, parameter, public :: kind_line = 1, kind_circular = 2, kind_elliptical = 3
-   integer, parameter, public :: r_load = 1, r_approach = 2, r_half_width = 3, r_minor = 4, r_peak_pressure = 5, &
-      & r_mean_pressure = 6, r_contact_area = 7, r_direction = 8, r_shear = 9, r_shear_depth = 10, r_violation = 11
-   integer, parameter :: n_variables = 14, n_results = 11
-
    !> The model `hertz`.
    type, extends(halfspace_model_t) :: hertz_model_t
+      private
+      !> Lists and datasets of the material.
+      type(given_spectrum_t) :: given
    contains
+      procedure :: take_dataset
+      procedure :: take_attribute
       procedure :: check_case
+      procedure :: derive_quantities
+      procedure :: describe_case
+      procedure :: describe_doubts
       procedure :: describe_results
       procedure :: unit_of
       procedure :: solve_point
@@ -55,58 +66,44 @@ contains
    subroutine new_hertz_model(self)
       !> The new model; receives its tables.
       type(hertz_model_t), intent(out) :: self
-      type(variable_t) :: v(n_variables)
 
-      v(v_kind) = choice(group='contact', name='kind', meaning='parallel cylinders, spheres, or any smooth bodies', &
-         & choices='line circular elliptical')
-      v(v_radius) = positive(group='contact', name='radius', unit='m', meaning='R of line and circle, 1/R = 1/R1 + 1/R2')
-      v(v_radius_1x) = number(group='contact', name='radius_1x', unit='m', &
-         & meaning='principal radius of the first body, convex > 0; not given: flat')
-      v(v_radius_1y) = number(group='contact', name='radius_1y', unit='m', meaning='its other principal radius')
-      v(v_radius_2x) = number(group='contact', name='radius_2x', unit='m', meaning='principal radius of the second body')
-      v(v_radius_2y) = number(group='contact', name='radius_2y', unit='m', meaning='its other principal radius')
-      v(v_angle) = number(group='contact', name='angle', unit='rad', &
-         & meaning='from the first principal direction of body 1 to that of body 2', default=0.0_dp)
-      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
-         & v(v_contact_modulus:v_second_poisson_ratio))
-      v(v_poisson_ratio)%meaning = 'of the first body, and for the largest shear stress; a line without it: that in the plane'
-      v(v_load) = number(group='operating', name='load', unit='N; N/m for line', meaning='load', lower=0.0_dp)
-      v(v_approach) = number(group='operating', name='approach', unit='m', &
-         & meaning='of distant points, instead of the load; not for a line', lower=0.0_dp)
-      call self%set_tables(name='hertz', summary='smooth elastic bodies in contact along a line, on a circle or an ellipse', &
-         & variables=v, results=get_results(), profiles=contact_profiles(), axes='y x', is_depth=.false.)
-      self%solids = [v_contact_modulus, v_second_poisson_ratio]
+      call self%set_tables(name='hertz', &
+         & summary='smooth bodies in contact along a line, a circle or an ellipse; a cylinder sliding on a viscoelastic solid', &
+         & variables=get_hertz_variables(), results=get_hertz_results(), profiles=contact_profiles(), axes='y x', is_depth=.false.)
+      self%references = self%references//'; S. C. Hunter, J. Appl. Mech. 28, 611 (1961)'
    end subroutine new_hertz_model
 
-   !> The table of results.
-   function get_results(is_line) result(r)
-      !> Is the contact one along a line, so that load and area are per length? Absent before it is known: then the units are
-      !> those of either.
-      logical, intent(in), optional :: is_line
-      type(result_t) :: r(n_results)
-      character(:), allocatable :: force, area
+   !> See `model_t`.
+   subroutine take_dataset(self, place, values, problems)
+      !> The model, which keeps the values.
+      class(hertz_model_t), intent(inout) :: self
+      !> Place of the variable, one of the rows of the material.
+      integer, intent(in) :: place
+      !> The values in SI units; shape `(n, n_columns)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the values; nothing here.
+      type(problems_t), intent(inout) :: problems
 
-      force = 'N; N/m for line'
-      area = 'm^2; m for line'
-      if (present(is_line)) then
-         force = trim(merge('N/m', 'N  ', is_line))
-         area = trim(merge('m  ', 'm^2', is_line))
-      end if
-      r(r_load) = result_row(name='load', unit=force, long_name='load', is_main=.true.)
-      r(r_approach) = result_row(name='approach', unit='m', long_name='approach of distant points; a line contact has none', &
-         & is_main=.true.)
-      r(r_half_width) = result_row(name='contact_half_width', unit='m', &
-         & long_name='half-width a of contact, along the major axis x', is_main=.true.)
-      r(r_minor) = result_row(name='minor_half_width', unit='m', long_name='half-width b along the minor axis y')
-      r(r_peak_pressure) = result_row(name='peak_pressure', unit='Pa', long_name='largest pressure', is_main=.true.)
-      r(r_mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over area of contact')
-      r(r_contact_area) = result_row(name='contact_area', unit=area, long_name='area of contact')
-      r(r_direction) = result_row(name='major_axis_angle', unit='rad', &
-         & long_name='from the first principal direction of body 1 to the major axis')
-      r(r_shear) = result_row(name='largest_shear_stress', unit='Pa', long_name='largest shear stress in the solid')
-      r(r_shear_depth) = result_row(name='largest_shear_depth', unit='m', long_name='its depth')
-      r(r_violation) = result_row(name='contact_violation', unit='-', long_name='largest violation of g >= 0, p >= 0, g p = 0')
-   end function get_results
+      call take_spectrum(self%given, place - v_material + 1, values)
+      associate (unused => problems)
+      end associate
+   end subroutine take_dataset
+
+   !> See `model_t`.
+   subroutine take_attribute(self, place, name, value, problems)
+      !> The model, which keeps the value.
+      class(hertz_model_t), intent(inout) :: self
+      !> Place of the variable, one of the rows of the material.
+      integer, intent(in) :: place
+      !> Name of the attribute.
+      character(*), intent(in) :: name
+      !> Its value in SI units.
+      real(dp), intent(in) :: value
+      !> Receives what is wrong with it.
+      type(problems_t), intent(inout) :: problems
+
+      call take_spectrum_attribute(self%given, self%variables(place), place - v_material + 1, name, value, problems)
+   end subroutine take_attribute
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
@@ -117,7 +114,7 @@ contains
       type(result_t), allocatable :: results(:)
 
       results = self%results
-      if (is_set(values(v_kind))) results = get_results(nint(values(v_kind)) == kind_line)
+      if (is_set(values(v_kind))) results = get_hertz_results(nint(values(v_kind)) == kind_line)
    end function describe_results
 
    !> See `model_t`: the load of a line is one per length.
@@ -142,37 +139,52 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      real(dp) :: a, b, direction
-      integer :: i
 
-      call require(self%variables, values, [v_kind], problems)
-      call check_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
-         & values(v_contact_modulus:v_second_poisson_ratio), problems, .true.)
-      if (.not. is_set(values(v_kind))) return
-      if (nint(values(v_kind)) == kind_line) then
-         call require(self%variables, values, [v_load], problems)
-         if (is_set(values(v_approach))) call problems%add('operating', 'approach', &
-            & 'is undefined for the line contact of half-planes; give load')
-      else
-         call require_one(self%variables, values, [v_load, v_approach], .true., problems)
-      end if
-      do i = v_radius, v_radius_2y
-         if (i == v_radius .eqv. nint(values(v_kind)) /= kind_elliptical) cycle
-         if (is_set(values(i))) call problems%add('contact', self%variables(i)%name, 'has no meaning for this kind')
-      end do
-      if (nint(values(v_kind)) /= kind_elliptical) then
-         call require(self%variables, values, [v_radius], problems)
-         return
-      end if
-      do i = v_radius_1x, v_radius_2y
-         if (abs(values(i)) > 0) cycle
-         call problems%add('contact', self%variables(i)%name, 'is 0, allowed: any other number; flat if not given')
-         return
-      end do
-      call get_curvatures(values, a, b, direction)
-      if (.not. a > 0) call problems%add('contact', 'radius_1x', &
-         & 'and the other radii do not make a gap that opens in all directions: there is no ellipse of contact')
+      call check_hertz(self%variables, values, self%given, problems)
    end subroutine check_case
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(list)
+      !> The model, for the rows of its moduli.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: list(:)
+
+      if (is_sliding(values)) then
+         call derive_spectrum(list, values(v_material:v_temperature), self%given)
+      else
+         list = derive_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
+            & values(v_contact_modulus:v_second_poisson_ratio))
+      end if
+   end function derive_quantities
+
+   !> See `model_t`.
+   function describe_case(self, values) result(text)
+      !> The model with its lists and datasets.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      if (is_sliding(values)) text = describe_spectrum(values(v_material:v_temperature), self%given)
+   end function describe_case
+
+   !> See `model_t`.
+   function describe_doubts(self, values) result(text)
+      !> The model with its lists and datasets.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      real(dp) :: frequency
+
+      text = ''
+      if (.not. is_sliding(values)) return
+      call get_cylinder_frequency(values, self%given, frequency)
+      text = doubt_spectrum(values(v_material:v_temperature), self%given, [frequency, frequency])
+   end function describe_doubts
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
@@ -182,39 +194,9 @@ contains
       modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
    end function modulus_of
 
-   !> Curvatures A <= B of the gap A x^2 + B y^2; A <= 0 where there is no ellipse of contact.
-   pure subroutine get_curvatures(values, a, b, direction)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Smaller curvature A of the gap [1/m]; 0 or less where there is no single ellipse of contact.
-      real(dp), intent(out) :: a
-      !> Larger curvature B of the gap [1/m].
-      real(dp), intent(out) :: b
-      !> Angle from the first principal direction of the first body to the major axis [rad]; 0 for a circle.
-      real(dp), intent(out) :: direction
-      real(dp) :: curvatures(4)
-      integer :: i
-
-      if (nint(values(v_kind)) /= kind_elliptical) then
-         a = 0.5_dp/values(v_radius)
-         b = a
-         direction = 0
-         return
-      end if
-      a = 0
-      b = 0
-      direction = 0
-      curvatures = 0
-      if (.not. minval(abs(values(v_radius_1x:v_radius_2y))) > 0) return
-      do i = 1, 4
-         if (is_set(values(v_radius_1x + i - 1))) curvatures(i) = 1/values(v_radius_1x + i - 1)
-      end do
-      call find_curvatures(curvatures(:2), curvatures(3:), values(v_angle), a, b, direction)
-   end subroutine get_curvatures
-
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model; nothing is read from it here.
+      !> The model with its lists and datasets.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -229,8 +211,15 @@ contains
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
 
-      if (.not. allocated(state)) allocate (hertz_state_t :: state)
+      status = status_not_converged
+      error_estimate = 0
+      if (.not. allocated(state)) then
+         if (is_sliding(values)) allocate (cylinder_point_t :: state)
+         if (.not. is_sliding(values)) allocate (hertz_state_t :: state)
+      end if
       select type (state)
+      type is (cylinder_point_t)
+         call solve_cylinder(values, self%given, state, results, error_estimate, status)
       type is (hertz_state_t)
          if (nint(values(v_kind)) == kind_line) then
             call solve_line(values, state, results, error_estimate)
@@ -239,7 +228,7 @@ contains
             call solve_ellipse(values, state, results, error_estimate, status)
          end if
       end select
-      associate (unused => self, unused_counts => counts)
+      associate (unused_counts => counts)
       end associate
    end subroutine solve_point
 
@@ -337,6 +326,10 @@ contains
       integer :: j
 
       select type (state)
+      type is (cylinder_point_t)
+         do j = 1, size(axes(1)%coordinates)
+            call get_cylinder_profiles(state, axes(2)%coordinates, profiles(:, j, 1), profiles(:, j, 2))
+         end do
       type is (hertz_state_t)
          associate (s => state%ellipse, y => axes(1)%coordinates, x => axes(2)%coordinates)
             do j = 1, size(y)

@@ -1,0 +1,164 @@
+!> What an input of the model `hertz` may not say, and what its values mean.
+module adfric_classical_hertz_check
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_classical_hertz_ellipse, only: find_curvatures
+   use adfric_classical_hertz_variables, only: kind_line, kind_elliptical, v_angle, v_approach, v_contact_modulus, v_kind, v_load, &
+      & v_material, v_radius, v_radius_1x, v_radius_2y, v_second_poisson_ratio, v_temperature, v_velocity
+   use adfric_classical_sliding_cylinder_point, only: is_possible_cylinder
+   use adfric_material_contact_modulus, only: check_contact_modulus
+   use adfric_material_given_spectrum, only: given_spectrum_t
+   use adfric_material_spectrum_rows, only: check_spectrum, has_spectrum, n_spectrum_rows
+   use adfric_model_check, only: require, require_one
+   use adfric_model_table, only: variable_t
+   implicit none (type, external)
+   private
+   public :: check_hertz, is_sliding, get_curvatures
+
+contains
+
+   !> Add to `problems` what is missing or impossible.
+   subroutine check_hertz(variables, values, given, problems)
+      !> Table of the variables; their names are part of the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_spectrum_t), intent(in) :: given
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: before
+
+      before = problems%count()
+      call require(variables, values, [v_kind], problems)
+      if (is_sliding(values)) then
+         call check_material(variables, values, given, problems)
+      else
+         call check_solid(variables, values, problems)
+      end if
+      if (.not. is_set(values(v_kind))) return
+      if (nint(values(v_kind)) == kind_line) then
+         call require(variables, values, [v_load], problems)
+         if (is_set(values(v_approach))) call problems%add('operating', 'approach', &
+            & 'is undefined for the line contact of half-planes; give load')
+      else
+         call require_one(variables, values, [v_load, v_approach], .true., problems)
+      end if
+      call check_radii(variables, values, problems)
+      if (.not. is_sliding(values) .or. problems%count() > before) return
+      if (.not. is_possible_cylinder(values, given)) call problems%add('operating', 'velocity', &
+         & 'is too small or too large for the radius, the load and the relaxation times')
+   end subroutine check_hertz
+
+   !> Add to `problems` what is wrong with elastic solids, over which no velocity counts.
+   subroutine check_solid(variables, values, problems)
+      !> Table of the variables; their names are part of the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
+      call check_contact_modulus(variables(v_contact_modulus:v_second_poisson_ratio), &
+         & values(v_contact_modulus:v_second_poisson_ratio), problems, .true.)
+      do k = v_temperature, v_velocity
+         if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
+            & 'has no meaning without &material; over an elastic solid nothing rubs')
+      end do
+   end subroutine check_solid
+
+   !> Add to `problems` what is wrong with a viscoelastic material.
+   subroutine check_material(variables, values, given, problems)
+      !> Table of the variables; their names are part of the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_spectrum_t), intent(in) :: given
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      logical :: is_swept(n_spectrum_rows)
+      integer :: k
+
+      if (is_set(values(v_kind)) .and. nint(values(v_kind)) /= kind_line) call problems%add('contact', 'kind', &
+         & 'is not ''line''; over &material only a cylinder slides')
+      k = findloc(is_set(values(v_contact_modulus:v_second_poisson_ratio)), .true., 1)
+      if (k > 0) call problems%add('solid', variables(v_contact_modulus - 1 + k)%name, &
+         & 'stands beside &material, over which a rigid cylinder slides; give &solid for elastic solids, or &material')
+      ! what is swept has a value here, and is refused for that
+      is_swept = .false.
+      call check_spectrum(variables(v_material:v_temperature), values(v_material:v_temperature), given, is_swept, &
+         & problems)
+      call require(variables, values, [v_velocity], problems)
+   end subroutine check_material
+
+   !> Add to `problems` radii that do not go with the kind of contact, or make none.
+   subroutine check_radii(variables, values, problems)
+      !> Table of the variables; their names are part of the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      real(dp) :: a, b, direction
+      integer :: i
+
+      do i = v_radius, v_radius_2y
+         if (i == v_radius .eqv. nint(values(v_kind)) /= kind_elliptical) cycle
+         if (is_set(values(i))) call problems%add('contact', variables(i)%name, 'has no meaning for this kind')
+      end do
+      if (nint(values(v_kind)) /= kind_elliptical) then
+         call require(variables, values, [v_radius], problems)
+         return
+      end if
+      do i = v_radius_1x, v_radius_2y
+         if (abs(values(i)) > 0) cycle
+         call problems%add('contact', variables(i)%name, 'is 0, allowed: any other number; flat if not given')
+         return
+      end do
+      call get_curvatures(values, a, b, direction)
+      if (.not. a > 0) call problems%add('contact', 'radius_1x', &
+         & 'and the other radii do not make a gap that opens in all directions: there is no ellipse of contact')
+   end subroutine check_radii
+
+   !> Does a cylinder slide over a viscoelastic half-plane?
+   pure logical function is_sliding(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      is_sliding = has_spectrum(values(v_material:v_temperature))
+   end function is_sliding
+
+   !> Curvatures A <= B of the gap A x^2 + B y^2; A <= 0 where there is no ellipse of contact.
+   pure subroutine get_curvatures(values, a, b, direction)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Smaller curvature A of the gap [1/m]; 0 or less where there is no single ellipse of contact.
+      real(dp), intent(out) :: a
+      !> Larger curvature B of the gap [1/m].
+      real(dp), intent(out) :: b
+      !> Angle from the first principal direction of the first body to the major axis [rad]; 0 for a circle.
+      real(dp), intent(out) :: direction
+      real(dp) :: curvatures(4)
+      integer :: i
+
+      if (nint(values(v_kind)) /= kind_elliptical) then
+         a = 0.5_dp/values(v_radius)
+         b = a
+         direction = 0
+         return
+      end if
+      a = 0
+      b = 0
+      direction = 0
+      curvatures = 0
+      if (.not. minval(abs(values(v_radius_1x:v_radius_2y))) > 0) return
+      do i = 1, 4
+         if (is_set(values(v_radius_1x + i - 1))) curvatures(i) = 1/values(v_radius_1x + i - 1)
+      end do
+      call find_curvatures(curvatures(:2), curvatures(3:), values(v_angle), a, b, direction)
+   end subroutine get_curvatures
+
+end module adfric_classical_hertz_check

@@ -1,0 +1,175 @@
+!> Pressure and gap of a cylinder that slides over a viscoelastic half-plane, at a place. Units and symbols as in
+!> `sliding_cylinder`; y = x - m, R^2 = (1 - y^2)/4.
+!>
+!> In the contact, with the sums G_i of the shift,
+!>
+!>     p = 2 R + 2 sum_i e_i G_i int_y^1 e^(-(z-y)/a_i) [1 + z a_i/(4 rho_i)] dz/R
+!>
+!> In the gap, with |y| = cosh v,
+!>
+!>     g = (sinh 2v - 2v)/4 + m sinh v sign(y) + sum_j eta_j int_y e^(-(z-y)/b_j) [|z|/sqrt(z^2 - 1) - 4 rho'_j v(z)/b_j^2] dz
+!>
+!> up to the trailing edge from behind, and without end ahead.
+module adfric_classical_sliding_cylinder_profile
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
+   use adfric_base_kinds, only: dp
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_numerics_double_exponential, only: integrand_t, integrate
+   use adfric_numerics_hyperbolic, only: sinh_minus_argument
+   use adfric_classical_sliding_cylinder, only: cylinder_contact_t
+   implicit none (type, external)
+   private
+   public :: sliding_cylinder_pressure, sliding_cylinder_gap, signed_cylinder_pressure, signed_cylinder_gap
+
+   !> Exponent whose decay is nothing.
+   real(dp), parameter :: long_way = 45
+
+   !> What a relaxation length adds to the pressure at a place in the contact.
+   type, extends(integrand_t) :: contact_integrand_t
+      !> Way from the trailing edge to the place, 1 + y.
+      real(dp) :: from_trailing = 0
+      !> What is left from the end of the range to the leading edge.
+      real(dp) :: rest = 0
+      !> Relaxation length a, and a/(4 rho).
+      real(dp) :: length = 1, factor = 0
+   contains
+      procedure :: evaluate => contact_term
+   end type contact_integrand_t
+
+   !> What a retardation length adds to the gap at a place.
+   type, extends(integrand_t) :: gap_integrand_t
+      !> Way from the leading edge to the place, or from the place to the trailing edge.
+      real(dp) :: way = 0
+      !> Does the place lie ahead of the contact?
+      logical :: is_ahead = .true.
+      !> What is left from the end of the range to the trailing edge.
+      real(dp) :: rest = 0
+      !> Retardation length b, and 4 rho'/b^2.
+      real(dp) :: length = 1, factor = 0
+   contains
+      procedure :: evaluate => gap_term
+   end type gap_integrand_t
+
+contains
+
+   !> Pressure at x, >= 0: next to an edge round-off may change the sign of its terms.
+   pure real(dp) function sliding_cylinder_pressure(contact, x) result(p)
+      !> The contact.
+      type(cylinder_contact_t), intent(in) :: contact
+      !> Place along the surface, from the lowest point of the cylinder [w].
+      real(dp), intent(in) :: x
+      real(dp) :: y
+
+      y = x - contact%shift%shift
+      p = 0
+      if (abs(y) >= 1) return
+      p = signed_cylinder_pressure(contact, 1 + y, 1 - y)
+      if (.not. ieee_is_nan(p)) p = max(0.0_dp, p)
+   end function sliding_cylinder_pressure
+
+   !> Pressure in the contact as its terms give it.
+   pure real(dp) function signed_cylinder_pressure(contact, from_trailing, to_leading) result(p)
+      !> The contact.
+      type(cylinder_contact_t), intent(in) :: contact
+      !> Distances of the place from the edges [w], both > 0; their sum is 2, and the smaller one has all its digits.
+      real(dp), intent(in) :: from_trailing, to_leading
+      type(contact_integrand_t) :: integrand
+      real(dp) :: part, range, amplitude
+      integer :: i
+      logical :: is_converged
+
+      p = sqrt(from_trailing*to_leading)
+      integrand%from_trailing = from_trailing
+      do i = 1, contact%solid%n_arms
+         amplitude = 2*contact%solid%ratios(i)*contact%shift%edge_pressures(i)
+         if (.not. abs(amplitude) > 0) cycle
+         integrand%length = contact%solid%relaxation(i)
+         integrand%factor = integrand%length/(4*contact%rho(i))
+         range = min(to_leading, long_way*integrand%length)
+         integrand%rest = to_leading - range
+         call integrate(integrand, range, part, is_converged, epsilon(p)/abs(amplitude))
+         p = p + amplitude*part
+         if (.not. is_converged) p = not_a_number()
+      end do
+   end function signed_cylinder_pressure
+
+   !> The integrand of the pressure, see `integrand_t`.
+   pure real(dp) function contact_term(self, from_left, from_right) result(term)
+      !> The arm and the place.
+      class(contact_integrand_t), intent(in) :: self
+      !> Distance from the place.
+      real(dp), intent(in) :: from_left
+      !> Distance from the end of the range.
+      real(dp), intent(in) :: from_right
+      real(dp) :: to_leading, to_trailing
+
+      to_leading = from_right + self%rest
+      to_trailing = self%from_trailing + from_left
+      term = exp(-from_left/self%length)*(1 + (to_trailing - 1)*self%factor)*2/sqrt(to_leading*to_trailing)
+   end function contact_term
+
+   !> Gap at x, >= 0: next to an edge round-off may change the sign of its terms.
+   pure real(dp) function sliding_cylinder_gap(contact, x) result(g)
+      !> The contact.
+      type(cylinder_contact_t), intent(in) :: contact
+      !> Place along the surface, from the lowest point of the cylinder [w].
+      real(dp), intent(in) :: x
+      real(dp) :: y
+
+      y = x - contact%shift%shift
+      g = 0
+      if (abs(y) <= 1) return
+      g = signed_cylinder_gap(contact, abs(y) - 1, y > 0)
+      if (.not. ieee_is_nan(g)) g = max(0.0_dp, g)
+   end function sliding_cylinder_gap
+
+   !> Gap beside the contact as its terms give it.
+   pure real(dp) function signed_cylinder_gap(contact, way, is_ahead) result(g)
+      !> The contact.
+      type(cylinder_contact_t), intent(in) :: contact
+      !> Distance of the place from the nearer edge [w], > 0.
+      real(dp), intent(in) :: way
+      !> Does the place lie ahead of the contact?
+      logical, intent(in) :: is_ahead
+      type(gap_integrand_t) :: integrand
+      real(dp) :: v, part, range
+      integer :: j
+      logical :: is_converged
+
+      integrand%way = way
+      integrand%is_ahead = is_ahead
+      v = 2*asinh(sqrt(way/2))
+      g = 0
+      do j = 1, contact%solid%n_arms
+         integrand%length = contact%solid%retardation(j)
+         integrand%factor = 4*contact%gap_rho(j)/integrand%length**2
+         range = long_way*integrand%length
+         if (.not. is_ahead) range = min(range, way)
+         integrand%rest = way - range
+         call integrate(integrand, range, part, is_converged)
+         g = g + contact%shift%shares(j)*part
+         if (.not. is_converged) g = not_a_number()
+      end do
+      g = g + sinh_minus_argument(2*v)/4 + merge(1, -1, is_ahead)*contact%shift%shift*sinh(v)
+   end function signed_cylinder_gap
+
+   !> The integrand of the gap, see `integrand_t`.
+   pure real(dp) function gap_term(self, from_left, from_right) result(term)
+      !> The arm and the place.
+      class(gap_integrand_t), intent(in) :: self
+      !> Distance from the place.
+      real(dp), intent(in) :: from_left
+      !> Distance from the end of the range.
+      real(dp), intent(in) :: from_right
+      real(dp) :: to_edge
+
+      if (self%is_ahead) then
+         to_edge = self%way + from_left
+      else
+         to_edge = from_right + self%rest
+      end if
+      term = (1 + to_edge)/sqrt(to_edge*(2 + to_edge)) - self%factor*2*asinh(sqrt(to_edge/2))
+      term = exp(-from_left/self%length)*term
+   end function gap_term
+
+end module adfric_classical_sliding_cylinder_profile
