@@ -83,6 +83,7 @@ class PlotTest(PlotCase):
             (halfspace.draw_half_axes, "hertz", [radius], []),
             (halfspace.draw_half_axes, "hertz", [("radius_2y", [-10.0, -1.0, -0.1])], []),
             (figures.draw_pressure_maps, "hertz", [radius], [y, x]),
+            (figures.draw_sweep, "hertz", [load, ("velocity", [0.1, 1.0, 10.0])], []),
             (figures.sphere.draw_radii, "sphere", [work, ("contact_radius", [0.5, 1.0, 1.5])], []),
         ):
             with self.subTest(expected=expected.__name__, model=model):

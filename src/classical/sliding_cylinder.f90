@@ -12,7 +12,7 @@
 module adfric_classical_sliding_cylinder
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_numerics_bessel_ratios, only: bessel_i1_i0, bessel_i2_i0, bessel_k1_k0
+   use adfric_numerics_bessel_ratios, only: bessel_i1_deficit, bessel_i1_i0, bessel_i2_i0, bessel_k1_k0
    use adfric_numerics_secant_root, only: rising_equation_t, find_rising_root
    use adfric_classical_sliding_solid, only: sliding_solid_t
    use adfric_classical_sliding_shift, only: sliding_shift_t, find_shift
@@ -37,6 +37,8 @@ module adfric_classical_sliding_cylinder
       type(sliding_shift_t) :: shift
       !> Means rho_i of the contact [w^2]; shape `(n)`.
       real(dp), allocatable :: rho(:)
+      !> 1 - 4 rho_i/a_i, with its digits where it is small; shape `(n)`.
+      real(dp), allocatable :: deficits(:)
       !> Means rho'_j of the gap [w^2]; shape `(n)`.
       real(dp), allocatable :: gap_rho(:)
    end type cylinder_contact_t
@@ -69,6 +71,7 @@ contains
       call contact%solid%change_unit(half_width)
       associate (a => contact%solid%relaxation, b => contact%solid%retardation, shift => contact%shift)
          contact%rho = a*bessel_i1_i0(1/a)/4
+         contact%deficits = bessel_i1_deficit(1/a)
          contact%gap_rho = b*bessel_k1_k0(1/b)/4
          call find_shift(contact%solid, 0.0_dp, contact%rho, contact%gap_rho, shift, is_converged)
          if (.not. is_converged) return

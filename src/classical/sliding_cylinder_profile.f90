@@ -7,9 +7,15 @@
 !>
 !> In the gap, with |y| = cosh v,
 !>
-!>     g = (sinh 2v - 2v)/4 + m sinh v sign(y) + sum_j eta_j int_y e^(-(z-y)/b_j) [|z|/sqrt(z^2 - 1) - 4 rho'_j v(z)/b_j^2] dz
+!>     g = (sinh 2v - 2v)/4 + sum_j eta_j [sinh v sign(y) + int_y e^(-(z-y)/b_j) F_j dz]
+!>     F_j = |z|/sqrt(z^2 - 1) - 4 rho'_j v(z)/b_j^2
 !>
-!> up to the trailing edge from behind, and without end ahead.
+!> up to the trailing edge from behind, and without end ahead, where the integral from the leading edge is 0. Nearer to an edge than
+!> b_j the bracket is
+!>
+!>     sign(y) int [4 rho'_j v(z)/b_j^2 e^((y-z)/b_j) - (e^((y-z)/b_j) - 1) |z|/sqrt(z^2 - 1)] dz
+!>
+!> between edge and place, whose terms do not cancel however long b_j is.
 module adfric_classical_sliding_cylinder_profile
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
@@ -30,8 +36,8 @@ module adfric_classical_sliding_cylinder_profile
       real(dp) :: from_trailing = 0
       !> What is left from the end of the range to the leading edge.
       real(dp) :: rest = 0
-      !> Relaxation length a, and a/(4 rho).
-      real(dp) :: length = 1, factor = 0
+      !> Relaxation length a, a/(4 rho), and 1 - 4 rho/a.
+      real(dp) :: length = 1, factor = 0, deficit = 0
    contains
       procedure :: evaluate => contact_term
    end type contact_integrand_t
@@ -40,8 +46,10 @@ module adfric_classical_sliding_cylinder_profile
    type, extends(integrand_t) :: gap_integrand_t
       !> Way from the leading edge to the place, or from the place to the trailing edge.
       real(dp) :: way = 0
-      !> Does the place lie ahead of the contact?
-      logical :: is_ahead = .true.
+      !> 1 ahead of the contact, -1 behind it.
+      real(dp) :: side = 1
+      !> Does the range lie between edge and place?
+      logical :: is_near = .false.
       !> What is left from the end of the range to the trailing edge.
       real(dp) :: rest = 0
       !> Retardation length b, and 4 rho'/b^2.
@@ -85,6 +93,7 @@ contains
          if (.not. abs(amplitude) > 0) cycle
          integrand%length = contact%solid%relaxation(i)
          integrand%factor = integrand%length/(4*contact%rho(i))
+         integrand%deficit = contact%deficits(i)
          range = min(to_leading, long_way*integrand%length)
          integrand%rest = to_leading - range
          call integrate(integrand, range, part, is_converged, epsilon(p)/abs(amplitude))
@@ -105,7 +114,9 @@ contains
 
       to_leading = from_right + self%rest
       to_trailing = self%from_trailing + from_left
-      term = exp(-from_left/self%length)*(1 + (to_trailing - 1)*self%factor)*2/sqrt(to_leading*to_trailing)
+      ! 1 + z a/(4 rho), which is small at the trailing edge where a is short
+      term = (to_trailing - self%deficit)*self%factor
+      term = exp(-from_left/self%length)*term*2/sqrt(to_leading*to_trailing)
    end function contact_term
 
    !> Gap at x, >= 0: next to an edge round-off may change the sign of its terms.
@@ -119,38 +130,39 @@ contains
       y = x - contact%shift%shift
       g = 0
       if (abs(y) <= 1) return
-      g = signed_cylinder_gap(contact, abs(y) - 1, y > 0)
+      g = signed_cylinder_gap(contact, abs(y) - 1, sign(1.0_dp, y))
       if (.not. ieee_is_nan(g)) g = max(0.0_dp, g)
    end function sliding_cylinder_gap
 
    !> Gap beside the contact as its terms give it.
-   pure real(dp) function signed_cylinder_gap(contact, way, is_ahead) result(g)
+   pure real(dp) function signed_cylinder_gap(contact, way, side) result(g)
       !> The contact.
       type(cylinder_contact_t), intent(in) :: contact
       !> Distance of the place from the nearer edge [w], > 0.
       real(dp), intent(in) :: way
-      !> Does the place lie ahead of the contact?
-      logical, intent(in) :: is_ahead
+      !> 1 for a place ahead of the contact, -1 for one behind it.
+      real(dp), intent(in) :: side
       type(gap_integrand_t) :: integrand
       real(dp) :: v, part, range
       integer :: j
       logical :: is_converged
 
       integrand%way = way
-      integrand%is_ahead = is_ahead
+      integrand%side = side
       v = 2*asinh(sqrt(way/2))
-      g = 0
+      g = sinh_minus_argument(2*v)/4
       do j = 1, contact%solid%n_arms
          integrand%length = contact%solid%retardation(j)
          integrand%factor = 4*contact%gap_rho(j)/integrand%length**2
-         range = long_way*integrand%length
-         if (.not. is_ahead) range = min(range, way)
+         integrand%is_near = way <= integrand%length
+         range = way
+         if (.not. integrand%is_near .and. (side > 0 .or. way > long_way*integrand%length)) range = long_way*integrand%length
          integrand%rest = way - range
          call integrate(integrand, range, part, is_converged)
+         if (.not. integrand%is_near) part = part + side*sinh(v)
          g = g + contact%shift%shares(j)*part
          if (.not. is_converged) g = not_a_number()
       end do
-      g = g + sinh_minus_argument(2*v)/4 + merge(1, -1, is_ahead)*contact%shift%shift*sinh(v)
    end function signed_cylinder_gap
 
    !> The integrand of the gap, see `integrand_t`.
@@ -161,15 +173,18 @@ contains
       real(dp), intent(in) :: from_left
       !> Distance from the end of the range.
       real(dp), intent(in) :: from_right
-      real(dp) :: to_edge
+      real(dp) :: to_edge, slope, v, half
 
-      if (self%is_ahead) then
-         to_edge = self%way + from_left
+      to_edge = from_right + self%rest
+      if (self%side > 0 .and. .not. self%is_near) to_edge = self%way + from_left
+      slope = (1 + to_edge)/sqrt(to_edge*(2 + to_edge))
+      v = 2*asinh(sqrt(to_edge/2))
+      if (self%is_near) then
+         half = self%side*from_left/(2*self%length)
+         term = self%side*exp(half)*(self%factor*v*exp(half) - 2*sinh(half)*slope)
       else
-         to_edge = from_right + self%rest
+         term = exp(-from_left/self%length)*(slope - self%factor*v)
       end if
-      term = (1 + to_edge)/sqrt(to_edge*(2 + to_edge)) - self%factor*2*asinh(sqrt(to_edge/2))
-      term = exp(-from_left/self%length)*term
    end function gap_term
 
 end module adfric_classical_sliding_cylinder_profile

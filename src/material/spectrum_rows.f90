@@ -37,8 +37,9 @@ module adfric_material_spectrum_rows
       & //'master_curve terms_per_decade'
    character(*), parameter :: shift_names = 'shift reference_temperature wlf_c1 wlf_c2 activation_energy temperature'
    character(*), parameter :: spectrum_names = modulus_names//' time_factor '//shift_names
-   !> The instantaneous modulus over the relaxed one, beyond which either is an input's mistake.
-   real(dp), parameter :: largest_ratio = 1.0e100_dp
+   !> The instantaneous modulus over the relaxed one, beyond which either is an input's mistake: the pairs of numbers that retardation
+   !> times are found with have digits up to 1e32.
+   real(dp), parameter :: largest_ratio = 1.0e30_dp
 
 contains
 

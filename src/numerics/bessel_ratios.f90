@@ -9,12 +9,15 @@ module adfric_numerics_bessel_ratios
       & gsl_sf_bessel_k1_scaled
    implicit none (type, external)
    private
-   public :: bessel_i1_i0, bessel_i2_i0, bessel_k1_k0
+   public :: bessel_i1_i0, bessel_i1_deficit, bessel_i2_i0, bessel_k1_k0
 
    !> Bounds of the argument.
    real(dp), parameter :: least_argument = 1.0e-150_dp, largest_argument = 1.0e150_dp
    !> Order from which the continued fraction is taken, for arguments up to 4.
    integer, parameter :: last_order = 30
+   !> Argument from which the deficit is taken from its asymptotic series, and terms of the series: those left out are round-off.
+   real(dp), parameter :: large_argument = 50
+   integer, parameter :: n_terms = 12
 
 contains
 
@@ -31,6 +34,24 @@ contains
          bessel_i1_i0 = neighbour_ratio(0, x)
       end if
    end function bessel_i1_i0
+
+   !> 1 - I_1(x)/I_0(x), with its digits where it is small.
+   !>
+   !> With a = 1/x, 2 d = a - a d + d^2 + a^2 d'(a) gives the terms of d = a/2 + a^2/8 + ... one after the other.
+   elemental real(dp) function bessel_i1_deficit(x) result(deficit)
+      !> Argument, 1e-150 to 1e150; the deficit of any other is NaN.
+      real(dp), intent(in) :: x
+      real(dp) :: terms(n_terms)
+      integer :: n
+
+      deficit = 1 - bessel_i1_i0(x)
+      if (.not. (x > large_argument .and. lies_within(x))) return
+      terms(1) = 1/x/2
+      do n = 2, n_terms
+         terms(n) = ((n - 2)*terms(n - 1)/x + dot_product(terms(:n - 1), terms(n - 1:1:-1)))/2
+      end do
+      deficit = sum(terms(n_terms:1:-1))
+   end function bessel_i1_deficit
 
    !> I_2(x)/I_0(x).
    elemental real(dp) function bessel_i2_i0(x)
