@@ -82,8 +82,10 @@ contains
       logical :: is_swept(n_spectrum_rows)
       integer :: k
 
-      if (is_set(values(v_kind)) .and. nint(values(v_kind)) /= kind_line) call problems%add('contact', 'kind', &
-         & 'is not ''line''; over &material only a cylinder slides')
+      if (is_set(values(v_kind))) then
+         if (nint(values(v_kind)) /= kind_line) call problems%add('contact', 'kind', &
+            & 'is not ''line''; over &material only a cylinder slides')
+      end if
       k = findloc(is_set(values(v_contact_modulus:v_second_poisson_ratio)), .true., 1)
       if (k > 0) call problems%add('solid', variables(v_contact_modulus - 1 + k)%name, &
          & 'stands beside &material, over which a rigid cylinder slides; give &solid for elastic solids, or &material')
