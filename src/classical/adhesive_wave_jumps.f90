@@ -1,9 +1,9 @@
-!> What an adhesive wave (`adhesive_wave`) loses in the jumps of one closed loop: from out of reach to full contact and back, at held
-!> penetrations. Elsewhere the loop is reversible, so the integral of P d delta around it is the sum of the losses.
+!> What an adhesive wave (`adhesive_wave`) loses in the jumps of one closed loop: from out of reach to full contact, or to the state at
+!> which the approach turns, and back, at held penetrations. A turn in partial contact leaves out both jumps of saturation. Elsewhere the loop is reversible, so the integral of P d delta around it is the sum of the losses.
 module adfric_classical_adhesive_wave_jumps
    use adfric_base_kinds, only: dp
    use adfric_classical_adhesive_wave_curve, only: adhesive_wave_t
-   use adfric_classical_adhesive_wave_load, only: branch_approach, branch_adhered
+   use adfric_classical_adhesive_wave_load, only: was_partial, branch_approach, branch_adhered
    use adfric_classical_adhesive_wave_penetration, only: state_of_penetration
    use adfric_classical_adhesive_wave_state, only: wave_adhesion_t, state_of_zones, dissipated_energy
    implicit none (type, external)
@@ -25,26 +25,31 @@ module adfric_classical_adhesive_wave_jumps
 contains
 
    !> The losses of the loop.
-   pure subroutine get_jumps(wave, jumps, is_converged)
+   pure subroutine get_jumps(wave, jumps, is_converged, turning_load)
       !> The wave.
       type(adhesive_wave_t), intent(in) :: wave
       !> The losses.
       type(wave_jumps_t), intent(out) :: jumps
       !> Were all states found?
       logical, intent(out) :: is_converged
+      !> Load of the approach's state at which the loop turns; absent: full contact.
+      real(dp), intent(in), optional :: turning_load
       type(wave_adhesion_t) :: before, after, free
-      logical :: has_found(4)
+      logical :: has_found(4), is_partial
 
       has_found = .true.
+      is_partial = was_partial(wave, turning_load)
       call state_of_penetration(wave, nearest(-wave%range, 1.0_dp), branch_approach, after, has_found(1))
       jumps%jump_in = dissipated_energy(free, after)
-      call state_of_zones(wave, wave%highest, before)
-      call state_of_penetration(wave, nearest(wave%largest_penetration, 1.0_dp), branch_approach, after, has_found(2))
-      jumps%saturation = dissipated_energy(before, after)
-      call state_of_penetration(wave, wave%saturation_penetration, branch_adhered, before, has_found(3))
-      call state_of_penetration(wave, nearest(wave%saturation_penetration, -huge(1.0_dp)), branch_adhered, after, has_found(4))
-      jumps%desaturation = dissipated_energy(before, after)
-      if (wave%least_penetration < wave%saturation_penetration) then
+      if (.not. is_partial) then
+         call state_of_zones(wave, wave%highest, before)
+         call state_of_penetration(wave, nearest(wave%largest_penetration, 1.0_dp), branch_approach, after, has_found(2))
+         jumps%saturation = dissipated_energy(before, after)
+         call state_of_penetration(wave, wave%saturation_penetration, branch_adhered, before, has_found(3))
+         call state_of_penetration(wave, nearest(wave%saturation_penetration, -huge(1.0_dp)), branch_adhered, after, has_found(4))
+         jumps%desaturation = dissipated_energy(before, after)
+      end if
+      if (is_partial .or. wave%least_penetration < wave%saturation_penetration) then
          call state_of_zones(wave, wave%lowest, before)
          jumps%pull_off = dissipated_energy(before, free)
       end if

@@ -5,6 +5,7 @@ module adfric_classical_adhesive_wave_state
    use adfric_classical_adhesive_wave, only: zones_t, range_excess, open_crest
    use adfric_classical_adhesive_wave_curve, only: adhesive_wave_t
    use adfric_classical_adhesive_wave_integrals, only: get_zone_integrals
+   use adfric_classical_westergaard, only: wave_energy
    implicit none (type, external)
    private
    public :: wave_adhesion_t, state_of_zones, fill_saturated, dissipated_energy
@@ -76,8 +77,7 @@ contains
       state%contact_half_width = half_width(state%square)
       state%cohesive_half_width = 0.5_dp
       state%crest_gap = max(0.0_dp, -state%penetration)
-      state%elastic_energy = 0
-      if (state%square > 0) state%elastic_energy = state%square**2*(1 - 2*log(state%square))/4
+      state%elastic_energy = wave_energy(state%square)
       state%adhesion_energy = wave%stress*((1 - state%penetration) - wave%range)
    end subroutine fill_saturated
 

@@ -1,18 +1,23 @@
-!> The model `wave_1d`: a sinusoidal wave on an elastic half-plane (Westergaard), or sliding over a viscoelastic one.
+!> The model `wave_1d`: a sinusoidal wave on an elastic half-plane (Westergaard), with or without adhesion, or sliding over a
+!> viscoelastic one.
 module adfric_classical_wave_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_classical_adhesive_wave_point, only: adhesive_point_t, is_possible_adhesion, derive_adhesion, solve_adhesion, &
+      & get_adhesive_profiles
    use adfric_classical_contact_conditions, only: largest_violation
    use adfric_classical_model, only: halfspace_model_t
    use adfric_classical_sliding_wave_point, only: slide_point_t, is_possible_slide, solve_slide, get_slide_profiles
-   use adfric_classical_wave_variables, only: get_wave_variables, get_wave_results, v_amplitude, v_contact_modulus, v_material, &
-      & v_mean_pressure, v_penetration, v_period, v_second_poisson_ratio, v_temperature, v_velocity, r_contact_fraction, &
-      & r_contact_width, r_full_contact_pressure, r_largest_gap, r_mean_gap, r_mean_pressure, r_peak_pressure, r_penetration, &
+   use adfric_classical_wave_variables, only: get_wave_variables, get_wave_results, v_adhesion, v_amplitude, v_contact_modulus, &
+      & v_material, v_mean_pressure, v_penetration, v_period, v_second_poisson_ratio, v_temperature, v_turning_pressure, &
+      & v_velocity, r_adhesion_energy, r_adhesion_fraction, r_contact_fraction, r_contact_width, r_elastic_energy, &
+      & r_full_contact_pressure, r_hysteresis_loss, r_largest_gap, r_mean_gap, r_mean_pressure, r_peak_pressure, r_penetration, &
       & r_regime, r_violation, regime_full, regime_none, regime_partial
    use adfric_classical_westergaard, only: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, &
-      & find_wave_pressure
+      & wave_energy, find_wave_pressure
+   use adfric_material_adhesion_rows, only: check_adhesion, has_adhesion
    use adfric_material_contact_modulus, only: contact_modulus_of, check_contact_modulus, derive_contact_modulus
    use adfric_material_given_spectrum, only: given_spectrum_t
    use adfric_material_spectrum_rows, only: check_spectrum, derive_spectrum, describe_spectrum, doubt_spectrum, has_spectrum, &
@@ -53,10 +58,11 @@ contains
       !> The new model; receives its tables.
       type(wave_model_t), intent(out) :: self
 
-      call self%set_tables(name='wave_1d', &
-         & summary='a sinusoidal wave on an elastic half-plane, or sliding over a viscoelastic one, up to full contact', &
+      call self%set_tables(name='wave_1d', summary='a sinusoidal wave on an elastic half-plane, also with adhesion, or sliding ' &
+         & //'over a viscoelastic one, up to full contact', &
          & variables=get_wave_variables(), results=get_wave_results(), profiles=contact_profiles(), axes='x', is_depth=.false.)
-      self%references = self%references//'; N. Menga, C. Putignano, G. Carbone, G. P. Demelio, Proc. R. Soc. A 470 (2014)'
+      self%references = self%references//'; Int. J. Solids Struct. 32 (1995); N. Menga, C. Putignano, G. Carbone, G. P. Demelio, ' &
+         & //'Proc. R. Soc. A 470 (2014)'
    end subroutine new_wave_model
 
    !> Does the wave slide over a viscoelastic half-plane?
@@ -66,6 +72,14 @@ contains
 
       is_sliding = has_spectrum(values(v_material:v_temperature))
    end function is_sliding
+
+   !> Does the wave adhere to an elastic half-plane?
+   pure logical function is_adhesive(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      is_adhesive = has_adhesion(values(v_adhesion:v_turning_pressure)) .and. .not. is_sliding(values)
+   end function is_adhesive
 
    !> See `model_t`.
    subroutine take_dataset(self, place, values, problems)
@@ -117,7 +131,14 @@ contains
          call check_solid(self, values, problems)
       end if
       call require_one(self%variables, values, [v_mean_pressure, v_penetration], .true., problems)
-      if (.not. is_sliding(values) .or. problems%count() > before) return
+      if (problems%count() > before) return
+      if (is_adhesive(values)) then
+         if (.not. is_possible_adhesion(values)) call problems%add('adhesion', 'stress', &
+            & 'or its range is too small or too large for the wave: stress/p* and range/amplitude are 1e-12 to 1e12')
+      else if (.not. is_set(values(v_adhesion)) .and. values(v_mean_pressure) < 0) then
+         call problems%add('operating', 'mean_pressure', 'is below 0, but nothing pulls without &adhesion')
+      end if
+      if (.not. is_sliding(values)) return
       if (.not. is_possible_slide(values, self%given)) call problems%add('operating', 'velocity', &
          & 'is too small or too large for the period and the relaxation times')
    end subroutine check_case
@@ -134,6 +155,7 @@ contains
 
       call check_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
          & values(v_contact_modulus:v_second_poisson_ratio), problems, .false.)
+      call check_adhesion(self%variables(v_adhesion:v_turning_pressure), values(v_adhesion:v_turning_pressure), problems)
       do k = v_temperature, v_velocity
          if (is_set(values(k))) call problems%add(self%variables(k)%group, self%variables(k)%name, &
             & 'has no meaning without &material; over an elastic solid nothing rubs')
@@ -160,6 +182,8 @@ contains
       call check_spectrum(self%variables(v_material:v_temperature), values(v_material:v_temperature), self%given, is_swept, &
          & problems)
       call require(self%variables, values, [v_velocity], problems)
+      if (is_set(values(v_adhesion))) call problems%add('adhesion', 'stress', &
+         & 'stands beside &material; a wave adheres to an elastic solid, &solid')
    end subroutine check_material
 
    !> See `model_t`.
@@ -175,6 +199,7 @@ contains
       else
          list = derive_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
             & values(v_contact_modulus:v_second_poisson_ratio))
+         if (is_adhesive(values)) call derive_adhesion(list, values)
       end if
    end function derive_quantities
 
@@ -219,7 +244,7 @@ contains
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> A sliding wave leaves its contact and the spectrum.
+      !> A sliding wave leaves its contact and the spectrum, an adhesive one its events.
       class(point_state_t), allocatable, intent(inout) :: state
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -237,6 +262,14 @@ contains
          select type (state)
          type is (slide_point_t)
             call solve_slide(values, self%given, state, results, error_estimate, status)
+         end select
+      else if (is_adhesive(values)) then
+         if (.not. allocated(state)) allocate (adhesive_point_t :: state)
+         status = status_not_converged
+         error_estimate = 0
+         select type (state)
+         type is (adhesive_point_t)
+            call solve_adhesion(values, state, results, error_estimate, status)
          end select
       else
          call solve_elastic(values, results, error_estimate, status)
@@ -266,6 +299,8 @@ contains
       results(r_full_contact_pressure) = p
       lift = 0
       if (is_set(values(v_mean_pressure))) then
+         if (values(v_mean_pressure) < 0) status = status_no_equilibrium
+         if (status /= status_solved) return
          q = values(v_mean_pressure)/p
          results([r_mean_pressure, r_penetration]) = [values(v_mean_pressure), d*wave_penetration(q)]
       else
@@ -282,6 +317,8 @@ contains
       results(r_contact_width) = results(r_contact_fraction)*values(v_period)
       results(r_peak_pressure) = p*wave_pressure(q, 0.0_dp)
       results([r_mean_gap, r_largest_gap]) = d*[wave_mean_gap(q), wave_gap(q, 0.5_dp)] + lift
+      results([r_adhesion_fraction, r_adhesion_energy, r_hysteresis_loss]) = 0
+      results(r_elastic_energy) = p*d*wave_energy(q)
       results(r_regime) = regime_partial
       if (.not. q > 0) results(r_regime) = regime_none
       if (q >= 1) results(r_regime) = regime_full
@@ -299,7 +336,7 @@ contains
       real(dp), intent(in) :: values(:)
       !> What `solve_block` found for this point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
-      !> What `solve_point` has left: the contact of a sliding wave.
+      !> What `solve_point` has left: the contact of a sliding or of an adhesive wave.
       class(point_state_t), allocatable, intent(in) :: state
       !> Axes of the profiles, the slowest first.
       type(profile_axis_t), intent(in) :: axes(:)
@@ -313,6 +350,13 @@ contains
          select type (state)
          type is (slide_point_t)
             call get_slide_profiles(state, axes(1)%coordinates, profiles(:, 1, 1), profiles(:, 1, 2))
+         end select
+         return
+      end if
+      if (is_adhesive(values)) then
+         select type (state)
+         type is (adhesive_point_t)
+            call get_adhesive_profiles(state, axes(1)%coordinates, profiles(:, 1, 1), profiles(:, 1, 2))
          end select
          return
       end if

@@ -11,7 +11,7 @@ module adfric_classical_westergaard
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, find_wave_pressure
+   public :: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, wave_energy, find_wave_pressure
 
    !> Below this distance from full contact the mean gap is a small difference.
    real(dp), parameter :: nearly_full = 0.1_dp
@@ -119,6 +119,16 @@ contains
       if (q < 1) wave_penetration = 0
       if (q > 0 .and. q < 1) wave_penetration = q - q*log(q)
    end function wave_penetration
+
+   !> Energy of the solid over nominal area, in p* D: q^2 (1 - 2 ln q)/4, 1/4 in full contact.
+   elemental real(dp) function wave_energy(q)
+      !> Mean pressure, in p* [-], >= 0.
+      real(dp), intent(in) :: q
+
+      wave_energy = 0.25_dp
+      if (q < 1) wave_energy = 0
+      if (q > 0 .and. q < 1) wave_energy = q**2*(1 - 2*log(q))/4
+   end function wave_energy
 
    !> Mean pressure of a penetration up to 1; 0 for a negative one. In full contact every pressure >= 1 belongs to
    !> the penetration 1, and the least is given.

@@ -3,6 +3,7 @@ module adfric_wavy_case
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_unset, only: is_set
+   use adfric_material_adhesion_rows, only: range_of
    use adfric_wavy_adhesion, only: adhesion_t, acting_adhesion
    use adfric_wavy_foundation, only: new_foundation
    use adfric_wavy_surface, only: surface_t
@@ -10,7 +11,7 @@ module adfric_wavy_case
       & v_poisson_ratio, &
       & v_pull_off, v_range, &
       & v_relative_tolerance, v_relaxation_time, v_retardation_ratio, v_slope, v_stiffness, v_stress, &
-      & v_strips, v_surface_energy, v_thickness, v_velocity, v_young_modulus
+      & v_strips, v_thickness, v_velocity, v_young_modulus
    implicit none (type, external)
    private
    public :: wavy_case_t, resolve_case, kind_2d, kind_3d, kind_profile, kind_cosines, kind_map
@@ -43,7 +44,7 @@ contains
       real(dp), intent(in) :: values(:)
       !> The point in reduced units, and what these units are in SI units.
       type(wavy_case_t), intent(out) :: self
-      real(dp) :: stiffness, range
+      real(dp) :: stiffness
 
       self%period = values(v_period)
       self%height = values(v_height)
@@ -72,9 +73,7 @@ contains
          if (is_set(values(v_stress))) then
             if (values(v_stress) > 0) then
                self%given%stress = values(v_stress)/self%pressure_unit
-               range = values(v_range)
-               if (.not. is_set(range)) range = values(v_surface_energy)/values(v_stress)
-               self%given%range = range/self%height
+               self%given%range = range_of(values(v_stress:v_range))/self%height
             end if
          end if
          surface%adhesion = acting_adhesion(self%given, surface%foundation%beta)

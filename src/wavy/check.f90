@@ -3,13 +3,14 @@ module adfric_wavy_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_material_adhesion_rows, only: check_stress
    use adfric_model_check, only: require
    use adfric_model_table, only: variable_t
    use adfric_wavy_case, only: wavy_case_t, resolve_case
-   use adfric_wavy_marched_check, only: check_adhesion_values, check_load_values, require_modulus, require_single_time
+   use adfric_wavy_marched_check, only: check_load_values, require_modulus, require_single_time
    use adfric_wavy_variables, only: v_activation_energy, v_amplitudes, v_blend_share, v_detrend, v_height, v_height_factor, &
       & v_heights, v_interpolation, v_kind, v_load, v_moduli, v_n_x, v_n_y, v_penetration, v_period, v_periodise, v_phases, &
-      & v_poisson_ratio, v_profiles, v_reference_temperature, v_reverse, v_shift, &
+      & v_poisson_ratio, v_profiles, v_range, v_reference_temperature, v_reverse, v_shift, &
       & v_shortest_wavelength, v_spacing, v_stiffness, v_stress, v_strip_spacing, v_temperature, v_terms_per_decade, v_thickness, &
       & v_time_factor, v_velocity, v_wlf_c1, v_wlf_c2, v_young_moduli, v_young_modulus
    implicit none (type, external)
@@ -33,7 +34,7 @@ contains
       before = problems%count()
       call require(variables, values, [v_kind, v_period, v_height], problems)
       call check_foundation()
-      call check_adhesion_values(variables, values, problems)
+      call check_stress(variables(v_stress:v_range), values(v_stress:v_range), problems)
       call require(variables, values, [v_velocity], problems)
       call check_load_values(variables, values, problems)
       call refuse_marched()

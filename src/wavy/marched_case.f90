@@ -3,6 +3,7 @@ module adfric_wavy_marched_case
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_unset, only: is_set
+   use adfric_material_adhesion_rows, only: range_of
    use adfric_material_given_spectrum, only: fit_given_curve
    use adfric_material_master_curve, only: master_curve_fit_t
    use adfric_material_prony, only: prony_t, new_prony
@@ -19,7 +20,7 @@ module adfric_wavy_marched_case
       & v_height_factor, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_penetration, v_period, &
       & v_periodise, v_poisson_ratio, v_range, v_relaxation_time, v_relaxation_times, &
       & v_retardation_ratio, v_reverse, v_shift, v_shortest_wavelength, v_spacing, v_stiffness, v_stress, v_strip_spacing, &
-      & v_surface_energy, v_temperature, v_terms_per_decade, v_thickness, v_time_factor, v_velocity, v_young_modulus
+      & v_temperature, v_terms_per_decade, v_thickness, v_time_factor, v_velocity, v_young_modulus
    implicit none (type, external)
    private
    public :: marched_case_t, is_marched, has_heights, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
@@ -240,8 +241,7 @@ contains
       if (is_set(values(v_stress))) then
          if (values(v_stress) > 0) then
             self%stress = values(v_stress)/self%pressure_unit
-            self%range = values(v_range)
-            if (.not. is_set(self%range)) self%range = values(v_surface_energy)/values(v_stress)
+            self%range = range_of(values(v_stress:v_range))
             self%range = self%range/self%height
          end if
       end if

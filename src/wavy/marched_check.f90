@@ -4,6 +4,7 @@ module adfric_wavy_marched_check
    use adfric_base_error, only: error_t
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_material_adhesion_rows, only: check_stress
    use adfric_material_given_spectrum, only: check_curve, check_fit, check_numbers_of_arms
    use adfric_material_master_curve, only: master_curve_fit_t
    use adfric_material_prony, only: prony_t
@@ -19,12 +20,11 @@ module adfric_wavy_marched_check
       & v_heights, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_n_x, v_penetration, v_period, &
       & v_periodise, v_phases, v_poisson_ratio, v_profiles, v_pull_off, v_range, v_relaxation_time, &
       & v_relaxation_times, v_retardation_ratio, v_reverse, v_shift, v_shortest_wavelength, v_slope, v_spacing, v_stiffness, &
-      & v_stress, v_strip_spacing, v_surface_energy, v_temperature, v_terms_per_decade, v_thickness, v_velocity, &
+      & v_stress, v_strip_spacing, v_temperature, v_terms_per_decade, v_thickness, v_velocity, &
       & v_young_moduli, v_young_modulus
    implicit none (type, external)
    private
-   public :: check_marched_values, check_adhesion_values, check_load_values, require_modulus, &
-      & require_single_time
+   public :: check_marched_values, check_load_values, require_modulus, require_single_time
 
    !> Fewest samples of a row.
    integer, parameter :: fewest_samples = 4
@@ -55,7 +55,7 @@ contains
       call check_surface()
       call check_foundation()
       call check_shift(variables, values, is_swept, v_shift, v_temperature, given%master_temperature, problems)
-      call check_adhesion_values(variables, values, problems)
+      call check_stress(variables(v_stress:v_range), values(v_stress:v_range), problems)
       call require(variables, values, [v_velocity], problems)
       call check_load_values(variables, values, problems)
       call refuse([v_pull_off], 'belongs to waves on a standard solid; not to heights, cosines or a spectrum')
@@ -298,38 +298,6 @@ contains
          end associate
       end do
    end subroutine require_single_time
-
-   !> Adhesion: a stress with an energy or a range, and nothing of it without a stress.
-   subroutine check_adhesion_values(variables, values, problems)
-      !> Table of the variables; their names stand in the messages.
-      type(variable_t), intent(in) :: variables(:)
-      !> Values in the order of `variables`; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-
-      if (.not. is_set(values(v_stress))) then
-         if (is_set(values(v_surface_energy))) call add(v_stress, 'is missing [Pa]; surface_energy needs it')
-         if (is_set(values(v_range))) call add(v_stress, 'is missing [Pa]; range needs it')
-      else if (is_set(values(v_surface_energy)) .and. is_set(values(v_range))) then
-         call add(v_surface_energy, 'stands beside range; give one of them, their ratio is the stress')
-      else if (.not. is_set(values(v_surface_energy)) .and. .not. is_set(values(v_range))) then
-         if (values(v_stress) > 0) call add(v_surface_energy, 'is missing [J/m^2]; stress needs it, or range')
-      end if
-
-   contains
-
-      !> Add a problem of one variable to the list.
-      subroutine add(v, text)
-         !> Place of the variable in the table, one of `v_...`.
-         integer, intent(in) :: v
-         !> What is wrong with the variable; its name is put before this.
-         character(*), intent(in) :: text
-
-         call problems%add(variables(v)%group, variables(v)%name, text)
-      end subroutine add
-
-   end subroutine check_adhesion_values
 
    !> Load, mean pressure or penetration: one of them.
    subroutine check_load_values(variables, values, problems)

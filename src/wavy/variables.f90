@@ -1,6 +1,7 @@
 !> The namelist variables and results of the model `wavy_sliding`.
 module adfric_wavy_variables
    use adfric_base_kinds, only: dp
+   use adfric_material_adhesion_rows, only: set_stress_rows, branch_row
    use adfric_material_given_spectrum, only: set_arm_rows
    use adfric_material_prony, only: most_arms
    use adfric_material_shift_rows, only: set_shift_rows
@@ -87,17 +88,11 @@ contains
       v(v_relaxation_times)%meaning = 'relaxation times of the arms, instead of relaxation_time and retardation_ratio'
       call set_shift_rows('foundation', v(v_shift:v_activation_energy))
 
-      v(v_stress) = any_number(group='adhesion', name='stress', unit='Pa', meaning='adhesion stress p0; 0: no adhesion', &
-         & lower=0.0_dp)
-      v(v_surface_energy) = above_zero(group='adhesion', name='surface_energy', unit='J/m^2', meaning='stress times range')
-      v(v_range) = above_zero(group='adhesion', name='range', unit='m', &
-         & meaning='largest gap with adhesion, instead of the surface energy')
+      call set_stress_rows(v(v_stress:v_range))
       v(v_edge) = choice(group='adhesion', name='edge', &
          & meaning='the displacement where the stress starts or ends: as published (continuous), as the foundation asks '// &
          & '(instantaneous), or as in a thin layer (front)', choices='continuous instantaneous front')
-      v(v_branch) = choice(group='adhesion', name='branch', &
-         & meaning='where states coexist: the one that unloading keeps (adhered) or that loading meets (approach)', &
-         & choices='adhered approach', default='adhered')
+      v(v_branch) = branch_row()
 
       v(v_velocity) = any_number(group='operating', name='velocity', unit='m/s', meaning='sliding velocity', lower=0.0_dp)
       v(v_temperature) = above_zero(group='operating', name='temperature', unit='K', &

@@ -58,7 +58,7 @@ contains
          factor_of = 1/length**7
       case ('Pa')
          factor_of = stress
-      case ('N/m')
+      case ('N/m', 'J/m^2')
          factor_of = stress*length
       case ('N')
          factor_of = stress*length**2
