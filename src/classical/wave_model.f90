@@ -10,11 +10,11 @@ module adfric_classical_wave_model
    use adfric_classical_contact_conditions, only: largest_violation
    use adfric_classical_model, only: halfspace_model_t
    use adfric_classical_sliding_wave_point, only: slide_point_t, is_possible_slide, solve_slide, get_slide_profiles
-   use adfric_classical_wave_variables, only: get_wave_variables, get_wave_results, v_adhesion, v_amplitude, v_contact_modulus, &
-      & v_material, v_mean_pressure, v_penetration, v_period, v_second_poisson_ratio, v_temperature, v_turning_pressure, &
-      & v_velocity, r_adhesion_energy, r_adhesion_fraction, r_contact_fraction, r_contact_width, r_elastic_energy, &
-      & r_full_contact_pressure, r_hysteresis_loss, r_largest_gap, r_mean_gap, r_mean_pressure, r_peak_pressure, r_penetration, &
-      & r_regime, r_violation, regime_full, regime_none, regime_partial
+   use adfric_classical_wave_variables, only: get_wave_variables, get_wave_results, v_adhesion, v_amplitude, v_branch, &
+      & v_contact_modulus, v_material, v_mean_pressure, v_penetration, v_period, v_second_poisson_ratio, v_temperature, &
+      & v_turning_pressure, v_velocity, r_adhesion_energy, r_adhesion_fraction, r_contact_fraction, r_contact_width, &
+      & r_elastic_energy, r_full_contact_pressure, r_hysteresis_loss, r_largest_gap, r_mean_gap, r_mean_pressure, r_peak_pressure, &
+      & r_penetration, r_regime, r_violation, regime_full, regime_none, regime_partial
    use adfric_classical_westergaard, only: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, &
       & wave_energy, find_wave_pressure
    use adfric_material_adhesion_rows, only: check_adhesion, has_adhesion
@@ -182,8 +182,12 @@ contains
       call check_spectrum(self%variables(v_material:v_temperature), values(v_material:v_temperature), self%given, is_swept, &
          & problems)
       call require(self%variables, values, [v_velocity], problems)
-      if (is_set(values(v_adhesion))) call problems%add('adhesion', 'stress', &
-         & 'stands beside &material; a wave adheres to an elastic solid, &solid')
+      do k = v_adhesion, v_turning_pressure
+         if (k == v_branch .or. .not. is_set(values(k))) cycle
+         call problems%add(self%variables(k)%group, self%variables(k)%name, &
+            & 'stands beside &material; a wave adheres to an elastic solid, &solid')
+         exit
+      end do
    end subroutine check_material
 
    !> See `model_t`.

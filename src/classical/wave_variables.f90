@@ -13,8 +13,8 @@ module adfric_classical_wave_variables
    !> Places of the variables. Those of adhesion stand between `v_adhesion` and `v_turning_pressure`, those of the material between
    !> `v_material` and `v_temperature`.
    integer, parameter, public :: v_period = 1, v_amplitude = 2, v_contact_modulus = 3, v_second_poisson_ratio = 7, &
-      & v_adhesion = 8, v_turning_pressure = v_adhesion - 1 + n_adhesion_rows, v_material = v_turning_pressure + 1, &
-      & v_temperature = v_material - 1 + n_spectrum_rows, v_velocity = v_temperature + 1, &
+      & v_adhesion = 8, v_branch = v_adhesion + 3, v_turning_pressure = v_adhesion - 1 + n_adhesion_rows, &
+      & v_material = v_turning_pressure + 1, v_temperature = v_material - 1 + n_spectrum_rows, v_velocity = v_temperature + 1, &
       & v_mean_pressure = v_temperature + 2, v_penetration = v_temperature + 3
    !> Places of the results; those from `r_friction_stress` on belong to sliding, those from `r_adhesion_fraction` on to adhesion.
    integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_width = 3, r_contact_fraction = 4, &
