@@ -26,6 +26,8 @@ SHOWN = {
     ("surface_sliding", "direction"): ("friction_coefficient", "lateral_stress"),
     ("surface_sliding", "mean_pressure"): ("friction_coefficient", "contact_fraction", "peak_pressure", "contact_shift"),
     ("wave_1d", "mean_pressure"): ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap"),
+    ("wave_1d", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
+    ("wave_1d", "stress"): ("pull_off_pressure", "hysteresis_loss"),
     ("wave_1d", "velocity"): ("friction_coefficient", "contact_fraction", "contact_shift", "peak_pressure"),
 }
 

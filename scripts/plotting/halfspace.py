@@ -87,7 +87,9 @@ def draw_pressures(results):
     figure, axes = draw_profiles(results, "pressure", _touching, _share_label(results) if is_wave else None)
     pressure = results.profiles["pressure"]
     highest = min(np.nanmax(pressure.values, initial=0.0), TALLEST * np.nanmax(results.values("mean_pressure"), initial=0.0))
-    axes.set_ylim(0, 1.05 * (highest or 1.0) * scale_of(pressure.values, pressure.unit)[0])
+    # tension of adhesion
+    lowest = np.nanmin(pressure.values, initial=0.0)
+    axes.set_ylim(*(1.05 * np.array([lowest, highest or 1.0]) * scale_of(pressure.values, pressure.unit)[0]))
     return figure
 
 

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 SYMBOLS = {
+    "adhesion_fraction": "A_a/A_0",
     "adhesion_radius": "c",
     "adhesion_ratio": "X",
     "adhesion_stress": r"\sigma_0",
@@ -41,6 +42,7 @@ SYMBOLS = {
     "position_z": "z",
     "pressure": "p",
     "pull_off_load": "P_c",
+    "pull_off_pressure": "p_c",
     "radius_1x": "R_{1x}",
     "radius_2y": "R_{2y}",
     "relative_area": "A/A_0",

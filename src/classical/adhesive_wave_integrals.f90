@@ -211,8 +211,13 @@ contains
       real(dp), intent(in) :: e
       !> p - e.
       real(dp), intent(in) :: distance
+      real(dp) :: ratio, logarithm
 
-      moment_below = (distance*(p + e)*(log_of(distance/p) + log1p(e/p)) - 2*e**2*log(p))/4
+      ratio = e/p
+      logarithm = log_of(distance/p) + log1p(ratio)
+      ! a number next to 1 has lost what it differs from 1 by
+      if (ratio < small_ratio) logarithm = log1p(-ratio**2)
+      moment_below = (distance*(p + e)*logarithm - 2*e**2*log(p))/4
    end function moment_below
 
    !> (1 + r) ln(1 + r) + (1 - r) ln(1 - r).

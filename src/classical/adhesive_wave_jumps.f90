@@ -41,10 +41,13 @@ contains
       is_partial = was_partial(wave, turning_load)
       call state_of_penetration(wave, nearest(-wave%range, 1.0_dp), branch_approach, after, has_found(1))
       jumps%jump_in = dissipated_energy(free, after)
-      if (.not. is_partial) then
+      ! zones whose penetration is 1 to the last bit are saturated without a loss
+      if (.not. is_partial .and. wave%largest_penetration < 1) then
          call state_of_zones(wave, wave%highest, before)
          call state_of_penetration(wave, nearest(wave%largest_penetration, 1.0_dp), branch_approach, after, has_found(2))
          jumps%saturation = dissipated_energy(before, after)
+      end if
+      if (.not. is_partial) then
          call state_of_penetration(wave, wave%saturation_penetration, branch_adhered, before, has_found(3))
          call state_of_penetration(wave, nearest(wave%saturation_penetration, -huge(1.0_dp)), branch_adhered, after, has_found(4))
          jumps%desaturation = dissipated_energy(before, after)
@@ -53,6 +56,11 @@ contains
          call state_of_zones(wave, wave%lowest, before)
          jumps%pull_off = dissipated_energy(before, free)
       end if
+      ! a loss is less than the round-off of the energies where the stress is small
+      jumps%jump_in = max(0.0_dp, jumps%jump_in)
+      jumps%saturation = max(0.0_dp, jumps%saturation)
+      jumps%desaturation = max(0.0_dp, jumps%desaturation)
+      jumps%pull_off = max(0.0_dp, jumps%pull_off)
       jumps%total = jumps%jump_in + jumps%saturation + jumps%desaturation + jumps%pull_off
       is_converged = all(has_found)
    end subroutine get_jumps

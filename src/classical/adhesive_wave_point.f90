@@ -28,7 +28,7 @@ module adfric_classical_adhesive_wave_point
    !> What the closed forms leave of the digits (docs/halfspace.md).
    real(dp), parameter :: closed_form = 1.0e-13_dp
    !> Places in the contact where the pressure is compared with the adhesion stress.
-   integer, parameter :: n_places = 16
+   integer, parameter :: n_places = 4
 
    !> What a point leaves: the wave with its events, which may be those of the next point, and the state.
    type, extends(point_state_t) :: adhesive_point_t
