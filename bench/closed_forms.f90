@@ -47,6 +47,15 @@ program closed_forms
    call case%give('amplitude', 1.0e-6_dp)
    call report('pressure', 'mean_pressure', 1.0e5_dp, 4.0e6_dp)
    call report('penetration', 'penetration', 1.0e-9_dp, 9.0e-7_dp)
+   ! with adhesion a sweep of the stress looks for the events of each wave anew
+   call start('wave_1d', 'period', 1.0e-3_dp)
+   call case%give('amplitude', 1.0e-6_dp)
+   call case%give('stress', 1.0e6_dp)
+   call case%give('range', 3.0e-7_dp)
+   call report('adhesive', 'mean_pressure', 1.0e4_dp, 1.0e6_dp)
+   call report('adhesive', 'penetration', 1.0e-9_dp, 9.0e-7_dp)
+   call case%give('mean_pressure', 1.0e5_dp)
+   call report('adhesive', 'stress', 1.0e4_dp, 3.0e6_dp)
 
    do k = 1, 4
       call start('rigid_punch', 'kind', real(k, dp))

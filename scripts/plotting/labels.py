@@ -68,7 +68,7 @@ SYMBOLS = {
 }
 NAMES = {"area_left": "friction area", "contact_half_width": "half-width", "lambda": "", "minor_half_width": "minor half-width",
          "position_x": "position", "position_y": "position", "position_z": "position", "pull_off_load": "pull-off load",
-         "r": "", "radius_1x": "principal radius", "radius_2y": "principal radius",
+         "pull_off_pressure": "pull-off pressure", "r": "", "radius_1x": "principal radius", "radius_2y": "principal radius",
          "relative_area": "friction area", "relative_pull_off_load": "pull-off load", "relative_stick_radius": "stick radius",
          "stress": "adhesion stress",
          "velocity": "sliding velocity", "x": "", "y": ""}
