@@ -21,6 +21,8 @@ module adfric_classical_adhesive_wave_penetration
    !> Newton steps in two unknowns, the size of the last one, whose error is its square, and the largest y for them.
    integer, parameter :: max_newton = 12
    real(dp), parameter :: close_enough = 1.0e-8_dp, largest_y = 12.0_dp
+   !> A longer step is none.
+   real(dp), parameter :: endless = 1.0e100_dp
    !> What the difference of two equal penetrations may be.
    real(dp), parameter :: round_off = 2*epsilon(1.0_dp)
 
@@ -152,7 +154,7 @@ contains
       type(zones_t), intent(inout) :: zones
       !> Were they found?
       logical, intent(out) :: is_converged
-      real(dp) :: by_place, by_y, range, load, delta, gap, dx, dy
+      real(dp) :: by_place, by_y, range, load, delta, gap, slope, dx, dy
       integer :: i
 
       is_converged = .false.
@@ -160,9 +162,11 @@ contains
          range = range_excess(wave%sigma, wave%range, zones)
          call get_range_slopes(wave%sigma, zones, by_place, by_y)
          call get_curve_state(wave, zones, load, delta, gap)
-         associate (ratio => zones%lambda/zones%y)
-            dx = (penetration - delta - ratio*range)*zones%y/(2*zones%sine*zones%cosine*penetration_slope(wave%sigma, zones))
-         end associate
+         dx = (penetration - delta - zones%lambda/zones%y*range)*zones%y
+         slope = 2*zones%sine*zones%cosine*penetration_slope(wave%sigma, zones)
+         ! next to an extreme there may be no slope, and in a zone of round-off none of the range
+         if (.not. (abs(slope)*endless > abs(dx) .and. abs(by_y) > 0)) return
+         dx = dx/slope
          is_converged = abs(dx) < close_enough
          if (.not. is_converged) dx = min(max(dx, (low - zones%place)/2), (high - zones%place)/2)
          dy = -(range + by_place*dx)/by_y

@@ -94,8 +94,8 @@ contains
       real(dp) :: psi, tau, distance, inside
 
       psi = self%start + from_left
-      ! psi - alpha and gamma - psi without cancellation
-      inside = from_left + (self%start - self%alpha)
+      ! psi - alpha and gamma - psi without cancellation; a zone of round-off may have alpha > gamma
+      inside = from_left + max(0.0_dp, self%start - self%alpha)
       distance = from_right + (self%gamma - self%finish)
       if (self%start >= self%gamma) distance = -from_left
       tau = sqrt(sin(inside)*sin(psi + self%alpha))/cos(psi)

@@ -86,7 +86,8 @@ contains
       !> Q, 0 to 1.
       real(dp), intent(in) :: square
 
-      half_width = atan2(sqrt(square), sqrt(1 - square))/pi
+      ! in zones that all but close Q may be 1 and a bit
+      half_width = atan2(sqrt(square), sqrt(max(0.0_dp, 1 - square)))/pi
    end function half_width
 
    !> Energy lost in a jump at a held penetration [p* D], > 0.
