@@ -8,7 +8,7 @@ module adfric_classical_adhesive_wave_units
    use adfric_classical_adhesive_wave_jumps, only: wave_jumps_t, get_jumps
    use adfric_classical_adhesive_wave_load, only: state_of_load, pull_off_load
    use adfric_classical_adhesive_wave_penetration, only: state_of_penetration
-   use adfric_classical_adhesive_wave_profile, only: adhesive_wave_pressure, adhesive_wave_gap
+   use adfric_classical_adhesive_wave_profile, only: adhesive_wave_pressure, adhesive_wave_gap, adhesive_wave_valley_gap
    use adfric_classical_adhesive_wave_state, only: wave_adhesion_t, regime_none
    implicit none (type, external)
    private
@@ -177,7 +177,7 @@ contains
          state%crest_pressure = self%pressure_unit*adhesive_wave_pressure(self%wave, reduced, 0.0_dp)
          state%penetration = self%amplitude*reduced%penetration
          state%mean_gap = self%amplitude*(1 - reduced%penetration)
-         state%valley_gap = self%amplitude*adhesive_wave_gap(self%wave, reduced, 0.5_dp)
+         state%valley_gap = self%amplitude*adhesive_wave_valley_gap(self%wave, reduced)
          state%elastic_energy = energy*reduced%elastic_energy
          state%adhesion_energy = energy*reduced%adhesion_energy
       end associate
