@@ -150,13 +150,15 @@ contains
    end function log_cosh
 
    !> What the right side of (2) is more than eta.
-   pure real(dp) function range_excess(sigma, eta, zones)
+   pure real(dp) function range_excess(sigma, eta, zones, k)
       !> sigma = 2 S/pi, > 0.
       real(dp), intent(in) :: sigma
       !> Range eta; 0 gives the range of the zones.
       real(dp), intent(in) :: eta
       !> The zones.
       type(zones_t), intent(in) :: zones
+      !> K of the zones, if it is known.
+      real(dp), intent(in), optional :: k
 
       associate (z => zones)
          if (z%y < small_y) then
@@ -166,7 +168,11 @@ contains
          else
             range_excess = 2*z%sine**2*(z%m - z%rest*z%y) - eta
          end if
-         range_excess = range_excess + 2*sigma*zone_range_integral(z%tangent, z%m, z%phi, z%distance)
+         if (present(k)) then
+            range_excess = range_excess + 2*sigma*k
+         else
+            range_excess = range_excess + 2*sigma*zone_range_integral(z%tangent, z%m, z%phi, z%distance)
+         end if
       end associate
    end function range_excess
 

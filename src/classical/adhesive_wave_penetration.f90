@@ -11,6 +11,7 @@ module adfric_classical_adhesive_wave_penetration
    use adfric_classical_adhesive_wave, only: zones_t, get_zones_of_place, range_excess, penetration_slope, get_range_slopes, &
       & open_crest
    use adfric_classical_adhesive_wave_curve, only: adhesive_wave_t, find_contact, guess_y, get_curve_state
+   use adfric_classical_adhesive_wave_integrals, only: get_zone_integrals
    use adfric_classical_adhesive_wave_load, only: was_partial, branch_approach
    use adfric_classical_adhesive_wave_state, only: wave_adhesion_t, state_of_zones, fill_saturated, regime_free
    use adfric_classical_westergaard, only: find_wave_pressure
@@ -154,14 +155,15 @@ contains
       type(zones_t), intent(inout) :: zones
       !> Were they found?
       logical, intent(out) :: is_converged
-      real(dp) :: by_place, by_y, range, load, delta, gap, slope, dx, dy
+      real(dp) :: by_place, by_y, range, delta, k, m, w, slope, dx, dy
       integer :: i
 
       is_converged = .false.
       do i = 1, max_newton
-         range = range_excess(wave%sigma, wave%range, zones)
+         call get_zone_integrals(zones%tangent, zones%m, zones%phi, zones%distance, k, m, w)
+         range = range_excess(wave%sigma, wave%range, zones, k)
+         delta = zones%square*(1 + 2*zones%lambda) + 2*wave%sigma*m
          call get_range_slopes(wave%sigma, zones, by_place, by_y)
-         call get_curve_state(wave, zones, load, delta, gap)
          dx = (penetration - delta - zones%lambda/zones%y*range)*zones%y
          slope = 2*zones%sine*zones%cosine*penetration_slope(wave%sigma, zones)
          ! next to an extreme there may be no slope, and in a zone of round-off none of the range
