@@ -26,7 +26,7 @@ module adfric_periodic_adhesive_contact
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
-   public :: solve_adhesive_contact, widen_share
+   public :: solve_adhesive_contact, find_state, widen_share
 
    !> Rounds from the bound, at most.
    integer, parameter :: most_rounds = 2000

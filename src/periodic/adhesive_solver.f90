@@ -15,7 +15,7 @@ module adfric_periodic_adhesive_solver
       & start_from_coarse, coarse_tolerance, contact_solved, contact_not_converged, contact_out_of_range
    implicit none (type, external)
    private
-   public :: periodic_adhesion_t, solve_adhesive_load
+   public :: periodic_adhesion_t, solve_adhesive_load, solve_adhesive_state
 
    !> Adhesion of Maugis and Dugdale, and which of the states is wanted.
    type :: periodic_adhesion_t
@@ -47,7 +47,61 @@ contains
       type(periodic_solution_t), intent(out) :: solution
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
-      type(contact_state_t), allocatable :: states(:), turned(:)
+      type(contact_state_t), allocatable :: states(:)
+
+      call solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, solution, error)
+      if (allocated(error)) return
+      if (solution%status == contact_out_of_range) return
+      associate (n => size(states))
+         call set_full_pressure(self%grids(n)%operator, shape, solution)
+         call set_solution(states, self%grids(n)%operator, solution)
+         call take_tension(states(n), solution)
+      end associate
+   end subroutine solve_adhesive_load
+
+   !> Solve as `solve_adhesive_load`, for the state on the finest grid.
+   subroutine solve_adhesive_state(self, shape, mean_pressure, adhesion, tolerance, state, solution, error)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> Mean pressure [E*], negative where the surface is pulled.
+      real(dp), intent(in) :: mean_pressure
+      !> The law, and which state is wanted.
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> The state, of no meaning where there is none.
+      type(contact_state_t), intent(out) :: state
+      !> Receives pairs of transforms and how it ended.
+      type(periodic_solution_t), intent(out) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(contact_state_t), allocatable :: states(:)
+
+      call solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, solution, error)
+      if (.not. allocated(error)) state = states(size(states))
+   end subroutine solve_adhesive_state
+
+   !> Solve on all grids; after a turn the state of the turn first.
+   subroutine solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, solution, error)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> Mean pressure [E*].
+      real(dp), intent(in) :: mean_pressure
+      !> The law, and which state is wanted.
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> Receives the states, from the coarsest grid to the finest.
+      type(contact_state_t), allocatable, intent(out) :: states(:)
+      !> Receives pairs of transforms and how it ended.
+      type(periodic_solution_t), intent(out) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(contact_state_t), allocatable :: turned(:)
       integer :: k, n
 
       call check_shape(self, shape, error)
@@ -71,11 +125,7 @@ contains
       else
          call pass_grids(self, states, adhesion%is_adhered .and. .not. adhesion%has_turned, tolerance, solution)
       end if
-      if (solution%status == contact_out_of_range) return
-      call set_full_pressure(self%grids(n)%operator, shape, solution)
-      call set_solution(states, self%grids(n)%operator, solution)
-      call take_tension(states(n), solution)
-   end subroutine solve_adhesive_load
+   end subroutine solve_on_grids
 
    !> Solve with adhesion on each grid, from the coarsest to the finest.
    subroutine pass_grids(self, states, is_adhered, tolerance, solution, turned)

@@ -1,0 +1,200 @@
+!> Pull-off of an adhesive periodic surface: the least mean pressure that a state of the branch carries.
+!>
+!> At a load a branch has a state or it has none, and it has one at every load above one where it has (`adfric_periodic_adhesive_contact`). So
+!> tensions from the stress sigma0, which no state carries more than, are halved until there is a state. From there the mean gap is opened
+!> step by step, with Newton's method: at a given mean gap the load is what is found, and a fold of the load is only its lowest
+!> point. The lowest point of a parabola through three states leads there. That it is the pull-off, and not only a jump to another
+!> state, is seen at a load a little below, where the branch has no state then; where it has one, the search goes on from that.
+module adfric_periodic_adhesive_pull_off
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t
+   use adfric_periodic_adhesive_contact, only: find_state
+   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_state
+   use adfric_periodic_contact, only: contact_state_t
+   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, contact_solved, contact_out_of_range
+   implicit none (type, external)
+   private
+   public :: pull_off_t, find_pull_off
+
+   !> Pull-off.
+   type :: pull_off_t
+      !> Mean pressure [E*], at most 0.
+      real(dp) :: mean_pressure = 0
+      !> Penetration of the state there.
+      real(dp) :: penetration = 0
+      !> Applied operators, see `periodic_solution_t`.
+      real(dp) :: n_pairs = 0
+      !> Has it been found?
+      logical :: is_found = .false.
+   end type pull_off_t
+
+   !> Relative error that is small enough, and by how much more a tension is that must have no state.
+   real(dp), parameter :: wanted_error = 1.0e-5_dp, beyond = 1.0e-2_dp
+   !> Loads and steps that are tried at most.
+   integer, parameter :: most_loads = 40, most_steps = 60
+   !> Part of the stress below which a pull-off is none.
+   real(dp), parameter :: least_part = 1.0e-6_dp
+   !> The first step of the mean gap, in units of the range of the undeformed gap, the growth of the next, and the smallest one.
+   real(dp), parameter :: first_step = 2.0e-3_dp, growth = 1.6_dp, least_step = 1.0e-7_dp
+
+   !> The last three states on the way down.
+   type :: way_t
+      !> How many there are.
+      integer :: n = 0
+      !> Mean gaps and loads [E*].
+      real(dp) :: gaps(3) = 0, loads(3) = 0
+   end type way_t
+
+contains
+
+   !> Find the pull-off of a branch.
+   subroutine find_pull_off(solver, shape, adhesion, tolerance, pull_off, error)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: solver
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> The law; the branch is the adhered one, or the one after the turn.
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> The pull-off.
+      type(pull_off_t), intent(out) :: pull_off
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(periodic_adhesion_t) :: branch
+      type(periodic_solution_t) :: solution
+      type(contact_state_t) :: state
+      real(dp) :: load, without
+      integer :: k
+
+      branch = adhesion
+      branch%is_adhered = .true.
+      without = -adhesion%stress*(1 + wanted_error)
+      load = -adhesion%stress*(1 - wanted_error)
+      pull_off%mean_pressure = 0
+      do k = 1, most_loads
+         call solve_adhesive_state(solver, shape, load, branch, tolerance, state, solution, error)
+         if (allocated(error)) return
+         pull_off%n_pairs = pull_off%n_pairs + solution%n_pairs
+         if (solution%status == contact_out_of_range) then
+            without = load
+         else if (solution%status == contact_solved) then
+            pull_off%mean_pressure = load
+            pull_off%penetration = sum(shape - state%gap)/size(shape)
+            if (any(state%is_open)) call go_down(solver, state, tolerance, pull_off)
+         else
+            return
+         end if
+         pull_off%is_found = pull_off%mean_pressure - without <= max(1.1_dp*beyond*abs(pull_off%mean_pressure), &
+            & least_part*adhesion%stress)
+         if (pull_off%is_found) return
+         load = without/2
+         if (pull_off%mean_pressure < 0) load = max((1 + beyond)*pull_off%mean_pressure, &
+            & (pull_off%mean_pressure + without)/2)
+      end do
+   end subroutine find_pull_off
+
+   !> Open the mean gap from a state, to the lowest load on the way.
+   subroutine go_down(solver, state, tolerance, pull_off)
+      !> Solver of the state.
+      type(periodic_solver_t), intent(inout) :: solver
+      !> In: the state. Out: one next to the lowest load.
+      type(contact_state_t), intent(inout) :: state
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> Receives the lowest load; keeps what it has where there is none.
+      type(pull_off_t), intent(inout) :: pull_off
+      type(contact_state_t) :: next
+      type(way_t) :: way
+      real(dp) :: step, gap
+      logical :: has_found
+      integer :: k, n_before
+
+      state%has_fixed_mean = .true.
+      call add(way, sum(state%gap)/size(state%gap), state%mean_pressure)
+      step = first_step*(maxval(state%shape) - minval(state%shape))
+      associate (grid => solver%grids(size(solver%grids)))
+         n_before = grid%operator%n_applied
+         do k = 1, most_steps
+            gap = way%gaps(way%n) + step
+            if (has_bracket(way)) gap = lowest_place(way)
+            next = state
+            next%mean_gap = gap
+            call find_state(next, grid%operator, grid%gap_solver, tolerance, has_found)
+            if (has_found) then
+               state = next
+               call add(way, gap, next%mean_pressure)
+               if (next%mean_pressure < pull_off%mean_pressure) then
+                  pull_off%penetration = sum(next%shape - next%gap)/size(next%gap)
+                  pull_off%mean_pressure = next%mean_pressure
+               end if
+               step = growth*step
+               if (is_lowest(way)) exit
+            else
+               step = step/4
+               if (has_bracket(way) .or. step < least_step*(maxval(state%shape) - minval(state%shape))) exit
+            end if
+         end do
+         pull_off%n_pairs = pull_off%n_pairs + grid%operator%n_applied - n_before
+      end associate
+   end subroutine go_down
+
+   !> Keep three states: the lowest load and those beside it, or the last ones.
+   pure subroutine add(way, gap, load)
+      !> States that have been found, by rising gap.
+      type(way_t), intent(inout) :: way
+      !> Mean gap and load of one more [E*].
+      real(dp), intent(in) :: gap, load
+      real(dp) :: gaps(4), loads(4)
+      integer :: place, first
+
+      place = count(way%gaps(:way%n) < gap)
+      gaps(:way%n + 1) = [way%gaps(:place), gap, way%gaps(place + 1:way%n)]
+      loads(:way%n + 1) = [way%loads(:place), load, way%loads(place + 1:way%n)]
+      way%n = way%n + 1
+      first = 1
+      if (way%n > 3) then
+         way%n = 3
+         first = max(1, min(minloc(loads, 1) - 1, 2))
+      end if
+      way%gaps(:way%n) = gaps(first:first + way%n - 1)
+      way%loads(:way%n) = loads(first:first + way%n - 1)
+   end subroutine add
+
+   !> Is the middle one of three states the lowest?
+   pure logical function has_bracket(way)
+      !> States that have been found.
+      type(way_t), intent(in) :: way
+
+      has_bracket = way%n == 3 .and. minloc(way%loads, 1) == 2
+   end function has_bracket
+
+   !> Mean gap at the lowest point of the parabola through three states, between the outer ones and apart from the middle one.
+   pure real(dp) function lowest_place(way) result(gap)
+      !> States of which the middle one is the lowest.
+      type(way_t), intent(in) :: way
+      real(dp) :: slopes(2), least
+
+      slopes = (way%loads(2:) - way%loads(:2))/(way%gaps(2:) - way%gaps(:2))
+      gap = (way%gaps(1) + way%gaps(2))/2 - slopes(1)*(way%gaps(3) - way%gaps(1))/(2*(slopes(2) - slopes(1)))
+      least = (way%gaps(3) - way%gaps(1))/50
+      if (abs(gap - way%gaps(2)) < least) gap = way%gaps(2) + merge(least, -least, &
+         & way%gaps(3) - way%gaps(2) > way%gaps(2) - way%gaps(1))
+   end function lowest_place
+
+   !> Is the parabola through three states nowhere lower than the lowest of them, but for the wanted error?
+   pure logical function is_lowest(way)
+      !> States that have been found.
+      type(way_t), intent(in) :: way
+      real(dp) :: slopes(2), curvature, slope
+
+      is_lowest = .false.
+      if (.not. has_bracket(way)) return
+      slopes = (way%loads(2:) - way%loads(:2))/(way%gaps(2:) - way%gaps(:2))
+      curvature = (slopes(2) - slopes(1))/(way%gaps(3) - way%gaps(1))
+      slope = slopes(1) + curvature*(way%gaps(2) - way%gaps(1))
+      is_lowest = slope**2/(4*curvature) <= wanted_error*abs(way%loads(2)) &
+         & .and. maxval(way%loads) - way%loads(2) <= 100*wanted_error*abs(way%loads(2))
+   end function is_lowest
+
+end module adfric_periodic_adhesive_pull_off
