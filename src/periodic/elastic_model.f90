@@ -1,17 +1,28 @@
-!> What the models of a periodic surface on an elastic half-space share; a model says what its surface is.
+!> What the models of a periodic surface on an elastic half-space share, with or without adhesion; a model says what its surface is.
 module adfric_periodic_elastic_model
    use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_material_adhesion_rows, only: adhesion_law_t, adhesion_names, branch_adhered, check_adhesion, has_adhesion, &
+      & n_adhesion_rows, resolve_adhesion, set_adhesion_rows
    use adfric_material_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, n_two_bodies, &
       & set_modulus_rows
-   use adfric_model_derived, only: derived_t
+   use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_rows, only: positive
    use adfric_model_table, only: variable_t
+   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t
+   use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_model, only: periodic_model_t
-   use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t
+   use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
+   use adfric_periodic_solver, only: periodic_solution_t
+   use adfric_periodic_variables
    implicit none (type, external)
    private
    public :: elastic_model_t
+
+   !> Cells per zone below which there is a doubt.
+   real(dp), parameter :: few_cells = 4
 
    !> The models of surfaces on an elastic half-space.
    type, abstract, extends(periodic_model_t) :: elastic_model_t
@@ -20,6 +31,11 @@ module adfric_periodic_elastic_model
       procedure :: check_solid
       procedure :: set_solid
       procedure :: derive_solid
+      procedure :: set_adhesion
+      procedure :: finish_point
+      procedure :: describe_doubts
+      procedure :: doubt_adhesion
+      procedure, private :: adhesion_of
    end type elastic_model_t
 
 contains
@@ -34,10 +50,14 @@ contains
       character(*), intent(in) :: summary
       !> Variables of the surface.
       type(variable_t), intent(in) :: surface(:)
-      type(variable_t) :: solid(n_two_bodies)
+      type(variable_t) :: solid(n_elastic_solid)
 
-      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), solid)
-      call self%set_tables(name, summary, surface, solid)
+      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), solid(:n_two_bodies))
+      call set_adhesion_rows(solid(n_two_bodies + 1:n_two_bodies + n_adhesion_rows))
+      solid(n_elastic_solid) = pull_off_row()
+      call self%set_tables(name, summary, surface, solid, .true.)
+      deallocate (self%results)
+      allocate (self%results, source=get_elastic_results())
    end subroutine set_elastic_tables
 
    !> See `periodic_model_t`.
@@ -51,8 +71,17 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      associate (first => self%first_of_solid, last => self%last_of_solid)
+      associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1, held => self%before_held)
          call check_contact_modulus(self%variables(first:last), values(first:last), problems, .false.)
+         call check_adhesion(self%variables(last + 1:last + n_adhesion_rows), values(last + 1:last + n_adhesion_rows), problems)
+         if (has_adhesion(values(last + 1:last + n_adhesion_rows))) then
+            if (is_set(values(held + v_penetration))) call problems%add('operating', 'penetration', &
+               & 'is not held with adhesion; give mean_pressure')
+         else
+            if (values(held + v_mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
+               & 'is below 0, but nothing pulls without &adhesion')
+            if (values(self%last_of_solid) > 0) call problems%add('output', 'pull_off', 'has no meaning without &adhesion')
+         end if
       end associate
       associate (unused => is_swept)
       end associate
@@ -68,24 +97,157 @@ contains
       type(periodic_surface_t), intent(inout) :: surface
 
       if (.not. allocated(surface%solid)) allocate (periodic_solid_t :: surface%solid)
-      surface%solid%modulus = contact_modulus_of(values(self%first_of_solid:self%last_of_solid))
+      surface%solid%modulus = contact_modulus_of(values(self%first_of_solid:self%first_of_solid + n_two_bodies - 1))
    end subroutine set_solid
 
-   !> See `periodic_model_t`: the contact modulus.
+   !> Adhesion of a point, whose values have been checked.
+   type(adhesion_law_t) function adhesion_of(self, values) result(law)
+      !> The model, for the places of its rows.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      associate (before => self%first_of_solid + n_two_bodies - 1)
+         call resolve_adhesion(values(before + 1:before + n_adhesion_rows), law)
+      end associate
+   end function adhesion_of
+
+   !> See `periodic_model_t`.
+   subroutine set_adhesion(self, values, modulus, goal)
+      !> The model, for the places of its rows.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Contact modulus E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> What is held at the point; receives adhesion.
+      type(periodic_goal_t), intent(inout) :: goal
+      type(adhesion_law_t) :: law
+
+      if (allocated(goal%adhesion)) deallocate (goal%adhesion)
+      law = self%adhesion_of(values)
+      if (.not. law%stress > 0) return
+      allocate (goal%adhesion)
+      goal%adhesion%stress = law%stress/modulus
+      goal%adhesion%range = law%range
+      goal%adhesion%is_adhered = law%branch == branch_adhered
+      goal%adhesion%has_turned = allocated(law%turning_pressure)
+      if (allocated(law%turning_pressure)) goal%adhesion%turning_pressure = law%turning_pressure/modulus
+      goal%wants_pull_off = values(self%last_of_solid) > 0
+   end subroutine set_adhesion
+
+   !> See `periodic_model_t`: the regime, energies, and what cells can tell of adhesion.
+   subroutine finish_point(self, values, surface, solution, results, error_estimate)
+      !> The model, for the places of its rows.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Periods and undeformed gap of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Solution of the point; lengths in m, pressures in E*.
+      type(periodic_solution_t), intent(in) :: solution
+      !> In: with the results that all these models have. Out: with all; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the area of contact [-].
+      real(dp), intent(out) :: error_estimate
+      type(adhesion_law_t) :: law
+
+      law = self%adhesion_of(values)
+      error_estimate = relative_error_of(solution%area)
+      associate (modulus => surface%solid%modulus, cells => real(size(solution%gap), dp))
+         results(r_elastic_energy) = modulus*sum((solution%gap - surface%shape)*(solution%pressure - solution%mean_pressure)) &
+            & /(2*cells)
+         results(r_adhesion_energy) = modulus*solution%adhesion_energy
+         results(r_adhesion_fraction) = 0
+         if (allocated(solution%share)) &
+            & results(r_adhesion_fraction) = max(sum(solution%share)/cells - solution%area%corrected, 0.0_dp)
+         results(r_regime) = regime_of(solution)
+         if (solution%pull_off < huge(1.0_dp)) results(r_pull_off_pressure) = modulus*solution%pull_off
+         if (law%stress > 0) results(r_cells_per_zone) = cells_per_zone(law, surface)
+      end associate
+   end subroutine finish_point
+
+   !> See `model_t`: zones of adhesion that the cells do not see.
+   function describe_doubts(self, values) result(text)
+      !> The model, for its surface.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = self%doubt_adhesion(values)
+   end function describe_doubts
+
+   !> Zones of adhesion that the cells do not see, in a line; empty if there is nothing to say.
+   function doubt_adhesion(self, values) result(text)
+      !> The model, for its surface.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      type(periodic_surface_t) :: surface
+      type(adhesion_law_t) :: law
+      character(120) :: line
+
+      text = ''
+      law = self%adhesion_of(values)
+      if (.not. law%stress > 0) return
+      call self%get_cells(values, surface)
+      call self%set_solid(values, surface)
+      associate (n => cells_per_zone(law, surface))
+         if (n >= few_cells) return
+         write (line, '(a, es8.1, a)') 'a short zone of adhesion has', n, ' cells: pull-off and branches are those of the cells'
+      end associate
+      text = trim(line)//new_line('a')
+   end function doubt_adhesion
+
+   !> The regime of a solution.
+   pure integer function regime_of(solution) result(regime)
+      !> The solution, which is one.
+      type(periodic_solution_t), intent(in) :: solution
+
+      regime = regime_partial
+      if (.not. solution%area%cells > 0) regime = regime_none
+      if (allocated(solution%share)) then
+         regime = regime_adhesion_zones
+         if (.not. any(solution%share < 1)) regime = regime_saturated_adhesion
+      end if
+      if (solution%area%cells >= 1) regime = regime_full
+   end function regime_of
+
+   !> Length of a short zone of adhesion over that of a cell.
+   pure real(dp) function cells_per_zone(law, surface)
+      !> The adhesion.
+      type(adhesion_law_t), intent(in) :: law
+      !> Periods and cells of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+
+      associate (size => surface%period/(surface%n_cells*merge(2, 1, surface%is_quarter)))
+         cells_per_zone = pi*surface%solid%modulus*law%range/(4*law%stress*maxval(size, mask=surface%n_cells > 1))
+      end associate
+   end function cells_per_zone
+
+   !> See `periodic_model_t`: the contact modulus, and lengths of adhesion.
    function derive_solid(self, values, surface) result(derived)
       !> The model, for the rows of the solid.
       class(elastic_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The surface, not used here.
+      !> The surface, with its solid.
       type(periodic_surface_t), intent(in) :: surface
       type(derived_t), allocatable :: derived(:)
+      type(adhesion_law_t) :: law
 
-      associate (first => self%first_of_solid, last => self%last_of_solid)
+      associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1)
          derived = derive_contact_modulus(self%variables(first:last), values(first:last))
       end associate
-      associate (unused => surface)
-      end associate
+      law = self%adhesion_of(values)
+      if (.not. law%stress > 0) return
+      call add_derived(derived, 'surface_energy', 'J/m^2', 'stress times range', law%stress*law%range, adhesion_names)
+      call add_derived(derived, 'zone_length', 'm', 'length of a short zone of adhesion, pi E* h0/(4 p0)', &
+         & pi*surface%solid%modulus*law%range/(4*law%stress))
+      call add_derived(derived, 'cells_per_zone', '-', 'that over the length of a cell; a few are needed', &
+         & cells_per_zone(law, surface))
    end function derive_solid
 
 end module adfric_periodic_elastic_model

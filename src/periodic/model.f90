@@ -37,6 +37,7 @@ module adfric_periodic_model
       procedure :: describe_case
       procedure :: describe_surface
       procedure :: solve_in_closed_form
+      procedure :: set_adhesion
       procedure :: finish_point
       procedure :: derive_solid
       procedure(check_surface_i), deferred :: check_surface
@@ -159,7 +160,7 @@ module adfric_periodic_model
 contains
 
    !> Set the tables of the model.
-   subroutine set_tables(self, name, summary, surface, solid)
+   subroutine set_tables(self, name, summary, surface, solid, may_pull)
       !> The model, which receives the tables.
       class(periodic_model_t), intent(inout) :: self
       !> Name of the model in `&job model = ...`.
@@ -168,6 +169,8 @@ contains
       character(*), intent(in) :: summary
       !> Variables of the surface, and those of the solid.
       type(variable_t), intent(in) :: surface(:), solid(:)
+      !> May the load be below 0?
+      logical, intent(in) :: may_pull
 
       self%name = name
       self%summary = summary
@@ -180,7 +183,7 @@ contains
       self%variables(:size(surface)) = surface
       self%variables(self%v_tolerance) = tolerance_row()
       self%variables(self%first_of_solid:self%last_of_solid) = solid
-      call set_held_rows(self%variables(self%before_held + 1:))
+      call set_held_rows(self%variables(self%before_held + 1:), may_pull)
       self%results = get_periodic_results()
       self%profiles = contact_profiles()
       allocate (self%counts(1))
@@ -281,6 +284,7 @@ contains
          call self%get_shape(values, state%surface%shape)
          call self%set_solid(values, state%surface)
          goal = get_goal(self, values, state%surface%solid%modulus)
+         call self%set_adhesion(values, state%surface%solid%modulus, goal)
          call self%solve_in_closed_form(values, state%surface, goal, state%solution, is_known)
          if (.not. is_known) call solve_periodic(state%surface, goal, state%memory, state%solution, error)
          if (allocated(error)) then
@@ -369,6 +373,22 @@ contains
          & unused_solution => solution)
       end associate
    end subroutine solve_in_closed_form
+
+   !> Adhesion of a point: none. A model may override it.
+   subroutine set_adhesion(self, values, modulus, goal)
+      !> The model; nothing is read from it here.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, not used here.
+      real(dp), intent(in) :: values(:)
+      !> Contact modulus E* [Pa], not used here.
+      real(dp), intent(in) :: modulus
+      !> What is held at the point; may receive adhesion.
+      type(periodic_goal_t), intent(inout) :: goal
+
+      if (allocated(goal%adhesion)) deallocate (goal%adhesion)
+      associate (unused => self, unused_values => values, unused_modulus => modulus)
+      end associate
+   end subroutine set_adhesion
 
    !> The error of a solved point: that of the area of contact. A model may override it, and add results of its own.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)

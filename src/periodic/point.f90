@@ -3,6 +3,8 @@ module adfric_periodic_point
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
+   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
@@ -43,6 +45,10 @@ module adfric_periodic_point
       real(dp) :: value = 0
       !> Largest residual.
       real(dp) :: tolerance = 1.0e-10_dp
+      !> Adhesion, with its stress in E* and its range in m; not allocated: none. Elastic half-spaces under a mean pressure alone.
+      type(periodic_adhesion_t), allocatable :: adhesion
+      !> Is the pull-off wanted?
+      logical :: wants_pull_off = .false.
    end type periodic_goal_t
 
    !> Solver of the last point, for the next one.
@@ -58,6 +64,11 @@ module adfric_periodic_point
       real(dp), allocatable :: kernel_numbers(:)
       !> The solver, with its transforms and buffers.
       type(periodic_solver_t), allocatable :: solver
+      !> Adhesion, tolerance and surface whose pull-off is known; not allocated: of none.
+      real(dp), allocatable :: pull_off_numbers(:)
+      real(dp), allocatable :: pull_off_shape(:, :)
+      !> That pull-off; pressures in E*, lengths in periods along x.
+      type(pull_off_t) :: pull_off
    end type periodic_memory_t
 
 contains
@@ -79,7 +90,9 @@ contains
       unit = surface%period(1)
       call prepare(surface, memory, error)
       if (allocated(error)) return
-      if (goal%is_pressure) then
+      if (allocated(goal%adhesion)) then
+         call solve_adhesive(surface, goal, memory, solution, error)
+      else if (goal%is_pressure) then
          call memory%solver%solve_load(surface%shape/unit, goal%value, goal%tolerance, solution, error)
       else
          call memory%solver%solve_penetration(surface%shape/unit, goal%value/unit, goal%tolerance, solution, error)
@@ -87,7 +100,44 @@ contains
       if (allocated(error)) return
       solution%penetration = solution%penetration*unit
       if (allocated(solution%gap)) solution%gap = solution%gap*unit
+      solution%adhesion_energy = solution%adhesion_energy*unit
    end subroutine solve_periodic
+
+   !> Solve a point with adhesion, and find its pull-off if it is wanted and not known.
+   subroutine solve_adhesive(surface, goal, memory, solution, error)
+      !> Periods and undeformed gap of the surface [m].
+      type(periodic_surface_t), intent(in) :: surface
+      !> What is held at the point.
+      type(periodic_goal_t), intent(in) :: goal
+      !> Solver of the surface; what it knows of the pull-off does not depend on the points before.
+      type(periodic_memory_t), intent(inout) :: memory
+      !> The solution; lengths in periods along x, pressures in E*.
+      type(periodic_solution_t), intent(out) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(periodic_adhesion_t) :: adhesion
+      real(dp), allocatable :: numbers(:), shape_in_periods(:, :)
+      logical :: is_known
+
+      adhesion = goal%adhesion
+      adhesion%range = adhesion%range/surface%period(1)
+      allocate (shape_in_periods, source=surface%shape/surface%period(1))
+      call solve_adhesive_load(memory%solver, shape_in_periods, goal%value, adhesion, goal%tolerance, solution, error)
+      if (allocated(error) .or. .not. goal%wants_pull_off) return
+      numbers = [adhesion%stress, adhesion%range, merge(adhesion%turning_pressure, -1.0_dp, adhesion%has_turned), goal%tolerance, &
+         & memory%period]
+      is_known = allocated(memory%pull_off_numbers)
+      if (is_known) is_known = all(abs(memory%pull_off_numbers - numbers) <= 0) &
+         & .and. all(shape(memory%pull_off_shape) == shape(shape_in_periods))
+      if (is_known) is_known = all(abs(memory%pull_off_shape - shape_in_periods) <= 0)
+      if (.not. is_known) then
+         call find_pull_off(memory%solver, shape_in_periods, adhesion, goal%tolerance, memory%pull_off, error)
+         if (allocated(error)) return
+         memory%pull_off_numbers = numbers
+         call move_alloc(shape_in_periods, memory%pull_off_shape)
+      end if
+      if (memory%pull_off%is_found) solution%pull_off = memory%pull_off%mean_pressure
+   end subroutine solve_adhesive
 
    !> Mean pressure at which contact becomes full on the cells of the surface: the largest tension under a flat surface, without a
    !> mean, that follows it everywhere. NaN if there is no memory.

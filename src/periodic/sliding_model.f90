@@ -62,7 +62,7 @@ contains
 
       call set_surface_rows(surface)
       call set_solid_rows(solid)
-      call self%set_tables(name='surface_sliding', surface=surface, solid=solid, &
+      call self%set_tables(name='surface_sliding', surface=surface, solid=solid, may_pull=.false., &
          & summary='a rigid rough surface or wave that slides over a viscoelastic half-space or layer: friction, area and pressure')
       self%references = 'S. C. Hunter, J. Appl. Mech. 28 (1961) 611; B. N. J. Persson, J. Chem. Phys. 115 (2001) 3840'
       self%results = get_sliding_results()

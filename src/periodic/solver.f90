@@ -47,6 +47,8 @@ module adfric_periodic_solver
       real(dp), allocatable :: share(:, :)
       !> Elastic energy, and energy of adhesion below 0, per area [E* times the unit of the gap]; with adhesion alone.
       real(dp) :: elastic_energy = 0, adhesion_energy = 0
+      !> Pull-off, where it was sought and found [E*]; else the largest number.
+      real(dp) :: pull_off = huge(1.0_dp)
       !> Friction in full contact on these cells, along x and along y [E*].
       real(dp) :: full_friction(2) = 0
       !> Friction on these cells.

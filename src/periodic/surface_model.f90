@@ -138,17 +138,15 @@ contains
       text = self%given%describe()
    end function describe_surface
 
-   !> See `model_t`: edges that do not meet.
+   !> See `model_t`: edges that do not meet, and what cells do not see of adhesion.
    function describe_doubts(self, values) result(text)
       !> The model with its heights.
       class(surface_model_t), intent(in) :: self
-      !> Values of the variables, not used here.
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
-      text = self%given%doubt()
-      associate (unused => values)
-      end associate
+      text = self%given%doubt()//self%doubt_adhesion(values)
    end function describe_doubts
 
 end module adfric_periodic_surface_model

@@ -1,23 +1,33 @@
-!> Rows of the tables that all models of a periodic surface share: tolerance, then those of the solid, what is held, and the maps.
+!> Rows of the tables that all models of a periodic surface share: tolerance, then those of the solid, what is held, and the maps; and
+!> those of the models on an elastic half-space, which may adhere.
 module adfric_periodic_variables
    use adfric_base_kinds, only: dp
+   use adfric_material_adhesion_rows, only: n_adhesion_rows
    use adfric_material_contact_modulus, only: n_two_bodies
    use adfric_model_rows, only: number, switch, result_row, any_number
    use adfric_model_table, only: variable_t, result_t
    implicit none (type, external)
    private
-   public :: tolerance_row, set_held_rows, get_periodic_results
+   public :: tolerance_row, set_held_rows, pull_off_row, get_periodic_results, get_elastic_results
 
    !> Places among the rows behind those of the solid.
    integer, parameter, public :: v_mean_pressure = 1, v_penetration = 2, v_profiles = 3
    integer, parameter, public :: n_held = 3
    !> Number of the rows that the models on an elastic half-space share.
-   integer, parameter, public :: n_periodic_variables = 1 + n_two_bodies + n_held
+   integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + 1
+   integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_held
 
    !> Places of the results.
    integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_fraction = 3, r_contact_fraction_error = 4, &
       & r_peak_pressure = 5, r_mean_gap = 6, r_full_contact_pressure = 7, r_contact_violation = 8
    integer, parameter, public :: n_periodic_results = 8
+   !> Places of those that the models on an elastic half-space add, and their number in all.
+   integer, parameter, public :: r_regime = 9, r_adhesion_fraction = 10, r_elastic_energy = 11, r_adhesion_energy = 12, &
+      & r_pull_off_pressure = 13, r_cells_per_zone = 14
+   integer, parameter, public :: n_elastic_results = 14
+   !> Numbers of the regimes; they have the words of `wave_1d`.
+   integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2, regime_adhesion_zones = 4, &
+      & regime_saturated_adhesion = 5
 
 contains
 
@@ -29,17 +39,49 @@ contains
    end function tolerance_row
 
    !> Rows of what is held and of the maps.
-   subroutine set_held_rows(v)
+   subroutine set_held_rows(v, may_pull)
       !> Receives the rows; shape `(n_held)`.
       type(variable_t), intent(inout) :: v(:)
+      !> May the load be below 0?
+      logical, intent(in) :: may_pull
 
       v(v_mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', meaning='load over nominal area', &
          & lower=0.0_dp)
+      if (may_pull) v(v_mean_pressure) = number(group='operating', name='mean_pressure', unit='Pa', &
+         & meaning='load over nominal area; below 0 with adhesion alone')
       v(v_penetration) = number(group='operating', name='penetration', unit='m', &
          & meaning='approach from first touch, at the mean of the deformed surface, instead')
       v(v_profiles) = switch(group='output', name='profiles', meaning='write maps of pressure and gap for every point', &
          & default=.false.)
    end subroutine set_held_rows
+
+   !> The switch of the pull-off.
+   type(variable_t) function pull_off_row() result(v)
+
+      v = switch(group='output', name='pull_off', meaning='find the pull-off of the adhered branch', default=.false.)
+   end function pull_off_row
+
+   !> The table of results of the models on an elastic half-space.
+   function get_elastic_results() result(r)
+      type(result_t), allocatable :: r(:)
+
+      allocate (r(n_elastic_results))
+      r(:n_periodic_results) = get_periodic_results()
+      r(r_contact_violation)%long_name = 'largest violation of g >= 0, p >= 0, g p = 0; with adhesion p + p0 t for p, t its ' &
+         & //'share of a cell'
+      r(r_regime) = result_row(name='regime', unit='-', long_name='regime', &
+         & flag_meanings='no_contact partial full adhesion_without_contact adhesion_zones saturated_adhesion')
+      r(r_adhesion_fraction) = result_row(name='adhesion_fraction', unit='-', &
+         & long_name='share of the area in adhesion without contact')
+      r(r_elastic_energy) = result_row(name='elastic_energy', unit='J/m^2', &
+         & long_name='energy of the elastic solid over nominal area')
+      r(r_adhesion_energy) = result_row(name='adhesion_energy', unit='J/m^2', &
+         & long_name='energy of adhesion over nominal area, 0 far apart')
+      r(r_pull_off_pressure) = result_row(name='pull_off_pressure', unit='Pa', &
+         & long_name='least mean pressure of the adhered branch, with &output pull_off')
+      r(r_cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
+         & long_name='length pi E* h0/(4 p0) of a short zone of adhesion over that of a cell')
+   end function get_elastic_results
 
    !> The table of results.
    function get_periodic_results() result(r)
