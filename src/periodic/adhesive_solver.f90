@@ -151,6 +151,11 @@ contains
          associate (grid => self%grids(k), state => states(k))
             n_before = grid%operator%n_applied
             has_guess = has_contact
+            if (present(turned)) then
+               ! what has not touched at the turn does not touch after it
+               has_contact = allocated(turned(k)%cohesion%share)
+               if (.not. has_contact) cycle
+            end if
             blank = state
             allocate (bound, widest, mold=state%shape)
             call get_first_bound(state, is_adhered, widest)

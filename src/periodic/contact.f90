@@ -111,7 +111,7 @@ contains
       type(verdict_t) :: verdict
       type(extremes_t) :: extremes
       real(dp) :: goal, residual, residual_before
-      integer :: n_checks, checks_at_most
+      integer :: n_checks, checks_at_most, most_iterations
       logical :: is_stuck, has_ended
 
       call begin(state, operator, gap_solver, extremes)
@@ -127,7 +127,8 @@ contains
       n_checks = 0
       is_stuck = .false.
       state%is_converged = .false.
-      do while (state%n_iterations < max_iterations .and. state%n_rounds < max_rounds)
+      most_iterations = merge(newton_iterations, max_iterations, follows_gap(state))
+      do while (state%n_iterations < most_iterations .and. state%n_rounds < max_rounds)
          call judge(state, extremes, goal, verdict)
          call search%note_step(verdict)
          has_ended = verdict%left <= goal*state%pressure_scale/2 .or. is_stuck .or. search%is_stalled()
@@ -141,7 +142,7 @@ contains
             n_checks = n_checks + 1
             if (state%is_converged .or. n_checks > checks_at_most) exit
             if (follows_gap(state)) then
-               if (is_stuck .or. residual > residual_before/2 .or. state%n_iterations > newton_iterations) exit
+               if (is_stuck .or. residual > residual_before/2) exit
                residual_before = residual
                goal = max(tolerance/2, min(goal, next_goal*residual))
             end if

@@ -80,7 +80,8 @@ contains
          else
             if (values(held + v_mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
                & 'is below 0, but nothing pulls without &adhesion')
-            if (values(self%last_of_solid) > 0) call problems%add('output', 'pull_off', 'has no meaning without &adhesion')
+            if (wants_pull_off(values(self%last_of_solid))) &
+               & call problems%add('output', 'pull_off', 'has no meaning without &adhesion')
          end if
       end associate
       associate (unused => is_swept)
@@ -133,8 +134,16 @@ contains
       goal%adhesion%is_adhered = law%branch == branch_adhered
       goal%adhesion%has_turned = allocated(law%turning_pressure)
       if (allocated(law%turning_pressure)) goal%adhesion%turning_pressure = law%turning_pressure/modulus
-      goal%wants_pull_off = values(self%last_of_solid) > 0
+      goal%wants_pull_off = wants_pull_off(values(self%last_of_solid))
    end subroutine set_adhesion
+
+   !> Is the pull-off wanted?
+   pure logical function wants_pull_off(value)
+      !> Value of the switch, or `unset`.
+      real(dp), intent(in) :: value
+
+      wants_pull_off = is_set(value) .and. value > 0
+   end function wants_pull_off
 
    !> See `periodic_model_t`: the regime, energies, and what cells can tell of adhesion.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)

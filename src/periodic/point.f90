@@ -64,8 +64,9 @@ module adfric_periodic_point
       real(dp), allocatable :: kernel_numbers(:)
       !> The solver, with its transforms and buffers.
       type(periodic_solver_t), allocatable :: solver
-      !> Adhesion, tolerance and surface whose pull-off is known; not allocated: of none.
+      !> Adhesion and tolerance of the surface whose pull-off is known; not allocated: of none.
       real(dp), allocatable :: pull_off_numbers(:)
+      !> That surface [periods along x].
       real(dp), allocatable :: pull_off_shape(:, :)
       !> That pull-off; pressures in E*, lengths in periods along x.
       type(pull_off_t) :: pull_off
