@@ -28,6 +28,7 @@ SHOWN = {
     ("wave_1d", "mean_pressure"): ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap"),
     ("wave_1d", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
     ("wave_1d", "stress"): ("pull_off_pressure", "hysteresis_loss"),
+    ("wave_2d_elastic", "stress"): ("pull_off_pressure", "cells_per_zone"),
     ("wave_1d", "velocity"): ("friction_coefficient", "contact_fraction", "contact_shift", "peak_pressure"),
 }
 

@@ -26,9 +26,12 @@ SHOWN, STEEP = 0.99, 10.0
 
 
 def draw_area(results):
-    """Share of the area in contact against mean pressure, its error bound, and the asymptotes of Johnson, Greenwood, Higginson."""
+    """Share of the area in contact against mean pressure, its error bound, and the asymptotes of Johnson, Greenwood, Higginson; with
+    adhesion, which has no such, the shares in contact and in adhesion, penetration and largest pressure."""
     if len(results.several) > 1:
         return draw_panels(results, "mean_pressure", ["contact_fraction"])
+    if np.any(np.isfinite(results.fields["cells_per_zone"].values)):
+        return draw_panels(results, "mean_pressure", ["contact_fraction", "adhesion_fraction", "penetration", "peak_pressure"])
     q = _share_of_full(results).ravel()
     order = np.argsort(q)
     names = ("contact_fraction", "contact_fraction_error")

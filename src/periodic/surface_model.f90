@@ -1,5 +1,5 @@
 !> The model `surface_elastic`: a rigid periodic surface, given by its heights (`adfric_periodic_given_heights`), on an elastic
-!> half-space, without friction and adhesion.
+!> half-space, without friction, with or without adhesion.
 module adfric_periodic_surface_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
@@ -41,7 +41,7 @@ contains
 
       call set_heights_rows(v)
       call self%set_elastic_tables(name='surface_elastic', surface=v, &
-         & summary='a rigid periodic surface of given heights on an elastic half-space: area, pressure and gap up to full contact')
+         & summary='a rigid periodic surface of given heights on an elastic half-space, also with adhesion: area, pressure and gap')
    end subroutine new_surface_model
 
    !> See `model_t`.

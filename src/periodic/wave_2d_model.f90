@@ -1,4 +1,4 @@
-!> The model `wave_2d_elastic`: a rigid bi-sinusoidal wave on an elastic half-space, without friction and adhesion.
+!> The model `wave_2d_elastic`: a rigid bi-sinusoidal wave on an elastic half-space, without friction, with or without adhesion.
 !>
 !> Full contact is reached at the mean pressure p* = 2 pi E* D/l (K. L. Johnson, J. A. Greenwood, J. G. Higginson, Int. J. Mech.
 !> Sci. 27, 1985, 383, on axes turned by 45 degrees), at the penetration 2 D. The wave is even about its crests and troughs, so
@@ -48,7 +48,7 @@ contains
          & meaning='cells along a period, a multiple of 64; the error of the area falls with their number', default=512, lower=64, &
          & upper=8192)
       call self%set_elastic_tables(name='wave_2d_elastic', &
-         & summary='a rigid wave in two directions on an elastic half-space: area, pressure and gap up to full contact', &
+         & summary='a rigid wave in two directions on an elastic half-space, also with adhesion: area, pressure and gap', &
          & surface=v)
       self%knows_full_pressure = .true.
    end subroutine new_wave_2d_model
