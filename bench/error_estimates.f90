@@ -4,8 +4,8 @@
 !> error_estimates [TABLE.csv [SEED]]
 !>
 !> True errors come from quadruple precision (strips, spheres), from the tightest tolerance and from thousands of equal strips
-!> (surfaces), from finer grids (2-D waves), from Westergaard (1-D wave) and from the closed form of the sliding 1-D wave. An error below the round-off of a number in double
-!> precision counts as that.
+!> (surfaces), from finer grids (2-D waves, rough surfaces that slide), from Westergaard (1-D wave) and from the closed form of the
+!> sliding 1-D wave. An error below the round-off of a number in double precision counts as that.
 program error_estimates
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
@@ -25,14 +25,14 @@ program error_estimates
       touching_approach, relative, qp
    use quad_strips, only: get_quad_forces
    use random_dice, only: dice_t, new_dice
-   use sliding_estimates, only: count_sliding_lines, count_sliding_waves
+   use sliding_estimates, only: count_sliding_lines, count_sliding_waves, count_sliding_surfaces
    use trial_strips, only: trial_t, draw_trial
    implicit none (type, external)
 
    integer, parameter :: n_strips = 20000, n_surfaces = 400, n_spheres = 4000
    !> Sums below this share of their terms are as good as zero, as the solver has it.
    real(dp), parameter :: share_of_scale = 0.01_dp
-   type(counts_t) :: counts(19)
+   type(counts_t) :: counts(21)
    integer :: table, seed
 
    call print_heading('Error estimates beside true errors')
@@ -49,6 +49,7 @@ program error_estimates
    call count_maps(counts(15), counts(16), seed + 6)
    call count_sliding_lines(counts(17), counts(18), seed + 7)
    call count_sliding_waves(counts(19), seed + 8)
+   call count_sliding_surfaces(counts(20), counts(21), seed + 9)
    table = open_table(text_argument(1, 'error_estimates.csv'), 'cases,decade,count')
    call report_counts(table, counts)
    close (table)

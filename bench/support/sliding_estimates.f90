@@ -1,4 +1,4 @@
-!> Estimated and true errors of waves that slide over a viscoelastic half-space.
+!> Estimated and true errors of waves and rough surfaces that slide over a viscoelastic half-space.
 module sliding_estimates
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
@@ -6,15 +6,22 @@ module sliding_estimates
    use adfric_material_prony, only: prony_t, new_prony
    use adfric_model_status, only: status_solved
    use estimate_counts, only: counts_t, count_case
-   use periodic_sliding_cases, only: new_wave_case, give_arms, kind_1d, kind_2d
+   use periodic_sliding_cases, only: new_wave_case, new_heights_case, give_arms, kind_1d, kind_2d
    use random_dice, only: dice_t, new_dice
    use trial_case, only: trial_case_t
    implicit none (type, external)
    private
-   public :: count_sliding_lines, count_sliding_waves
+   public :: count_sliding_lines, count_sliding_waves, count_sliding_surfaces
 
    real(dp), parameter :: amplitude = 1.0e-3_dp
    integer, parameter :: most_arms = 8
+   !> Waves along x and y of a random surface: from minus this to this.
+   integer, parameter :: most_waves = 16
+
+   !> A random surface: the amplitude, with its phase, of each wave along x (from 0) and y.
+   type :: random_surface_t
+      complex(dp) :: waves(0:most_waves, -most_waves:most_waves) = 0
+   end type random_surface_t
 
 contains
 
@@ -118,5 +125,87 @@ contains
          end do
       end do
    end subroutine count_sliding_waves
+
+   !> Random self-affine surfaces, in periods: friction and area against a finer grid of the same waves.
+   subroutine count_sliding_surfaces(friction, area, seed)
+      type(counts_t), intent(out) :: friction, area
+      integer, intent(in) :: seed
+      integer, parameter :: n_draws = 24, finest = 512
+      type(dice_t) :: dice
+      type(trial_case_t) :: case
+      type(random_surface_t) :: surface
+      real(dp), allocatable :: moduli(:), times(:)
+      real(dp) :: load, true_friction, true_area
+      integer :: k, digit
+
+      friction%name = 'sliding rough surface, friction'
+      area%name = 'sliding rough surface, area'
+      call new_dice(dice, seed)
+      do k = 1, n_draws
+         call draw(dice, moduli, times, load)
+         call draw_surface(dice, surface)
+         call solve_surface(surface, finest, moduli, times, load, case)
+         if (case%status(1) /= status_solved) then
+            friction%n_without_truth = friction%n_without_truth + 1
+            cycle
+         end if
+         true_friction = case%found('friction_stress')
+         true_area = case%found('contact_fraction')
+         do digit = 6, 7
+            call solve_surface(surface, 2**digit, moduli, times, load, case)
+            if (case%status(1) /= status_solved) then
+               friction%n_unsolved = friction%n_unsolved + 1
+               cycle
+            end if
+            call count_case(friction, case%error_estimate(1), abs(case%found('friction_stress')/true_friction - 1), 'surface')
+            call count_case(area, case%found('contact_fraction_error')/true_area, &
+               & abs(case%found('contact_fraction')/true_area - 1), 'surface')
+         end do
+      end do
+   end subroutine count_sliding_surfaces
+
+   !> A surface of random exponent of Hurst and random shortest wave, whose slopes along x have the root of the mean square of a
+   !> wave of `amplitude`.
+   subroutine draw_surface(dice, surface)
+      type(dice_t), intent(inout) :: dice
+      type(random_surface_t), intent(out) :: surface
+      real(dp) :: hurst, size, phase, square
+      integer :: shortest, i, j
+
+      call dice%between(0.3_dp, 0.9_dp, hurst)
+      call dice%choose(most_waves - 1, shortest)
+      shortest = shortest + 1
+      square = 0
+      do j = -shortest, shortest
+         do i = 0, shortest
+            call dice%between(0.0_dp, two_pi, phase)
+            call dice%between(0.0_dp, 1.0_dp, size)
+            if (hypot(real(i, dp), real(j, dp)) > shortest .or. (i == 0 .and. j <= 0)) cycle
+            size = size*hypot(real(i, dp), real(j, dp))**(-1 - hurst)
+            surface%waves(i, j) = cmplx(size*cos(phase), size*sin(phase), dp)
+            square = square + (i*size)**2
+         end do
+      end do
+      surface%waves = surface%waves*(amplitude/sqrt(square))
+   end subroutine draw_surface
+
+   !> Solve a random surface on n cells along x and y at unit velocity.
+   subroutine solve_surface(surface, n, moduli, times, load, case)
+      type(random_surface_t), intent(in) :: surface
+      integer, intent(in) :: n
+      real(dp), intent(in) :: moduli(:), times(:), load
+      type(trial_case_t), intent(out) :: case
+      complex(dp) :: along_x(n, 0:most_waves), along_y(-most_waves:most_waves, n)
+      integer :: i, k
+
+      do k = -most_waves, most_waves
+         if (k >= 0) along_x(:, k) = [(exp(cmplx(0.0_dp, two_pi*k*(i - 0.5_dp)/n, dp)), i=1, n)]
+         along_y(k, :) = [(exp(cmplx(0.0_dp, two_pi*k*(i - 0.5_dp)/n, dp)), i=1, n)]
+      end do
+      call new_heights_case(case, real(matmul(matmul(along_x, surface%waves), along_y), dp), 1.0_dp, 1.0_dp)
+      call give_arms(case, 1.0_dp, moduli, times, 1.0_dp)
+      call case%give('mean_pressure', load)
+      call case%solve()
+   end subroutine solve_surface
 
 end module sliding_estimates

@@ -1,4 +1,8 @@
-"""Figures of what the user has chosen: several files together, any result against any other, and points of a table."""
+"""Figures of what the user has chosen: several files together, any result against any other, and points of a table.
+
+Several files have a colour each, and dashes for their curves. Where all have the same curves, those of the same other swept values, a
+colour stands for the curve, and what files with few values have found are points upon the curve of the one with many.
+"""
 
 import csv
 import difflib
@@ -7,15 +11,25 @@ import os.path
 import numpy as np
 
 from .curves import add_legend, find_curves, leave_out_pole, load_of, passes_zero, without_pole
-from .labels import axis_label, scale_of
+from .labels import axis_label, point_label, scale_of
 from .results import RENAMED, BadFile, Field, NothingToDraw
+from .rubber import contact_share
 from .style import COLOURS, DASHES, MISSED, is_logarithmic, make_panels
+
+# curves of so many values or less have a mark at each
+MOST_MARKED = 30
+# of several files with the same curves
+LINES, MARKS = ("-", "--", ":", "-."), "os^Dv"
+# what ends a word of a title
+BREAKS = " ,;:("
 
 
 def draw_chosen(runs, x_name, y_names, table):
     """The figure, and its title: what the titles of the runs have in common."""
     from .figures import choose_results
 
+    for results in runs:
+        _add_share(results)
     x_name = x_name or _last_swept(runs[0])
     y_names = y_names or _default_results(runs, x_name, choose_results)
     for results in runs:
@@ -28,9 +42,10 @@ def draw_chosen(runs, x_name, y_names, table):
     scales = {name: _common_scale(runs, name, points) for name in [x_name, *y_names]}
     figure, panels = make_panels(len(y_names))
     title, names = _split_titles(runs)
+    looks = _looks_of(runs, names, x_name)
     for panel, y_name in zip(panels, y_names):
-        for place, (results, run_name) in enumerate(zip(runs, names)):
-            _draw_run(panel, results, (x_name, y_name), scales, place if len(runs) > 1 else None, run_name)
+        for results, look in zip(runs, looks):
+            _draw_run(panel, results, (x_name, y_name), scales, look)
         if y_name in points:
             panel.plot(points[x_name] * scales[x_name][0], points[y_name] * scales[y_name][0], "o", color=MISSED, markersize=4,
                        fillstyle="none", label=table.stem)
@@ -41,24 +56,49 @@ def draw_chosen(runs, x_name, y_names, table):
     return figure, title
 
 
-def _draw_run(panel, results, names, scales, place, run_name):
-    """The curves of a run; `place` among several runs."""
+def _add_share(results):
+    """Give strips the share of the nominal area in contact, which other models have as a result."""
+    if results.model == "wavy_sliding" and "contact_fraction" not in results.fields:
+        share = contact_share(results)
+        if share is not None:
+            results.fields[share.name] = share
+
+
+def _looks_of(runs, names, x_name):
+    """For each run a label and a style for each of its curves."""
+    curves = [find_curves(results, _along(results, x_name)) for results in runs]
+    counts = [_axis(results, _along(results, x_name)).values.size for results in runs]
+    marks = [{"marker": "o", "markersize": 3} if count <= MOST_MARKED else {} for count in counts]
+    if len(runs) == 1:
+        return [[(curve.label, {**curve.style, **marks[0]}) for curve in curves[0]]]
+    same = all(_others(results, x_name) == _others(runs[0], x_name) for results in runs) and len(curves[0]) <= len(COLOURS)
+    are_points = [count <= MOST_MARKED < max(counts) for count in counts]
+    if same and (len(curves[0]) > 1 or any(are_points)):
+        styles = [{"linestyle": LINES[place % len(LINES)], **mark} for place, mark in enumerate(marks)]
+        for place in np.flatnonzero(are_points):
+            styles[place] = {"linestyle": "none", "marker": MARKS[place % len(MARKS)], "markersize": 4, "fillstyle": "none"}
+    else:
+        styles = [{"color": COLOURS[place % len(COLOURS)], **mark} for place, mark in enumerate(marks)]
+    looks = []
+    for place, (name, style, some) in enumerate(zip(names, styles, curves)):
+        looks.append([])
+        for number, curve in enumerate(some):
+            colour = number if len(some) > 1 else place % len(COLOURS)
+            rest = {"color": COLOURS[colour]} if "linestyle" in style else {"linestyle": DASHES[(place + number) % len(DASHES)]}
+            looks[-1].append((", ".join(part for part in (name, curve.label) if part), {**style, **rest}))
+    return looks
+
+
+def _draw_run(panel, results, names, scales, look):
+    """The curves of a run."""
     x_name, y_name = names
-    along = x_name if x_name in results.axis_names else _last_swept(results)
+    along = _along(results, x_name)
     k = results.axis_names.index(along)
-    curves = find_curves(results, along)
-    for number, curve in enumerate(curves):
+    for curve, (label, style) in zip(find_curves(results, along), look):
         x, y = (np.moveaxis(results.values(name), k, -1)[curve.index] for name in names)
         if y_name == "friction_coefficient":
             y = without_pole(y, load_of(results, k, curve.index))
-        style = dict(curve.style)
-        label = curve.label
-        if place is not None:
-            # a colour for each run, dashes for its curves
-            style = {"color": COLOURS[place % len(COLOURS)], "linestyle": DASHES[(place + number) % len(DASHES)]}
-            label = ", ".join(part for part in (run_name, curve.label) if part)
-        panel.plot(x * scales[x_name][0], y * scales[y_name][0], label=label or "_", marker="o" if x.size <= 30 else None,
-                   markersize=3, **style)
+        panel.plot(x * scales[x_name][0], y * scales[y_name][0], label=label or "_", **style)
 
 
 def _finish_panel(panel, runs, x_name, y_name, scales):
@@ -69,7 +109,7 @@ def _finish_panel(panel, runs, x_name, y_name, scales):
         low, high = panel.get_xlim()
         if low < 0 < high:
             panel.axvline(0, color="0.7", linewidth=0.6, zorder=0)
-    if y_name == "friction_coefficient" and any(passes_zero(results.values("load").ravel()) for results in runs):
+    if y_name == "friction_coefficient" and any(passes_zero(_loads(results)) for results in runs):
         leave_out_pole(panel, np.concatenate([results.values(y_name).ravel() for results in runs]) * scales[y_name][0])
     elif not any(np.nanmin(results.values(y_name), initial=0.0) < 0 for results in runs) and panel.dataLim.y0 >= 0:
         panel.set_ylim(bottom=0)
@@ -78,6 +118,23 @@ def _finish_panel(panel, runs, x_name, y_name, scales):
         panel.axhline(0, color="0.7", linewidth=0.6, zorder=0)
     panel.set_xlabel(axis_label(x_name, scales[x_name][1]))
     panel.set_ylabel(axis_label(y_name, scales[y_name][1]))
+
+
+def _loads(results):
+    """All loads of a run; none where it has no load, or one that is given."""
+    known = "load" in [*results.fields, *results.axis_names]
+    return results.values("load").ravel() if known else np.empty(0)
+
+
+def _along(results, x_name):
+    """The swept variable along the curves."""
+    return x_name if x_name in results.axis_names else _last_swept(results)
+
+
+def _others(results, x_name):
+    """What tells the curves of a run apart, in words."""
+    others = [axis for axis in results.several if axis.name != _along(results, x_name)]
+    return [[point_label([(axis, value)], results.model) for value in axis.values] for axis in others]
 
 
 def _last_swept(results):
@@ -129,17 +186,20 @@ def _common_scale(runs, name, points):
 
 
 def _split_titles(runs):
-    """What all titles begin with, and what is left of each; names of files where that tells nothing."""
+    """What all titles begin with, and what is left of each; the models or names of files where that tells nothing."""
     titles = [results.title for results in runs]
     if len(runs) == 1:
         return titles[0], [""]
     common = os.path.commonprefix(titles)
-    while common and common[-1] not in " ,;:(":
-        # whole words
+    # whole words
+    while common[-1:] not in BREAKS and not all(title[len(common):][:1] in BREAKS for title in titles):
         common = common[:-1]
     rests = [title[len(common):].strip(" ,;():") for title in titles]
     if len(set(rests)) < len(runs) or not all(rests):
-        return titles[0] if len(set(titles)) == 1 else "", [results.path.stem for results in runs]
+        # one of them may say what all are about
+        title = common if common in titles else ""
+        models = [results.model for results in runs]
+        return title, models if len(set(models)) == len(runs) else [results.path.stem for results in runs]
     return common.strip(" ,;(:"), rests
 
 

@@ -23,7 +23,6 @@ SHOWN = {
     ("wavy_sliding", "load"): ("contact_width", "friction_force"),
     ("wavy_sliding", "velocity"): ("friction_coefficient",),
     ("sphere", "load"): ("friction_force", "friction_area"),
-    ("surface_sliding", "direction"): ("friction_coefficient", "lateral_stress"),
     ("surface_sliding", "mean_pressure"): ("friction_coefficient", "contact_fraction", "peak_pressure", "contact_shift"),
     ("wave_1d", "mean_pressure"): ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap"),
     ("wave_1d", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),

@@ -7,7 +7,7 @@ import numpy as np
 
 from plot_files import PlotCase, make_file
 
-from plotting import command, curves, figures, labels
+from plotting import chosen, command, curves, figures, labels
 from plotting.chosen import draw_chosen
 from plotting.results import Field, Results
 from plotting.style import COLOURS
@@ -87,6 +87,68 @@ class PlotChoiceTest(PlotCase):
             file["load"].attrs["units"] = "1"
         self.file.with_suffix(".png").unlink()
         self.assert_refused("load is in reduced units, but in N/m in", str(other), "-o", str(self.folder / "new.pdf"))
+
+    def make_pair(self, few=3):
+        """An exact curve of 40 velocities at two pressures, and what another model has found at few of them."""
+        other = self.folder / "other.h5"
+        for path, model, count in ((self.file, "wave_1d", 40), (other, "surface_sliding", few)):
+            make_file(path, [("mean_pressure", [2.0e5, 8.0e5]), ("velocity", np.logspace(-3, 3, count))], model=model)
+            with h5py.File(path, "r+") as file:
+                file.attrs["title"] = "A wave" if path == self.file else "A wave: cells"
+        return other
+
+    def test_points_upon_a_curve(self):
+        """Curves of several files that have the same other values have the same colours; few values are points upon many."""
+        figure, title = self.drawn("--y", "friction_coefficient", "contact_fraction", other=self.make_pair())
+        self.assertEqual(title, "A wave")
+        for panel in figure.axes:
+            lines = {line.get_label(): line for line in panel.lines if not line.get_label().startswith("_")}
+            self.assertEqual(list(lines), [f"{model}, $p$ = {value} kPa" for model in ("wave_1d", "surface_sliding") for value in (200, 800)])
+            exact, points = list(lines.values())[:2], list(lines.values())[2:]
+            self.assertEqual([line.get_color() for line in exact], [line.get_color() for line in points])
+            self.assertNotEqual(exact[0].get_color(), exact[1].get_color())
+            self.assertEqual({line.get_linestyle() for line in exact}, {"-"})
+            self.assertEqual({(line.get_linestyle(), line.get_fillstyle()) for line in points}, {("None", "none")})
+            self.assertEqual({len(line.get_xdata()) for line in points}, {3})
+
+    def test_many_upon_many(self):
+        """Curves of as many values differ by their dashes, and other curves by their colours."""
+        other = self.make_pair(few=39)
+        panel = self.drawn("--y", "friction_coefficient", other=other)[0].axes[0]
+        self.assertEqual([line.get_linestyle() for line in panel.lines[:4]], ["-", "-", "--", "--"])
+        with h5py.File(other, "r+") as file:
+            file["mean_pressure"][1] = 4.0e5
+        panel = self.drawn("--y", "friction_coefficient", other=other)[0].axes[0]
+        self.assertEqual([line.get_color() for line in panel.lines[:4]], [COLOURS[0], COLOURS[0], COLOURS[1], COLOURS[1]])
+
+    def test_share_of_strips(self):
+        """Strips have no share in contact among their results; it follows from the area, the load and the mean pressure."""
+        other = self.make_pair()
+        make_file(self.file, [("velocity", np.logspace(-3, 3, 40))])
+        self.assert_refused("run.h5: no variable or result of this name, given contact_fraction", str(other), "--y", "contact_fraction")
+        with h5py.File(self.file, "r+") as file:
+            for name, values, units in (("load", 6.0, "N"), ("contact_area", np.linspace(1e-6, 2e-6, 40), "m^2")):
+                file[name] = np.broadcast_to(values, 40)
+                file[name].attrs["units"] = units
+                file[name].dims[0].attach_scale(file["velocity"])
+            file["mean_pressure"] = 2.0e6
+            file["mean_pressure"].attrs["units"] = "Pa"
+            file["status"].attrs["coordinates"] = "mean_pressure"
+        panel = self.drawn("--y", "contact_fraction", other=other)[0].axes[0]
+        np.testing.assert_allclose(panel.lines[0].get_ydata()[[0, -1]], [1 / 3, 2 / 3])
+        self.assert_refused("contact_shift", str(other), "--y", "contact_shift")
+
+    def test_titles(self):
+        for titles, expected in ((["Fig. 5 (JKR)", "Fig. 5 (DMT)"], ("Fig. 5", ["JKR", "DMT"])),
+                                 (["A layer", "A layered one"], ("A", ["layer", "layered one"])),
+                                 (["A wave", "A wave: cells"], ("A wave", ["run", "other"])),
+                                 (["", ""], ("", ["run", "other"])), (["A wave", "A wave"], ("A wave", ["run", "other"]))):
+            runs = []
+            for name, title in zip(("run", "other"), titles):
+                make_file(self.folder / f"{name}.h5", [("load", [0.0, 1.0])])
+                runs.append(Results(self.folder / f"{name}.h5"))
+                runs[-1].title = title
+            self.assertEqual(chosen._split_titles(runs), expected)
 
     def test_chosen_names(self):
         make_file(self.file, [("stress", [0.0, 5e3]), ("load", [-1.0, 0.0, 1.0])])

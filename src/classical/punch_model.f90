@@ -72,8 +72,8 @@ contains
       v(v_load) = positive(group='operating', name='load', unit='N/m', meaning='load per length')
       v(v_contact_half_width) = positive(group='operating', name='contact_half_width', unit='m', &
          & meaning='instead of the load; not for a flat punch')
-      v(v_points) = whole_number(group='numerics', name='points', meaning='points of collocation, even', default=32, lower=8, &
-         & upper=1000)
+      v(v_points) = whole_number(group='numerics', name='points', meaning='points of collocation', default=32, lower=8, &
+         & upper=1000, multiple_of=2)
       call self%set_tables(name='rigid_punch', summary='a rigid punch on an elastic half-plane, plane strain', variables=v, &
          & results=get_results(), profiles=get_profile_table(), axes='y x', is_depth=.true.)
       self%solids = [v_contact_modulus, v_poisson_ratio]
@@ -116,7 +116,6 @@ contains
       call require(self%variables, values, [v_kind], problems)
       call check_contact_modulus(self%variables(v_contact_modulus:v_poisson_ratio), &
          & values(v_contact_modulus:v_poisson_ratio), problems, .false.)
-      if (modulo(nint(values(v_points)), 2) /= 0) call problems%add('numerics', 'points', 'is odd, allowed: an even number')
       if (.not. is_set(values(v_kind))) return
       select case (nint(values(v_kind)))
       case (kind_flat)
@@ -200,8 +199,7 @@ contains
       integer :: n
 
       modulus = modulus_of(values)
-      ! a sweep may pass odd numbers
-      n = 2*(nint(values(v_points))/2)
+      n = nint(values(v_points))
       load = values(v_load)
       width = values(v_contact_half_width)
       if (is_set(values(v_face))) state%face = values(v_face)

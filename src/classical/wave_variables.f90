@@ -84,7 +84,7 @@ contains
       r(r_friction_coefficient) = result_row(name='friction_coefficient', unit='-', &
          & long_name='friction stress over mean pressure', is_main=.true.)
       r(r_contact_shift) = result_row(name='contact_shift', unit='m', &
-         & long_name='middle of the contact, from the crest; no value without contact and in full contact')
+         & long_name='middle of the contact from the crest, positive to +x; no value without contact and in full contact')
       r(r_dissipation) = result_row(name='dissipation', unit='Pa', &
          & long_name='energy lost over nominal area and distance, in closed form')
       r(r_energy_imbalance) = result_row(name='energy_imbalance', unit='-', &

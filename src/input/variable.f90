@@ -140,7 +140,9 @@ contains
       is_in_range = value >= variable%lower .and. value <= variable%upper
       if (variable%lower_open) is_in_range = is_in_range .and. value > variable%lower
       if (variable%upper_open) is_in_range = is_in_range .and. value < variable%upper
-      if (variable%kind == kind_integer) is_in_range = is_in_range .and. is_integer(value)
+      if (.not. is_in_range .or. variable%kind /= kind_integer) return
+      is_in_range = is_integer(value)
+      if (is_in_range) is_in_range = modulo(nint(value), variable%multiple_of) == 0
    end function is_in_range
 
    !> Can a number be multiplied with a few others of its kind without leaving the range of numbers?
@@ -175,6 +177,7 @@ contains
          text = 'a number'
       case (kind_integer)
          text = 'an integer'
+         if (variable%multiple_of > 1) text = 'a multiple of '//show_count(variable%multiple_of)
       case (kind_logical)
          text = '.true. or .false.'
          return

@@ -1,6 +1,6 @@
-!> A viscoelastic half-space as an input gives it: a relaxation spectrum of contact moduli E/(1 - nu^2), with nu constant, and the
-!> temperature that shifts its times. Every model with such a material has these rows in its table, one behind the other, and reads
-!> them here; what stands in lists and datasets it keeps in a `given_spectrum_t`.
+!> The viscoelastic material of a half-space or a layer as an input gives it: a relaxation spectrum of contact moduli E/(1 - nu^2),
+!> with nu constant, and the temperature that shifts its times. Every model with such a material has these rows in its table, one
+!> behind the other, and reads them here; what stands in lists and datasets it keeps in a `given_spectrum_t`.
 !>
 !> The relaxed modulus and those of the arms are given either as contact moduli or as Young's moduli with Poisson's ratio. A master
 !> curve is one of Young's modulus where Poisson's ratio stands beside it, and one of the contact modulus where it does not. Without
@@ -111,13 +111,13 @@ contains
       has_spectrum = any(is_set(values(:activation_energy)))
    end function has_spectrum
 
-   !> Are there arms, as lists or by a master curve?
-   pure logical function has_arms(values)
+   !> Are there relaxation times, as a list or by a master curve? Their moduli may be 0.
+   pure logical function has_times(values)
       !> Values of the rows; shape `(n_spectrum_rows)`.
       real(dp), intent(in) :: values(:)
 
-      has_arms = is_set(values(relaxation_times)) .or. is_set(values(master_curve))
-   end function has_arms
+      has_times = is_set(values(relaxation_times)) .or. is_set(values(master_curve))
+   end function has_times
 
    !> Add to `problems` what is missing, stands beside another, or is impossible.
    subroutine check_spectrum(rows, values, given, is_swept, problems)
@@ -141,7 +141,7 @@ contains
          call check_contact_modulus(rows(modulus:poisson_ratio), values(modulus:poisson_ratio), problems, .false.)
          call check_lists(rows, values, given, is_swept, problems)
       end if
-      if (has_arms(values)) then
+      if (has_times(values)) then
          call check_shift(rows, values, is_swept, shift, temperature, given%master_temperature, problems)
       else
          call refuse_given(rows, values, is_swept, [time_factor, shift, temperature], &
@@ -297,11 +297,10 @@ contains
       type(master_curve_fit_t) :: fit
 
       text = ''
-      if (.not. has_arms(values)) text = 'the material is elastic, and nothing rubs: it has no relaxation_times or master_curve' &
-         & //new_line('a')
-      if (.not. is_set(values(master_curve))) return
       call get_spectrum(values, given, prony, fit)
-      text = doubt_range(fit, frequencies*shift_factor_of(values, given))
+      if (size(prony%moduli) == 0) text = 'the material is elastic, and nothing rubs: it has no relaxation_times or ' &
+         & //'master_curve, or no moduli above 0 with them'//new_line('a')
+      if (is_set(values(master_curve))) text = text//doubt_range(fit, frequencies*shift_factor_of(values, given))
    end function doubt_spectrum
 
    !> Add what follows from the rows: relaxed and instantaneous modulus, and the factor of the times.
@@ -318,7 +317,7 @@ contains
       call add_derived(list, 'modulus', 'Pa', 'relaxed contact modulus', prony%relaxed, modulus_names)
       call add_derived(list, 'instantaneous_modulus', 'Pa', 'instantaneous contact modulus', instantaneous_modulus(prony), &
          & modulus_names)
-      if (.not. has_arms(values)) return
+      if (.not. has_times(values)) return
       call add_derived(list, 'shift_factor', '-', 'factor of all relaxation times, by temperature and time_factor', &
          & shift_factor_of(values, given), 'time_factor master_curve '//shift_names)
    end subroutine derive_spectrum

@@ -95,7 +95,7 @@ contains
    end function any_number
 
    !> A variable that is a whole number.
-   function whole_number(group, name, meaning, default, lower, upper) result(variable)
+   function whole_number(group, name, meaning, default, lower, upper, multiple_of) result(variable)
       !> Namelist group of the variable, without `&`.
       character(*), intent(in) :: group
       !> Name of the variable in its group.
@@ -106,12 +106,15 @@ contains
       integer, intent(in) :: default
       !> Least and largest value that is allowed.
       integer, intent(in) :: lower, upper
+      !> What every value has to be a multiple of, >= 1; any whole number will do if absent.
+      integer, intent(in), optional :: multiple_of
       type(variable_t) :: variable
 
       variable = row_of(kind_integer, group, name, '-', meaning)
       variable%default = default
       variable%lower = lower
       variable%upper = upper
+      if (present(multiple_of)) variable%multiple_of = multiple_of
    end function whole_number
 
    !> A variable for Poisson's ratio.

@@ -33,6 +33,8 @@ module adfric_model_table
       real(dp) :: lower = -unset, upper = unset
       !> Is the bound itself not allowed?
       logical :: lower_open = .false., upper_open = .false.
+      !> What an integer has to be a multiple of.
+      integer :: multiple_of = 1
       !> Number of dimensions that a dataset may have at most, 1 or 2, and of values that it needs along each.
       integer :: largest_rank = 1, least_count = 1
       !> Most values that a dataset may have along each dimension.

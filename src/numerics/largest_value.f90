@@ -1,5 +1,6 @@
 !> The largest value of a function over a range at whose ends it may have roots: places that crowd at both ends as those of the
-!> double exponential rule do, and the golden section between the neighbours of the best one (J. Kiefer, Proc. AMS 4, 502, 1953).
+!> double exponential rule do, and the golden section between the neighbours of each that is above them (J. Kiefer, Proc. AMS 4,
+!> 502, 1953): of two summits the higher one may have the lower of these places.
 module adfric_numerics_largest_value
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
@@ -23,14 +24,14 @@ contains
 
    !> The largest value; NaN if a value is NaN.
    pure subroutine find_largest_value(function, length, value)
-      !> The function, with one maximum between neighbours of the largest of its values at the first places.
+      !> The function, with one maximum between the neighbours of a first place where it is larger than there.
       class(integrand_t), intent(in) :: function
       !> Length of the range, > 0.
       real(dp), intent(in) :: length
       !> Its largest value.
       real(dp), intent(out) :: value
-      real(dp) :: values(-n_steps:n_steps), low, high, places(2), inner(2)
-      integer :: k, best
+      real(dp) :: values(-n_steps:n_steps)
+      integer :: k
 
       if (has_asserts) call assert(length > 0, 'find_largest_value: length > 0')
       do k = -n_steps, n_steps
@@ -38,10 +39,27 @@ contains
       end do
       value = sum(values)
       if (ieee_is_nan(value)) return
-      best = maxloc(values, 1) - 1 - n_steps
-      value = values(best)
-      low = step*(best - 1)
-      high = step*(best + 1)
+      value = maxval(values)
+      do k = -n_steps, n_steps
+         if (values(k) < max(values(max(k - 1, -n_steps)), values(min(k + 1, n_steps)))) cycle
+         call climb(function, length, step*(k - 1), step*(k + 1), value)
+      end do
+   end subroutine find_largest_value
+
+   !> The golden section.
+   pure subroutine climb(function, length, from, to, value)
+      !> The function.
+      class(integrand_t), intent(in) :: function
+      !> Length of the range, > 0.
+      real(dp), intent(in) :: length
+      !> Places on both sides of a maximum, from the middle of the range.
+      real(dp), intent(in) :: from, to
+      !> In: the largest value so far. Out: the maximum, if it is larger.
+      real(dp), intent(inout) :: value
+      real(dp) :: low, high, places(2), inner(2)
+
+      low = from
+      high = to
       places = [high - golden*(high - low), low + golden*(high - low)]
       inner = [value_at(function, length, places(1)), value_at(function, length, places(2))]
       do while (high - low > last_width)
@@ -56,7 +74,7 @@ contains
          end if
       end do
       value = max(value, inner(1), inner(2))
-   end subroutine find_largest_value
+   end subroutine climb
 
    !> Value at a place.
    pure real(dp) function value_at(function, length, place) result(value)

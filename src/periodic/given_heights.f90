@@ -116,14 +116,18 @@ contains
    end subroutine get_cells
 
    !> A line where the error is not estimated; else nothing.
-   function describe(self) result(text)
+   function describe(self, has_friction) result(text)
       !> The heights.
       class(given_heights_t), intent(in) :: self
+      !> Does the body rub, so that `error_estimate` is that of the friction?
+      logical, intent(in) :: has_friction
       character(:), allocatable :: text
 
       text = ''
-      if (n_grids_of(shape(self%depths)) < grids_for_error) text = 'the error of the area is not estimated: for that the ' &
-         & //'numbers of cells have to be multiples of 4, 32 at least'//new_line('a')
+      if (n_grids_of(shape(self%depths)) >= grids_for_error) return
+      text = 'the error of the area is not estimated'
+      if (has_friction) text = text//', nor that of the friction, whose error_estimate is 1'
+      text = text//': for that the numbers of cells have to be multiples of 4, 32 at least'//new_line('a')
    end function describe
 
    !> A line for edges that do not meet.

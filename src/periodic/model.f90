@@ -285,6 +285,8 @@ contains
          call self%set_solid(values, state%surface)
          goal = get_goal(self, values, state%surface%solid%modulus)
          call self%set_adhesion(values, state%surface%solid%modulus, goal)
+         ! what follows may end without a solution of its own
+         state%solution%n_iterations = 0
          call self%solve_in_closed_form(values, state%surface, goal, state%solution, is_known)
          if (.not. is_known) call solve_periodic(state%surface, goal, state%memory, state%solution, error)
          if (allocated(error)) then

@@ -1,9 +1,10 @@
-!> The surface of a half-space under pressures periodic in x and y.
+!> The surface of a solid, an elastic or viscoelastic half-space or layer, under pressures periodic in x and y.
 !>
 !> The stiffness of a kernel (`adfric_periodic_kernel`) takes each wave of displacement to its pressure, and its inverse, the
-!> compliance, pressures to displacements. Pressures are in the unit of the kernel, for an elastic half-space E*, lengths in any
-!> unit, displacements and pressures positive into the solid. Constants have no stiffness: the mean displacement is 0;
-!> `resist_mean` gives them that of a layer.
+!> compliance, pressures to displacements. Under a surface that slides the stiffness is complex: its imaginary part, `lag`, is the
+!> loss, and the operator is not symmetric. Pressures are in the unit of the kernel, E* of an elastic solid and the relaxed contact
+!> modulus E0 of a viscoelastic one, lengths in any unit, displacements and pressures positive into the solid. Constants have no
+!> stiffness: the mean displacement is 0; `resist_mean` gives them that of a layer.
 module adfric_periodic_operator
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts

@@ -14,8 +14,6 @@ module adfric_periodic_sliding_check
    private
    public :: check_sliding_surface, check_sliding_solid
 
-   !> Cells of waves come in multiples of this, so that there are three nested grids.
-   integer, parameter :: multiple_of_cells = 32
    !> Most cells along a period of waves along x and y.
    integer, parameter :: most_cells_2d = 8192
    !> Least thickness of a layer, in periods: below it pressure hardly spreads, and numbers leave their range.
@@ -48,7 +46,6 @@ contains
       else
          call require(variables, values, [v_period, v_amplitude], problems)
          call refuse_given(variables, values, is_swept, [v_heights, v_length_x, v_length_y], 'has no meaning for waves', problems)
-         if (modulo(cells_of(values), multiple_of_cells) /= 0) call add(v_cells, 'is no multiple of 32')
          if (nint(values(v_kind)) == kind_wave_2d .and. cells_of(values) > most_cells_2d) &
             & call add(v_cells, 'is more than 8192, the most for wave_2d')
       end if
@@ -56,7 +53,7 @@ contains
          & call add(v_direction, 'is no multiple of 90 degrees')
       if (.not. is_direction(values(v_direction), .false.) .and. nint(values(v_kind)) /= kind_heights) &
          & call add(v_direction, 'is no multiple of 45 degrees')
-      call refuse_swept(variables, is_swept, [v_direction], problems)
+      if (is_swept(v_direction)) call add(v_direction, 'is swept; a run has one direction')
       if (has_profiles) call refuse_swept(variables, is_swept, [v_period, v_cells, v_length_x, v_length_y], problems)
 
    contains

@@ -15,11 +15,11 @@ module adfric_periodic_sliding_model
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
-   use adfric_periodic_sliding_case, only: set_sliding_solid, frequencies_of, is_direction
+   use adfric_periodic_sliding_case, only: set_sliding_solid, frequencies_of
    use adfric_periodic_sliding_check, only: check_sliding_surface, check_sliding_solid
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
    use adfric_periodic_sliding_variables
-   use adfric_periodic_solver, only: periodic_solution_t, contact_not_converged
+   use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_cells, only: set_wave
    use adfric_periodic_wave_contact, only: wave_pressure_of_full_contact, mean_pressure_at, &
@@ -248,10 +248,8 @@ contains
       logical, intent(out) :: is_known
       real(dp) :: pressure
 
-      ! a sweep may have met it between its ends
-      is_known = .not. is_direction(values(v_direction), nint(values(v_kind)) == kind_heights)
-      if (is_known) solution%status = contact_not_converged
-      if (is_known .or. nint(values(v_kind)) == kind_heights) return
+      is_known = .false.
+      if (nint(values(v_kind)) == kind_heights) return
       select type (solid => surface%solid)
       type is (viscoelastic_solid_t)
          pressure = goal%value
@@ -321,7 +319,7 @@ contains
       character(:), allocatable :: text
 
       text = describe_spectrum(values(self%first_of_solid:self%first_of_solid + n_spectrum_rows - 1), self%spectrum)
-      if (nint(values(v_kind)) == kind_heights) text = text//self%heights%describe()
+      if (nint(values(v_kind)) == kind_heights) text = text//self%heights%describe(.true.)
    end function describe_case
 
    !> See `model_t`: edges that do not meet, a solid that loses nothing, frequencies beyond the master curve.

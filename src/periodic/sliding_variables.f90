@@ -36,6 +36,8 @@ module adfric_periodic_sliding_variables
 
    !> Cells along a period of a wave where none are given.
    integer, parameter :: default_cells_1d = 1024, default_cells_2d = 256
+   !> Cells of waves come in multiples of this, so that there are three nested grids.
+   integer, parameter :: multiple_of_cells = 32
 
 contains
 
@@ -54,8 +56,8 @@ contains
          & meaning='direction to which the body slides, 0 along +x, 90 along +y; a multiple of 90, of 45 for waves', &
          & default=0.0_dp, lower=0.0_dp, upper=315.0_dp)
       v(v_cells) = whole_number(group='numerics', name='cells', &
-         & meaning='cells along a period of a wave, a multiple of 32; 1024 for wave_1d and 256 for wave_2d if not given', &
-         & default=default_cells_1d, lower=32, upper=65536)
+         & meaning='cells along a period of a wave; 1024 for wave_1d and 256 for wave_2d if not given', &
+         & default=default_cells_1d, lower=32, upper=65536, multiple_of=multiple_of_cells)
       v(v_cells)%default = unset
    end subroutine set_surface_rows
 

@@ -1,8 +1,10 @@
-!> Contact of a periodic surface with a half-space: load or penetration to pressure, gap and area.
+!> Contact of a periodic surface, at rest or sliding steadily, with an elastic or viscoelastic half-space or layer: load or
+!> penetration to pressure, gap, area and the stress that holds the body back.
 !>
 !> The contact is solved on the coarsest grid first and carried from grid to grid, each of half the cell size, so that on the
-!> finest one only cells at the perimeter are wrong. Frictionless, without adhesion; equations in
-!> `adfric_periodic_contact`. Pressures are in units of E*, lengths in any unit.
+!> finest one only cells at the perimeter are wrong. Without shear stress at the surfaces; equations in `adfric_periodic_contact`.
+!> Adhesion is that of Maugis and Dugdale (`adfric_periodic_adhesive_contact`). Pressures are in the unit of the kernel, E* or E0,
+!> which the comments below call E*; lengths in any unit.
 module adfric_periodic_solver
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, set_error, input_failure

@@ -135,7 +135,7 @@ contains
       class(surface_model_t), intent(in) :: self
       character(:), allocatable :: text
 
-      text = self%given%describe()
+      text = self%given%describe(.false.)
    end function describe_surface
 
    !> See `model_t`: edges that do not meet, and what cells do not see of adhesion.

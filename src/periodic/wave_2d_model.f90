@@ -45,8 +45,8 @@ contains
       v(v_amplitude) = positive(group='surface', name='amplitude', unit='m', &
          & meaning='D of the wave z = D (2 - cos 2 pi x/l - cos 2 pi y/l)')
       v(v_cells) = whole_number(group='numerics', name='cells', &
-         & meaning='cells along a period, a multiple of 64; the error of the area falls with their number', default=512, lower=64, &
-         & upper=8192)
+         & meaning='cells along a period; the error of the area falls with their number', default=512, lower=64, upper=8192, &
+         & multiple_of=multiple_of_cells)
       call self%set_elastic_tables(name='wave_2d_elastic', &
          & summary='a rigid wave in two directions on an elastic half-space, also with adhesion: area, pressure and gap', &
          & surface=v)
@@ -65,8 +65,6 @@ contains
       type(problems_t), intent(inout) :: problems
 
       call require(self%variables, values, [v_period, v_amplitude], problems)
-      if (modulo(nint(values(v_cells)), multiple_of_cells) /= 0) &
-         & call problems%add('numerics', 'cells', 'is no multiple of 64')
       if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [v_period, v_cells], problems)
    end subroutine check_surface
 
