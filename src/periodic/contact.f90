@@ -32,10 +32,12 @@ module adfric_periodic_contact
 
    !> Changes of the region and steps that are never needed: it takes about ten and twenty-five.
    integer, parameter :: max_rounds = 300, max_iterations = 3000
-   !> How often the solution is begun again where its pressure, found anew, is not as good as it seemed.
+   !> How often the solution is begun again where its pressure, found anew, is not as good as it seemed, and no better than before.
    integer, parameter :: most_checks = 3
    !> Pressure in open cells that no step leaves on the way to a contact, in units of the tension of adhesion and the largest pressure.
    real(dp), parameter :: far_pressure = 1.0e3_dp
+   !> Residual over the one before up to which it was worth while to begin a solution again.
+   real(dp), parameter :: worthwhile = 0.8_dp
    !> How often shares that follow the gap are found anew.
    integer, parameter :: most_shares = 12
    !> Steps in all of them.
@@ -139,13 +141,14 @@ contains
             call update_pressure(state, operator)
             residual = residual_of(state)
             state%is_converged = residual <= tolerance
-            n_checks = n_checks + 1
+            ! slow steps are none in vain
+            if (follows_gap(state) .or. .not. residual <= worthwhile*residual_before) n_checks = n_checks + 1
             if (state%is_converged .or. n_checks > checks_at_most) exit
             if (follows_gap(state)) then
                if (is_stuck .or. residual > residual_before/2) exit
-               residual_before = residual
                goal = max(tolerance/2, min(goal, next_goal*residual))
             end if
+            residual_before = residual
             call gap_solver%set_region(operator, state%is_open, state%has_fixed_mean, state%resists_mean, state%has_fixed_mean)
             call search%note_region()
          end if

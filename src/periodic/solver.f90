@@ -3,8 +3,8 @@
 !>
 !> The contact is solved on the coarsest grid first and carried from grid to grid, each of half the cell size, so that on the
 !> finest one only cells at the perimeter are wrong. Without shear stress at the surfaces; equations in `adfric_periodic_contact`.
-!> Adhesion is that of Maugis and Dugdale (`adfric_periodic_adhesive_contact`). Pressures are in the unit of the kernel, E* or E0,
-!> which the comments below call E*; lengths in any unit.
+!> Surfaces that adhere have a solver of their own (`adfric_periodic_adhesive_solver`). Pressures are in the unit of the kernel, E* or
+!> E0, which the comments below call E*; lengths in any unit.
 module adfric_periodic_solver
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t, set_error, input_failure
