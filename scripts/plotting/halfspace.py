@@ -30,7 +30,8 @@ def draw_area(results):
     adhesion, which has no such, the shares in contact and in adhesion, penetration and largest pressure."""
     if len(results.several) > 1:
         return draw_panels(results, "mean_pressure", ["contact_fraction"])
-    if np.any(np.isfinite(results.fields["cells_per_zone"].values)):
+    # files of earlier versions have no adhesion
+    if "cells_per_zone" in results.fields and np.any(np.isfinite(results.fields["cells_per_zone"].values)):
         return draw_panels(results, "mean_pressure", ["contact_fraction", "adhesion_fraction", "penetration", "peak_pressure"])
     q = _share_of_full(results).ravel()
     order = np.argsort(q)
