@@ -21,12 +21,17 @@ module adfric_periodic_elastic_model
    private
    public :: elastic_model_t
 
-   !> Cells per zone below which there is a doubt.
-   real(dp), parameter :: few_cells = 4
+   !> Cells per zone below which there is a doubt, and below which edges of adhesion are those of the cells.
+   real(dp), parameter :: few_cells = 4, least_cells = 0.5_dp
+   !> Error of pull-off with one cell per zone, which falls with the square of the cells (`bench/run adhesion_cells`).
+   real(dp), parameter :: error_of_cell = 0.07_dp
+   !> Stress over E* height/period, and range over height, that are taken.
+   real(dp), parameter :: least_size = 1.0e-12_dp, largest_size = 1.0e12_dp
 
    !> The models of surfaces on an elastic half-space.
    type, abstract, extends(periodic_model_t) :: elastic_model_t
    contains
+      procedure(height_of_i), deferred :: height_of
       procedure :: set_elastic_tables
       procedure :: check_solid
       procedure :: set_solid
@@ -37,6 +42,20 @@ module adfric_periodic_elastic_model
       procedure :: doubt_adhesion
       procedure, private :: adhesion_of
    end type elastic_model_t
+
+   abstract interface
+
+      !> Range of the undeformed gap [m].
+      pure real(dp) function height_of_i(self, values)
+         import :: elastic_model_t, dp
+         implicit none (type, external)
+         !> The model whose surface it is.
+         class(elastic_model_t), intent(in) :: self
+         !> Values of the variables, in the order of the table; shape `(n_variables)`.
+         real(dp), intent(in) :: values(:)
+      end function height_of_i
+
+   end interface
 
 contains
 
@@ -84,9 +103,32 @@ contains
                & call problems%add('output', 'pull_off', 'has no meaning without &adhesion')
          end if
       end associate
+      if (problems%count() > 0) return
+      if (.not. is_possible(self, values)) call problems%add('adhesion', 'stress', 'or its range is too small or too large ' &
+         & //'for the surface: stress/(E* height/period) and range/height are 1e-12 to 1e12')
       associate (unused => is_swept)
       end associate
    end subroutine check_solid
+
+   !> Have stress and range sizes with which the surface can be solved?
+   logical function is_possible(self, values)
+      !> The model, for its surface.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(periodic_surface_t) :: surface
+      type(adhesion_law_t) :: law
+      real(dp) :: height, sizes(2)
+
+      law = self%adhesion_of(values)
+      is_possible = .not. law%stress > 0
+      if (is_possible) return
+      call self%get_cells(values, surface)
+      call self%set_solid(values, surface)
+      height = self%height_of(values)
+      sizes = [law%stress/surface%solid%modulus/(height/maxval(surface%period)), law%range/height]
+      is_possible = all(sizes >= least_size .and. sizes <= largest_size)
+   end function is_possible
 
    !> See `periodic_model_t`.
    subroutine set_solid(self, values, surface)
@@ -157,7 +199,7 @@ contains
       type(periodic_solution_t), intent(in) :: solution
       !> In: with the results that all these models have. Out: with all; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      !> Estimated relative error of the area of contact [-].
+      !> Estimated relative error of the area of contact [-]; above 1 where the cells do not see the edge of adhesion.
       real(dp), intent(out) :: error_estimate
       type(adhesion_law_t) :: law
 
@@ -171,10 +213,23 @@ contains
          if (allocated(solution%share)) &
             & results(r_adhesion_fraction) = max(sum(solution%share)/cells - solution%area%corrected, 0.0_dp)
          results(r_regime) = regime_of(solution)
-         if (solution%pull_off < huge(1.0_dp)) results(r_pull_off_pressure) = modulus*solution%pull_off
-         if (law%stress > 0) results(r_cells_per_zone) = cells_per_zone(law, surface)
+         if (.not. law%stress > 0) return
+         results(r_cells_per_zone) = cells_per_zone(law, surface)
+         if (solution%pull_off < huge(1.0_dp) .and. results(r_cells_per_zone) >= least_cells) &
+            & results(r_pull_off_pressure) = modulus*solution%pull_off
+         if (any(solution%share > 0) .and. any(solution%share < 1)) &
+            & error_estimate = max(error_estimate, error_of_edge(results(r_cells_per_zone)))
       end associate
    end subroutine finish_point
+
+   !> Relative error that the cells make of the edge of adhesion.
+   pure real(dp) function error_of_edge(cells) result(error)
+      !> Cells per zone.
+      real(dp), intent(in) :: cells
+
+      error = huge(error)
+      if (cells >= least_cells) error = error_of_cell/cells**2
+   end function error_of_edge
 
    !> See `model_t`: zones of adhesion that the cells do not see.
    function describe_doubts(self, values) result(text)
@@ -205,7 +260,8 @@ contains
       call self%set_solid(values, surface)
       associate (n => cells_per_zone(law, surface))
          if (n >= few_cells) return
-         write (line, '(a, es8.1, a)') 'a short zone of adhesion has', n, ' cells: pull-off and branches are those of the cells'
+         write (line, '(a, es8.1, 2a)') 'a short zone of adhesion has', n, ' cells: pull-off and branches are ', &
+            & trim(merge('those of the cells          ', 'out of reach: no such answer', n >= least_cells))
       end associate
       text = trim(line)//new_line('a')
    end function doubt_adhesion

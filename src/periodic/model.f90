@@ -300,6 +300,10 @@ contains
          status = status_solved
          call store(self, values, state%surface%solid, state%solution, results)
          call self%finish_point(values, state%surface, state%solution, results, error_estimate)
+         if (error_estimate <= 1) return
+         status = status_not_converged
+         error_estimate = 0
+         results(:) = not_a_number()
       end select
    end subroutine solve_point
 

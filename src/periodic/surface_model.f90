@@ -27,6 +27,7 @@ module adfric_periodic_surface_model
       procedure :: get_shape
       procedure :: get_full_pressure
       procedure :: get_peak_pressure
+      procedure :: height_of
       procedure :: describe_surface
       procedure :: describe_doubts
    end type surface_model_t
@@ -98,6 +99,18 @@ contains
       associate (unused => values)
       end associate
    end subroutine get_shape
+
+   !> See `elastic_model_t`.
+   pure real(dp) function height_of(self, values)
+      !> The model with its heights.
+      class(surface_model_t), intent(in) :: self
+      !> Values of the variables, not used here.
+      real(dp), intent(in) :: values(:)
+
+      height_of = maxval(self%given%depths)
+      associate (unused => values)
+      end associate
+   end function height_of
 
    !> See `periodic_model_t`: that of the cells as they are.
    pure real(dp) function get_full_pressure(self, values, solid, on_cells)

@@ -31,6 +31,7 @@ module adfric_periodic_wave_2d_model
       procedure :: get_shape
       procedure :: get_full_pressure
       procedure :: get_peak_pressure
+      procedure :: height_of
    end type wave_2d_model_t
 
 contains
@@ -99,6 +100,18 @@ contains
       associate (unused => self)
       end associate
    end subroutine get_shape
+
+   !> See `elastic_model_t`.
+   pure real(dp) function height_of(self, values)
+      !> The model; nothing is read from it here.
+      class(wave_2d_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      height_of = 4*values(v_amplitude)
+      associate (unused => self)
+      end associate
+   end function height_of
 
    !> See `periodic_model_t`: that of the wave itself.
    pure real(dp) function get_full_pressure(self, values, solid, on_cells)
