@@ -23,8 +23,9 @@ module adfric_periodic_elastic_model
 
    !> Cells per zone below which there is a doubt, and below which edges of adhesion are those of the cells.
    real(dp), parameter :: few_cells = 4, least_cells = 0.5_dp
-   !> Error of pull-off with one cell per zone, which falls with the square of the cells (`bench/run adhesion_cells`).
-   real(dp), parameter :: error_of_cell = 0.07_dp
+   !> Error of an edge of adhesion with one cell per zone; it falls with the cells, below one with their square (`bench/run
+   !> adhesion_cells`).
+   real(dp), parameter :: error_of_cell = 0.05_dp
    !> Stress over E* height/period, and range over height, that are taken.
    real(dp), parameter :: least_size = 1.0e-12_dp, largest_size = 1.0e12_dp
 
@@ -228,7 +229,7 @@ contains
       real(dp), intent(in) :: cells
 
       error = huge(error)
-      if (cells >= least_cells) error = error_of_cell/cells**2
+      if (cells >= least_cells) error = error_of_cell/min(cells, cells**2)
    end function error_of_edge
 
    !> See `model_t`: zones of adhesion that the cells do not see.

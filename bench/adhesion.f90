@@ -1,0 +1,150 @@
+!> Surfaces that adhere to a half-space: time of a load and of the pull-off, on one thread. See bench/README.md.
+!>
+!> adhesion [TABLE.csv [HEIGHTS]]
+!>
+!> HEIGHTS receives the gaps of the rough surface, raw numbers, for `adhesion_public`.
+program adhesion
+   use adfric_base_error, only: error_t
+   use adfric_base_kinds, only: dp
+   use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
+   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
+   use adfric_periodic_elastic_kernel, only: elastic_kernel_t
+   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
+   use adfric_system_clock, only: wall_clock
+   use measure, only: print_heading, text_argument, open_table, spread_t, spread_of
+   use rough_shapes, only: make_surface
+   use trial_surfaces, only: wave
+   implicit none (type, external)
+
+   real(dp), parameter :: tolerance = 1.0e-10_dp, two_pi = 6.283185307179586476925286766559_dp
+   !> Stresses over p* and ranges over the amplitude of the wave.
+   real(dp), parameter :: stresses(*) = [0.3_dp, 0.6_dp], ranges(*) = [0.3_dp, 0.1_dp], loads(*) = [0.02_dp, 0.2_dp]
+   !> Cells of the wave, of a finer one, and of the rough surface; repetitions.
+   integer, parameter :: n_wave = 256, n_fine = 1024, n_rough = 512, n_times = 3
+   !> Hurst exponent, largest number of waves, stress and range of the rough surface, over its height, and loads over E*.
+   real(dp), parameter :: hurst = 0.8_dp, rough_stress = 0.1_dp, rough_range = 0.02_dp, rough_height = 0.02_dp
+   real(dp), parameter :: rough_loads(*) = [0.002_dp, 0.01_dp]
+   integer, parameter :: most_waves = 32
+   integer :: table
+
+   call print_heading('Surfaces that adhere to a half-space')
+   table = open_table(text_argument(1, 'adhesion.csv'), 'surface,cells,stress,range,branch,load,ms,pairs,residual,contact,mean_gap')
+   print '(a10, a7, 2a9, a10, a10, a10, a8, 3a12)', 'surface', 'cells', 'stress', 'range', 'branch', 'load', 'ms', 'pairs', &
+      & 'residual', 'contact', 'mean gap'
+   call solve_waves(n_wave, n_times, .true.)
+   call solve_waves(n_fine, 1, .false.)
+   call solve_rough()
+   close (table)
+
+contains
+
+   !> Loads and pull-off of the wave.
+   subroutine solve_waves(n, n_repeated, has_pull_off)
+      integer, intent(in) :: n, n_repeated
+      logical, intent(in) :: has_pull_off
+      type(periodic_solver_t) :: solver
+      type(error_t), allocatable :: error
+      real(dp), allocatable :: shape(:, :)
+      real(dp) :: lowest
+      integer :: i, k, branch
+
+      allocate (shape, source=wave(n, n/2))
+      lowest = minval(shape)
+      shape(:, :) = shape - lowest
+      call new_periodic_solver(solver, elastic_kernel_t(), [n/2, n/2], [1.0_dp, 1.0_dp], .true., error)
+      do i = 1, size(stresses)
+         do k = 1, size(loads)
+            do branch = 1, 2
+               call solve(solver, 'wave', shape, loads(k), periodic_adhesion_t(stresses(i), ranges(i)/two_pi, branch == 1), n, &
+                  & n_repeated)
+            end do
+         end do
+         if (has_pull_off) call pull(solver, shape, periodic_adhesion_t(stresses(i), ranges(i)/two_pi), n)
+      end do
+   end subroutine solve_waves
+
+   !> Loads of the rough surface.
+   subroutine solve_rough()
+      type(periodic_solver_t) :: solver
+      type(error_t), allocatable :: error
+      real(dp), allocatable :: shape(:, :)
+      character(:), allocatable :: path
+      integer :: k, branch, file
+
+      call make_surface(n_rough, hurst, most_waves, shape)
+      shape(:, :) = rough_height*shape
+      allocate (path, source=text_argument(2, ''))
+      if (len(path) > 0) then
+         open (newunit=file, file=path, access='stream', form='unformatted', action='write', status='replace')
+         write (file) shape
+         close (file)
+      end if
+      call new_periodic_solver(solver, elastic_kernel_t(), [n_rough, n_rough], [1.0_dp, 1.0_dp], .false., error)
+      do k = 1, size(rough_loads)
+         do branch = 1, 2
+            call solve(solver, 'rough', shape, rough_loads(k), periodic_adhesion_t(rough_stress, rough_range*rough_height, &
+               & branch == 1), n_rough, 1)
+         end do
+      end do
+   end subroutine solve_rough
+
+   !> A line of the table: a load.
+   subroutine solve(solver, name, shape, load, law, n, n_repeated)
+      type(periodic_solver_t), intent(inout) :: solver
+      character(*), intent(in) :: name
+      real(dp), intent(in) :: shape(:, :), load
+      type(periodic_adhesion_t), intent(in) :: law
+      integer, intent(in) :: n, n_repeated
+      type(periodic_solution_t) :: found
+      type(error_t), allocatable :: error
+      type(spread_t) :: times
+      real(dp) :: seconds(n_repeated)
+      integer :: k
+
+      do k = 1, n_repeated
+         seconds(k) = wall_clock()
+         call solve_adhesive_load(solver, shape, load, law, tolerance, found, error)
+         seconds(k) = wall_clock() - seconds(k)
+      end do
+      times = spread_of(seconds)
+      if (found%status /= contact_solved) then
+         print '(a10, i7, a)', name, n, ': not solved'
+         return
+      end if
+      call report(name, n, law, load, times%least, found%n_pairs, found%residual, found%area%corrected, &
+         & sum(found%gap)/size(found%gap))
+   end subroutine solve
+
+   !> A line of the table: the pull-off, as load.
+   subroutine pull(solver, shape, law, n)
+      type(periodic_solver_t), intent(inout) :: solver
+      real(dp), intent(in) :: shape(:, :)
+      type(periodic_adhesion_t), intent(in) :: law
+      integer, intent(in) :: n
+      type(pull_off_t) :: pull_off
+      type(error_t), allocatable :: error
+      real(dp) :: seconds
+
+      seconds = wall_clock()
+      call find_pull_off(solver, shape, law, tolerance, pull_off, error)
+      seconds = wall_clock() - seconds
+      if (pull_off%is_found) call report('pull-off', n, law, pull_off%mean_pressure, seconds, pull_off%n_pairs, 0.0_dp, 0.0_dp, &
+         & sum(shape)/size(shape) - pull_off%penetration)
+   end subroutine pull
+
+   !> Print and write a line.
+   subroutine report(name, n, law, load, seconds, pairs, residual, contact, mean_gap)
+      character(*), intent(in) :: name
+      integer, intent(in) :: n
+      type(periodic_adhesion_t), intent(in) :: law
+      real(dp), intent(in) :: load, seconds, pairs, residual, contact, mean_gap
+      character(8) :: branch
+
+      branch = merge('adhered ', 'approach', law%is_adhered)
+      print '(a10, i7, 2f9.4, a10, f10.5, f10.1, f8.0, es12.1, f12.6, f12.8)', name, n, law%stress, law%range, branch, load, &
+         & 1000*seconds, pairs, residual, contact, mean_gap
+      write (table, '(a, ",", i0, 2(",", es22.15), ",", a, ",", es22.15, ",", f0.2, ",", f0.1, ",", es9.2, 2(",", es22.15))') &
+         & name, n, law%stress, law%range, trim(branch), load, 1000*seconds, pairs, residual, contact, mean_gap
+   end subroutine report
+
+end program adhesion
