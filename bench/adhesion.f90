@@ -39,9 +39,10 @@ program adhesion
 contains
 
    !> Loads and pull-off of the wave.
-   subroutine solve_waves(n, n_repeated, has_pull_off)
+   subroutine solve_waves(n, n_repeated, is_whole)
       integer, intent(in) :: n, n_repeated
-      logical, intent(in) :: has_pull_off
+      !> With both branches, and the pull-off?
+      logical, intent(in) :: is_whole
       type(periodic_solver_t) :: solver
       type(error_t), allocatable :: error
       real(dp), allocatable :: shape(:, :)
@@ -54,12 +55,12 @@ contains
       call new_periodic_solver(solver, elastic_kernel_t(), [n/2, n/2], [1.0_dp, 1.0_dp], .true., error)
       do i = 1, size(stresses)
          do k = 1, size(loads)
-            do branch = 1, 2
+            do branch = 1, merge(2, 1, is_whole)
                call solve(solver, 'wave', shape, loads(k), periodic_adhesion_t(stresses(i), ranges(i)/two_pi, branch == 1), n, &
                   & n_repeated)
             end do
          end do
-         if (has_pull_off) call pull(solver, shape, periodic_adhesion_t(stresses(i), ranges(i)/two_pi), n)
+         if (is_whole) call pull(solver, shape, periodic_adhesion_t(stresses(i), ranges(i)/two_pi), n)
       end do
    end subroutine solve_waves
 

@@ -307,9 +307,33 @@ def between(numbers, text):
     return ends[0] if ends[0] == ends[1] else " to ".join(ends)
 
 
+def adhesion_cells(folder):
+    """What cells make of zones of few of them."""
+    body = [[row["cells_per_zone"].strip(), row["other"], row["below"], error(row["area_median"]), error(row["area_largest"]),
+             error(row["penetration_largest"]), error(row["pull_off_largest"])] for row in rows_of(folder, "adhesion_cells")]
+    return table(["cells per zone", "another state", "error above its estimate", "area, median error", "largest", "penetration, largest [D]",
+                  "pull-off, largest"], body)
+
+
+def adhesion_public(folder):
+    """States that adhere beside the public libraries."""
+    rows = rows_of(folder, "adhesion_public")
+    solvers = [name for name in dict.fromkeys(row["solver"] for row in rows) if name != "adfric"]
+    case = ("surface", "cells", "stress", "range", "branch", "load")
+    body = []
+    for key in dict.fromkeys(tuple(row[name] for name in case) for row in rows):
+        line = list(key)
+        for solver in ("adfric", *solvers):
+            found = [row for row in rows if tuple(row[name] for name in case) == key and row["solver"] == solver]
+            line.append(", ".join([time(found[0]["ms"]), *([error(found[0]["error"])] if found[0]["error"] else []),
+                                   *([time(found[0]["slower"])] if solver != "adfric" else [])]) if found else "")
+        body.append(line)
+    return table(["surface", "cells", "p0/E*", "h0", "branch", "p/E*", "adfric: ms, error", *(f"{name}: ms, error, ratio" for name in solvers)], body)
+
+
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, sliding_public, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding)}
+    wave_2d_public, sliding_public, adhesion_cells, adhesion_public, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding)}
 
 
 def main():
