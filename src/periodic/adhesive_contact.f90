@@ -26,7 +26,7 @@ module adfric_periodic_adhesive_contact
    use adfric_periodic_operator, only: periodic_operator_t
    implicit none (type, external)
    private
-   public :: solve_adhesive_contact, find_state, widen_share
+   public :: solve_adhesive_contact, find_state, solve_again, widen_share
 
    !> Rounds from the bound, at most.
    integer, parameter :: most_rounds = 2000
@@ -81,7 +81,7 @@ contains
       if (has_guess) then
          found = state
          call find_state(found, operator, gap_solver, tolerance, has_found)
-         if (has_found) has_found = is_bound(found, is_adhered, bound)
+         if (has_found) has_found = is_bound(found%cohesion%share, is_adhered, bound)
          if (has_found .and. .not. is_sure) &
             & call prove_alone(found, operator, gap_solver, is_adhered, state%cohesion%share, is_certain)
          if (is_certain) then
@@ -98,7 +98,7 @@ contains
       do k = 1, most_rounds
          call solve_with_share(state, operator, gap_solver, share, change, has_contact)
          if (.not. has_contact) return
-         if (has_found) has_found = is_bound(found, is_adhered, share)
+         if (has_found) has_found = is_bound(found%cohesion%share, is_adhered, share)
          if (has_found .and. k >= next_proof .and. .not. is_widening) then
             next_proof = k + 1 + k/3
             is_certain = is_next_to(found, operator, gap_solver, merge(found%is_open, state%is_open, is_adhered), is_adhered, &
@@ -106,7 +106,7 @@ contains
             if (is_certain) exit
          end if
          call state%cohesion%set_share(state%gap)
-         if (is_widening) is_widening = .not. is_bound(state, is_adhered, share)
+         if (is_widening) is_widening = .not. is_bound(state%cohesion%share, is_adhered, share)
          if (is_widening) call join_share(state%cohesion%share, share, is_adhered)
          change = maxval(abs(state%cohesion%share - share))
          share(:, :) = state%cohesion%share
@@ -138,16 +138,16 @@ contains
       end if
    end subroutine join_share
 
-   !> Do the shares of a state stay on one side of a bound?
-   pure logical function is_bound(state, is_adhered, bound)
-      !> The state, with its shares.
-      type(contact_state_t), intent(in) :: state
+   !> Do shares stay on one side of a bound?
+   pure logical function is_bound(share, is_adhered, bound)
+      !> The shares.
+      real(dp), intent(in), contiguous :: share(:, :)
       !> Is the bound more adhered?
       logical, intent(in) :: is_adhered
       !> Shares of the bound.
       real(dp), intent(in), contiguous :: bound(:, :)
 
-      is_bound = maxval(merge(1, -1, is_adhered)*(state%cohesion%share - bound)) <= like_share
+      is_bound = maxval(merge(1, -1, is_adhered)*(share - bound)) <= like_share
    end function is_bound
 
    !> Solve the contact with given shares.
@@ -195,7 +195,7 @@ contains
 
    !> Newton's method from a guess.
    subroutine find_state(state, operator, gap_solver, tolerance, has_found)
-      !> In: gap and open region to begin from. Out: a state with its shares, or where Newton's method went.
+      !> In: gap and open region to begin from. Out: a state with its shares and their slopes, or where Newton's method went.
       type(contact_state_t), intent(inout) :: state
       !> Operator of this grid.
       type(periodic_operator_t), intent(inout) :: operator
@@ -206,16 +206,15 @@ contains
       !> Receives whether it is a state, to the tolerance.
       logical, intent(out) :: has_found
 
-      call state%cohesion%follow(state%gap)
+      state%cohesion%is_linear = .true.
       call solve_again(state, operator, gap_solver, tolerance)
-      call state%cohesion%set_share(state%gap)
       has_found = state%is_converged
    end subroutine find_state
 
    !> Is a state alone among those that are more, or less, adhered by a few cells? The way there is that of a change of the load: a
    !> state under more load is more adhered, so that it is no state under this one, nor are those on the way to it.
    subroutine prove_alone(state, operator, gap_solver, is_adhered, guess, is_certain)
-      !> The state, with its shares.
+      !> The state, with its shares and their slopes.
       type(contact_state_t), intent(in) :: state
       !> Operator of this grid.
       type(periodic_operator_t), intent(inout) :: operator
@@ -228,25 +227,24 @@ contains
       !> Receives whether it is alone.
       logical, intent(out) :: is_certain
       type(contact_state_t) :: far
-      type(cohesion_t), allocatable :: law
       real(dp), allocatable, dimension(:, :) :: way, load
       real(dp) :: lost
       logical :: has_contact
 
-      allocate (law, source=state%cohesion)
-      call law%follow(state%gap)
-      is_certain = law%n_triangles == 0 .and. .not. maxval(abs(guess - law%share)) > like_share
-      if (law%n_triangles == 0) return
-      allocate (way, load, mold=state%gap)
-      load(:, :) = law%stress
-      call solve_open(operator, gap_solver, state%is_open, load, way, law)
-      if (minval(way) < 0) return
-      load(:, :) = 0
-      call law%subtract_slope(way, load, lost)
-      way(:, :) = merge(-1, 1, is_adhered)*way*(cells_beside*law%stress*law%n_squares/sum(abs(load)))
+      associate (law => state%cohesion)
+         is_certain = law%n_triangles == 0 .and. .not. maxval(abs(guess - law%share)) > like_share
+         if (law%n_triangles == 0) return
+         allocate (way, load, mold=state%gap)
+         load(:, :) = law%stress
+         call solve_open(operator, gap_solver, state%is_open, load, way, state%cohesion)
+         if (minval(way) < 0) return
+         load(:, :) = 0
+         call law%subtract_slope(way, load, lost)
+         way(:, :) = merge(-1, 1, is_adhered)*way*(cells_beside*law%stress*law%n_squares/sum(abs(load)))
+      end associate
       far = state
       call far%cohesion%set_share(state%gap + way)
-      if (maxval(merge(1, -1, is_adhered)*(guess - far%cohesion%share)) > like_share) return
+      if (.not. is_bound(guess, is_adhered, far%cohesion%share)) return
       if (is_adhered) then
          is_certain = is_next_to(state, operator, gap_solver, state%is_open, is_adhered, state%gap + way)
       else
@@ -258,7 +256,7 @@ contains
 
    !> Is there no other state on the way from the bound to a state?
    logical function is_next_to(state, operator, gap_solver, is_open, is_adhered, far)
-      !> The state, with its shares.
+      !> The state, with its shares and their slopes.
       type(contact_state_t), intent(in) :: state
       !> Operator of this grid.
       type(periodic_operator_t), intent(inout) :: operator
@@ -276,7 +274,6 @@ contains
       integer :: k
 
       law = state%cohesion
-      call law%follow(state%gap)
       allocate (way, next, slope, mold=far)
       way(:, :) = abs(far - state%gap)
       is_next_to = .not. maxval(way) > 0

@@ -55,7 +55,6 @@ contains
       associate (n => size(states))
          call set_full_pressure(self%grids(n)%operator, shape, solution)
          call set_solution(states, self%grids(n)%operator, solution)
-         call take_tension(states(n), solution)
       end associate
    end subroutine solve_adhesive_load
 
@@ -201,20 +200,5 @@ contains
       bound(:, :) = touch%cohesion%share
       if (state%mean_pressure < 0) bound(:, :) = 0
    end subroutine get_first_bound
-
-   !> Take the tension of adhesion from the pressure, and find the energies.
-   subroutine take_tension(state, solution)
-      !> A solved contact with adhesion.
-      type(contact_state_t), intent(in) :: state
-      !> In: pressure with the tension added. Out: the pressure, shares and energies.
-      type(periodic_solution_t), intent(inout) :: solution
-      real(dp), allocatable :: stiff(:, :)
-
-      solution%share = state%cohesion%share
-      solution%pressure(:, :) = solution%pressure - state%cohesion%stress*solution%share
-      allocate (stiff, source=solution%pressure - solution%mean_pressure)
-      solution%elastic_energy = sum((solution%gap - state%shape)*stiff)/(2*size(stiff))
-      solution%adhesion_energy = state%cohesion%energy_of(solution%gap)
-   end subroutine take_tension
 
 end module adfric_periodic_adhesive_solver

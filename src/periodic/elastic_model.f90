@@ -94,10 +94,7 @@ contains
       associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1, held => self%before_held)
          call check_contact_modulus(self%variables(first:last), values(first:last), problems, .false.)
          call check_adhesion(self%variables(last + 1:last + n_adhesion_rows), values(last + 1:last + n_adhesion_rows), problems)
-         if (has_adhesion(values(last + 1:last + n_adhesion_rows))) then
-            if (is_set(values(held + v_penetration))) call problems%add('operating', 'penetration', &
-               & 'is not held with adhesion; give mean_pressure')
-         else
+         if (.not. has_adhesion(values(last + 1:last + n_adhesion_rows))) then
             if (values(held + v_mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
                & 'is below 0, but nothing pulls without &adhesion')
             if (wants_pull_off(values(self%last_of_solid))) &
@@ -207,8 +204,7 @@ contains
       law = self%adhesion_of(values)
       error_estimate = relative_error_of(solution%area)
       associate (modulus => surface%solid%modulus, cells => real(size(solution%gap), dp))
-         results(r_elastic_energy) = modulus*sum((solution%gap - surface%shape)*(solution%pressure - solution%mean_pressure)) &
-            & /(2*cells)
+         results(r_elastic_energy) = modulus*solution%elastic_energy
          results(r_adhesion_energy) = modulus*solution%adhesion_energy
          results(r_adhesion_fraction) = 0
          if (allocated(solution%share)) &
@@ -272,11 +268,13 @@ contains
       !> The solution, which is one.
       type(periodic_solution_t), intent(in) :: solution
 
-      regime = regime_partial
-      if (.not. solution%area%cells > 0) regime = regime_none
+      regime = merge(regime_partial, regime_none, solution%area%cells > 0)
       if (allocated(solution%share)) then
-         regime = regime_adhesion_zones
-         if (.not. any(solution%share < 1)) regime = regime_saturated_adhesion
+         if (.not. any(solution%share < 1)) then
+            regime = regime_saturated_adhesion
+         else if (any(solution%share > 0)) then
+            regime = merge(regime_adhesion_zones, regime_adhesion_only, solution%area%cells > 0)
+         end if
       end if
       if (solution%area%cells >= 1) regime = regime_full
    end function regime_of

@@ -3,6 +3,7 @@ module adfric_periodic_point
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
    use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
@@ -45,7 +46,7 @@ module adfric_periodic_point
       real(dp) :: value = 0
       !> Largest residual.
       real(dp) :: tolerance = 1.0e-10_dp
-      !> Adhesion, with its stress in E* and its range in m; not allocated: none. Elastic half-spaces under a mean pressure alone.
+      !> Adhesion, with its stress in E* and its range in m; not allocated: none. Elastic half-spaces alone.
       type(periodic_adhesion_t), allocatable :: adhesion
       !> Is the pull-off wanted?
       logical :: wants_pull_off = .false.
@@ -101,6 +102,7 @@ contains
       if (allocated(error)) return
       solution%penetration = solution%penetration*unit
       if (allocated(solution%gap)) solution%gap = solution%gap*unit
+      solution%elastic_energy = solution%elastic_energy*unit
       solution%adhesion_energy = solution%adhesion_energy*unit
    end subroutine solve_periodic
 
@@ -123,7 +125,12 @@ contains
       adhesion = goal%adhesion
       adhesion%range = adhesion%range/surface%period(1)
       allocate (shape_in_periods, source=surface%shape/surface%period(1))
-      call solve_adhesive_load(memory%solver, shape_in_periods, goal%value, adhesion, goal%tolerance, solution, error)
+      if (goal%is_pressure) then
+         call solve_adhesive_load(memory%solver, shape_in_periods, goal%value, adhesion, goal%tolerance, solution, error)
+      else
+         call solve_adhesive_penetration(memory%solver, shape_in_periods, goal%value/surface%period(1), adhesion, &
+            & goal%tolerance, solution, error)
+      end if
       if (allocated(error) .or. .not. goal%wants_pull_off) return
       numbers = [adhesion%stress, adhesion%range, merge(adhesion%turning_pressure, -1.0_dp, adhesion%has_turned), goal%tolerance, &
          & memory%period]

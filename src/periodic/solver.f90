@@ -10,6 +10,7 @@ module adfric_periodic_solver
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_periodic_area, only: area_t, area_of_cells, refine_area
    use adfric_periodic_friction, only: friction_t, get_friction, get_losses
+   use adfric_periodic_cohesion, only: cohesion_t
    use adfric_periodic_contact, only: contact_state_t, solve_contact, start_contact, residual_of
    use adfric_periodic_gap_solver, only: gap_solver_t, new_gap_solver
    use adfric_periodic_grids, only: coarsen, refine, n_grids_of
@@ -47,7 +48,7 @@ module adfric_periodic_solver
       real(dp) :: full_pressure = 0
       !> Shares of the cells within the range of adhesion, not allocated without; shape of the cells.
       real(dp), allocatable :: share(:, :)
-      !> Elastic energy, and energy of adhesion below 0, per area [E* times the unit of the gap]; with adhesion alone.
+      !> Energy of an elastic solid, and of adhesion below 0, per area [E* times the unit of the gap].
       real(dp) :: elastic_energy = 0, adhesion_energy = 0
       !> Pull-off, where it was sought and found [E*]; else the largest number.
       real(dp) :: pull_off = huge(1.0_dp)
@@ -345,7 +346,22 @@ contains
       ! what little pressure was left in open cells is that of the others, so that they carry the load
       total = sum_of(solution%pressure)
       if (total > 0) solution%pressure(:, :) = solution%pressure*(load_of(states(n))*size(solution%pressure)/total)
+      if (allocated(states(n)%cohesion)) call take_tension(states(n)%cohesion, solution)
+      solution%elastic_energy = sum((solution%gap - states(n)%shape)*(solution%pressure - solution%mean_pressure)) &
+         & /(2*size(solution%gap))
    end subroutine set_solution
+
+   !> Take the tension of adhesion from the pressure, and find the energy of adhesion.
+   subroutine take_tension(cohesion, solution)
+      !> Adhesion with the shares of the solution.
+      type(cohesion_t), intent(in) :: cohesion
+      !> In: pressure with the tension added, and the gap. Out: the pressure, shares and energy.
+      type(periodic_solution_t), intent(inout) :: solution
+
+      solution%share = cohesion%share
+      solution%pressure(:, :) = solution%pressure - cohesion%stress*cohesion%share
+      solution%adhesion_energy = cohesion%energy_of(solution%gap)
+   end subroutine take_tension
 
    !> The mean pressure that contact carries: the load, and the tension that presses the surfaces together.
    real(dp) function load_of(state) result(load)

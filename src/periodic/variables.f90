@@ -26,8 +26,8 @@ module adfric_periodic_variables
       & r_pull_off_pressure = 13, r_cells_per_zone = 14
    integer, parameter, public :: n_elastic_results = 14
    !> Numbers of the regimes; they have the words of `wave_1d`.
-   integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2, regime_adhesion_zones = 4, &
-      & regime_saturated_adhesion = 5
+   integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2, regime_adhesion_only = 3, &
+      & regime_adhesion_zones = 4, regime_saturated_adhesion = 5
 
 contains
 

@@ -139,7 +139,8 @@ contains
       real(dp), intent(in) :: pressure(:, :)
 
       associate (p => pressure)
-         get_peak_pressure = (81*p(1, 1) - 9*p(2, 1) - 9*p(1, 2) + p(2, 2))/64
+         get_peak_pressure = p(1, 1)
+         if (p(1, 1) > 0) get_peak_pressure = (81*p(1, 1) - 9*p(2, 1) - 9*p(1, 2) + p(2, 2))/64
       end associate
       associate (unused => self, unused_values => values)
       end associate

@@ -1,0 +1,392 @@
+!> Adhesive contact of a periodic surface at a given penetration, on either branch.
+!>
+!> Under a load q each branch has one state (`adfric_periodic_adhesive_contact`), whose penetration D(q) rises with q: it is known where a
+!> penetration is held under a load, and where a jump of the load passes it. At the penetration delta the states of the branches are
+!>
+!> - **adhered**: the surfaces part slowly under a load that falls to the least one whose state is not yet farther apart than delta. If
+!>   that is not the state at delta, the next load would pass it; from there on the mean gap is opened slowly
+!>   (`adfric_periodic_adhesive_path`).
+!> - **approach**: they come together under a load that grows to the largest one whose state is not yet nearer than delta, and then the
+!>   mean gap is closed slowly. Below the penetration under no load the mean gap is closed from where the first cell comes into range.
+!>
+!> Without jumps of the load inside delta's window these are the states that parting and approach at given penetrations reach. A
+!> tension of at most sigma0 pulls, so that D(q) lies between the penetrations without adhesion under q and under q + sigma0. The window
+!> is narrowed from there; from its end the state is followed to delta, and where the branch under a load a little beyond all loads on
+!> this way has passed delta, or has no state, no other load is in question.
+module adfric_periodic_adhesive_penetration
+   use adfric_base_kinds, only: dp
+   use adfric_base_error, only: error_t
+   use adfric_periodic_adhesive_contact, only: find_state
+   use adfric_periodic_adhesive_path, only: follow_state, penetration_of
+   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_state
+   use adfric_periodic_cohesion, only: new_cohesion
+   use adfric_periodic_contact, only: contact_state_t
+   use adfric_periodic_grids, only: coarsen
+   use adfric_periodic_maps, only: sum_of
+   use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, check_shape, set_full_pressure, set_solution, &
+      & coarse_tolerance, contact_solved, contact_not_converged, contact_out_of_range, grids_for_error
+   implicit none (type, external)
+   private
+   public :: solve_adhesive_penetration
+
+   !> Loads that narrow the window before the state is followed, and attempts to follow it, at most.
+   integer, parameter :: most_narrowing = 5, most_attempts = 30
+   !> Distance to the penetration from which a state is followed at once, and one that is none, in units of the range of the
+   !> undeformed gap.
+   real(dp), parameter :: near = 0.02_dp, none = 1.0e-9_dp
+   !> Mean gap in the same unit at which contact is full.
+   real(dp), parameter :: closed = 1.0e-12_dp
+   !> How far beyond the loads on the way the branch is looked at, in units of the load that contact carries.
+   real(dp), parameter :: beyond = 5.0e-3_dp
+   !> How often it is looked at twice as far beyond, where that has not told anything, but for one.
+   integer, parameter :: most_looks = 4
+
+   !> What is known of the branch under a load.
+   type :: window_t
+      !> Is the adhered branch wanted, that comes from larger loads? Else the other, that comes from smaller ones.
+      logical :: is_adhered = .true.
+      !> The wanted penetration, and a distance that is none; in the unit of the gap.
+      real(dp) :: penetration = 0, none = 0
+      !> Mean pressure without adhesion [E*], 0 where there is no contact.
+      real(dp) :: bare_load = 0
+      !> Load of `state`, and load whose state has passed the penetration [E*].
+      real(dp) :: load = 0, passed = 0
+      !> Excess of the penetration over the wanted one under these loads.
+      real(dp) :: excess = 0, passed_excess = 0
+      !> Is `passed_excess` known?
+      logical :: has_passed_excess = .false.
+      !> The state that has not passed the penetration yet.
+      type(contact_state_t) :: state
+      !> Has it been found?
+      logical :: has_state = .false.
+      !> Has the last load told something?
+      logical :: is_known = .true.
+   end type window_t
+
+contains
+
+   !> Solve at a penetration with adhesion; elastic solids alone.
+   subroutine solve_adhesive_penetration(self, shape, penetration, adhesion, tolerance, solution, error)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
+      real(dp), intent(in) :: shape(:, :)
+      !> Penetration from first touch at the mean of the deformed surface, in the unit of `shape`; below 0 before it.
+      real(dp), intent(in) :: penetration
+      !> The law, and which state is wanted.
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> The solution; `status` tells how it ended. Out of range: no pressure brings the surfaces so near.
+      type(periodic_solution_t), intent(out) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(periodic_adhesion_t) :: branch
+      type(window_t) :: window
+
+      call check_shape(self, shape, error)
+      if (allocated(error)) return
+      solution%status = contact_out_of_range
+      if (.not. sum_of(shape)/size(shape) - penetration > closed*(maxval(shape) - minval(shape))) return
+      branch = adhesion
+      window%penetration = penetration
+      window%none = none*(maxval(shape) - minval(shape))
+      call solve_bare(self, shape, tolerance, window, solution, error)
+      if (allocated(error)) return
+      call choose_side(self, shape, tolerance, branch, window, solution, error)
+      if (allocated(error)) return
+      if (.not. window%is_adhered .and. penetration <= minval(shape) - adhesion%range) then
+         call start_apart(self, shape, branch, window)
+      else
+         call open_window(self, shape, branch, tolerance, window, solution, error)
+      end if
+      if (allocated(error)) return
+      call search(self, shape, branch, tolerance, window, solution, error)
+      if (allocated(error)) return
+      if (window%state%is_converged) call collect(self, window%state, tolerance, solution)
+   end subroutine solve_adhesive_penetration
+
+   !> Find the load without adhesion at the penetration.
+   subroutine solve_bare(self, shape, tolerance, window, solution, error)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells.
+      real(dp), intent(in) :: shape(:, :)
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> Receives the load.
+      type(window_t), intent(inout) :: window
+      !> Receives pairs of transforms.
+      type(periodic_solution_t), intent(inout) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(periodic_solution_t) :: bare
+
+      call self%solve_penetration(shape, window%penetration, tolerance, bare, error)
+      if (allocated(error)) return
+      window%bare_load = max(bare%mean_pressure, 0.0_dp)
+      solution%n_pairs = solution%n_pairs + bare%n_pairs
+   end subroutine solve_bare
+
+   !> After a turn the state is that of approach for penetrations that the turn did not reach, and comes from that of the turn else.
+   subroutine choose_side(self, shape, tolerance, branch, window, solution, error)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells.
+      real(dp), intent(in) :: shape(:, :)
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> In: the branch. Out: that of approach, if it is that.
+      type(periodic_adhesion_t), intent(inout) :: branch
+      !> Receives the side, and the state of the turn.
+      type(window_t), intent(inout) :: window
+      !> Receives pairs of transforms.
+      type(periodic_solution_t), intent(inout) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+
+      window%is_adhered = branch%is_adhered
+      if (.not. (branch%is_adhered .and. branch%has_turned)) return
+      call look(self, shape, branch%turning_pressure, branch, tolerance, window, solution, error)
+      if (allocated(error)) return
+      if (window%has_state) return
+      branch%is_adhered = .false.
+      window%is_adhered = .false.
+      window%has_state = .false.
+   end subroutine choose_side
+
+   !> Find a state that has not passed the penetration, and a load that has.
+   subroutine open_window(self, shape, branch, tolerance, window, solution, error)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells.
+      real(dp), intent(in) :: shape(:, :)
+      !> The branch.
+      type(periodic_adhesion_t), intent(in) :: branch
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> In: with the state of a turn. Out: both ends are known.
+      type(window_t), intent(inout) :: window
+      !> Receives pairs of transforms.
+      type(periodic_solution_t), intent(inout) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      real(dp) :: near_end, far_end
+      integer :: k
+
+      window%has_passed_excess = .false.
+      near_end = window%bare_load
+      far_end = window%bare_load - branch%stress
+      if (.not. window%is_adhered) then
+         near_end = max(window%bare_load - branch%stress, 0.0_dp)
+         far_end = window%bare_load
+      end if
+      window%passed = far_end
+      if (.not. window%has_state) then
+         call look(self, shape, near_end, branch, tolerance, window, solution, error)
+         if (allocated(error)) return
+      end if
+      if (.not. window%has_state) then
+         call start_apart(self, shape, branch, window)
+         return
+      end if
+      do k = 1, most_narrowing
+         if (abs(window%excess) <= near*(maxval(shape) - minval(shape))) exit
+         call look(self, shape, next_load(window), branch, tolerance, window, solution, error)
+         if (allocated(error)) return
+      end do
+   end subroutine open_window
+
+   !> Begin with the first cell about to come into range.
+   subroutine start_apart(self, shape, branch, window)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(in) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells.
+      real(dp), intent(in) :: shape(:, :)
+      !> The branch.
+      type(periodic_adhesion_t), intent(in) :: branch
+      !> Receives the state.
+      type(window_t), intent(inout) :: window
+
+      window%state = contact_state_t()
+      associate (state => window%state)
+         allocate (state%cohesion)
+         call new_cohesion(state%cohesion, branch%stress, branch%range, self%grids(size(self%grids))%operator%is_quarter)
+         state%shape = shape
+         state%gap = shape - minval(shape) + branch%range*(1 + epsilon(1.0_dp))
+         state%pressure = 0*shape
+         allocate (state%is_open(size(shape, 1), size(shape, 2)), source=.true.)
+         call state%cohesion%set_share(state%gap)
+         window%excess = penetration_of(state) - window%penetration
+      end associate
+   end subroutine start_apart
+
+   !> A load between the ends of the window: on the line through both, or in the middle.
+   pure real(dp) function next_load(window) result(load)
+      !> What is known.
+      type(window_t), intent(in) :: window
+      real(dp) :: part
+
+      part = 0.5_dp
+      if (window%has_passed_excess) part = min(max(window%excess/(window%excess - window%passed_excess), 0.05_dp), 0.95_dp)
+      load = window%load + part*(window%passed - window%load)
+   end function next_load
+
+   !> Solve under a load, and take note on which side of the penetration its state is.
+   subroutine look(self, shape, load, branch, tolerance, window, solution, error)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells.
+      real(dp), intent(in) :: shape(:, :)
+      !> Mean pressure [E*].
+      real(dp), intent(in) :: load
+      !> The branch.
+      type(periodic_adhesion_t), intent(in) :: branch
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> What is known; receives one more state or load.
+      type(window_t), intent(inout) :: window
+      !> Receives pairs of transforms.
+      type(periodic_solution_t), intent(inout) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(contact_state_t) :: state
+      type(periodic_solution_t) :: found
+      real(dp) :: excess
+      logical :: has_contact
+
+      call solve_adhesive_state(self, shape, load, branch, tolerance, state, found, error)
+      if (allocated(error)) return
+      solution%n_pairs = solution%n_pairs + found%n_pairs
+      has_contact = found%status == contact_solved
+      window%is_known = found%status /= contact_not_converged
+      if (has_contact) excess = penetration_of(state) - window%penetration
+      if (.not. has_contact) then
+         ! loads that no state of the branch carries are those below it
+         if (window%is_adhered .and. window%is_known) then
+            window%passed = load
+            window%has_passed_excess = .false.
+         end if
+      else if (merge(excess >= -window%none, excess <= window%none, window%is_adhered)) then
+         window%state = state
+         window%load = load
+         window%excess = excess
+         window%has_state = .true.
+      else
+         window%passed = load
+         window%passed_excess = excess
+         window%has_passed_excess = .true.
+      end if
+   end subroutine look
+
+   !> Follow the state of the window to the penetration, until no other load is in question.
+   subroutine search(self, shape, branch, tolerance, window, solution, error)
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: self
+      !> Gap of the undeformed surfaces in the middles of the cells.
+      real(dp), intent(in) :: shape(:, :)
+      !> The branch.
+      type(periodic_adhesion_t), intent(in) :: branch
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> In: both ends. Out: the state at the penetration, if it has converged.
+      type(window_t), intent(inout) :: window
+      !> Receives pairs of transforms and how it ended.
+      type(periodic_solution_t), intent(inout) :: solution
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(contact_state_t) :: state
+      real(dp) :: ends(2), load, reach
+      logical :: has_arrived
+      integer :: j, k, n_before
+
+      do k = 1, most_attempts
+         state = window%state
+         associate (grid => self%grids(size(self%grids)))
+            n_before = grid%operator%n_applied
+            call follow_state(state, sum_of(shape)/size(shape) - window%penetration, grid%operator, grid%gap_solver, tolerance, &
+               & ends(1), ends(2), has_arrived)
+            solution%n_pairs = solution%n_pairs + grid%operator%n_applied - n_before
+         end associate
+         if (.not. window%has_state) exit
+         load = merge(ends(1), ends(2), window%is_adhered)
+         reach = merge(-beyond, beyond, window%is_adhered)*(abs(load) + tension_of(state))
+         window%has_state = .false.
+         do j = 1, most_looks
+            call look(self, shape, load + reach, branch, tolerance, window, solution, error)
+            if (allocated(error)) return
+            if (window%is_known) exit
+            ! next to a fold rounds take long
+            reach = 2*reach
+         end do
+         if (.not. window%has_state) exit
+         has_arrived = .false.
+         ! more of the window is cut off where the loads on the way have not been enough
+         if (k > 1 .and. abs(window%excess) > near*(maxval(shape) - minval(shape))) &
+            & call look(self, shape, next_load(window), branch, tolerance, window, solution, error)
+         if (allocated(error)) return
+      end do
+      window%state = state
+      window%state%is_converged = has_arrived .and. window%is_known
+      solution%status = contact_not_converged
+   end subroutine search
+
+   !> The mean tension of adhesion [E*].
+   real(dp) function tension_of(state) result(tension)
+      !> A state.
+      type(contact_state_t), intent(in) :: state
+
+      tension = state%cohesion%stress*(sum_of(state%cohesion%share)/size(state%gap))
+   end function tension_of
+
+   !> Collect the solution, with the area of coarser grids at the same mean gap, as far as they have the state.
+   subroutine collect(self, state, tolerance, solution)
+      !> Solver of the state.
+      type(periodic_solver_t), intent(inout) :: self
+      !> The state.
+      type(contact_state_t), intent(in) :: state
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> In: with pairs of transforms. Out: the solution.
+      type(periodic_solution_t), intent(inout) :: solution
+      type(contact_state_t), allocatable :: states(:)
+      integer :: k, n, first
+      logical :: has_found
+
+      n = size(self%grids)
+      allocate (states(n))
+      states(n) = state
+      first = n
+      do k = n - 1, max(1, n - grids_for_error + 1), -1
+         associate (grid => self%grids(k))
+            call set_coarse(states(k), states(k + 1), grid%operator%is_quarter)
+            call find_state(states(k), grid%operator, grid%gap_solver, max(tolerance, coarse_tolerance), has_found)
+         end associate
+         if (.not. has_found) exit
+         first = k
+      end do
+      call set_full_pressure(self%grids(n)%operator, state%shape, solution)
+      call set_solution(states(first:), self%grids(n)%operator, solution)
+   end subroutine collect
+
+   !> Begin on a coarser grid from the gap of a finer one.
+   subroutine set_coarse(coarse, fine, is_quarter)
+      !> Receives where to begin.
+      type(contact_state_t), intent(out) :: coarse
+      !> State on the finer grid.
+      type(contact_state_t), intent(in) :: fine
+      !> Is only a quarter of an even surface given?
+      logical, intent(in) :: is_quarter
+
+      coarse%shape = coarsen(fine%shape)
+      coarse%gap = coarsen(fine%gap)
+      coarse%is_open = coarsen(merge(1.0_dp, 0.0_dp, fine%is_open)) > 0.5_dp
+      coarse%mean_gap = fine%mean_gap
+      coarse%mean_pressure = fine%mean_pressure
+      coarse%has_fixed_mean = .true.
+      allocate (coarse%cohesion)
+      call new_cohesion(coarse%cohesion, fine%cohesion%stress, fine%cohesion%range, is_quarter)
+      call coarse%cohesion%set_share(coarse%gap)
+   end subroutine set_coarse
+
+end module adfric_periodic_adhesive_penetration
