@@ -21,9 +21,10 @@ program adhesion
    real(dp), parameter :: stresses(*) = [0.3_dp, 0.6_dp], ranges(*) = [0.3_dp, 0.1_dp], loads(*) = [0.02_dp, 0.2_dp]
    !> Cells of the wave, of a finer one, and of the rough surface; repetitions.
    integer, parameter :: n_wave = 256, n_fine = 1024, n_rough = 512, n_times = 3
-   !> Hurst exponent, largest number of waves, stress and range of the rough surface, over its height, and loads over E*.
-   real(dp), parameter :: hurst = 0.8_dp, rough_stress = 0.1_dp, rough_range = 0.02_dp, rough_height = 0.02_dp
-   real(dp), parameter :: rough_loads(*) = [0.002_dp, 0.01_dp]
+   !> Hurst exponent and height of the rough surface, its stresses and load over E*, and ranges over its height: 8 and 1.6 cells a
+   !> zone.
+   real(dp), parameter :: hurst = 0.8_dp, rough_height = 0.02_dp
+   real(dp), parameter :: rough_stresses(*) = [0.05_dp, 0.1_dp], rough_ranges(*) = [0.05_dp, 0.02_dp], rough_load = 0.01_dp
    integer, parameter :: most_waves = 32
    integer :: table
 
@@ -81,9 +82,9 @@ contains
          close (file)
       end if
       call new_periodic_solver(solver, elastic_kernel_t(), [n_rough, n_rough], [1.0_dp, 1.0_dp], .false., error)
-      do k = 1, size(rough_loads)
+      do k = 1, size(rough_stresses)
          do branch = 1, 2
-            call solve(solver, 'rough', shape, rough_loads(k), periodic_adhesion_t(rough_stress, rough_range*rough_height, &
+            call solve(solver, 'rough', shape, rough_load, periodic_adhesion_t(rough_stresses(k), rough_ranges(k)*rough_height, &
                & branch == 1), n_rough, 1)
          end do
       end do

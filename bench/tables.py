@@ -309,7 +309,7 @@ def between(numbers, text):
 
 def adhesion_cells(folder):
     """What cells make of zones of few of them."""
-    body = [[row["cells_per_zone"].strip(), row["other"], row["below"], error(row["area_median"]), error(row["area_largest"]),
+    body = [[f"{float(row['cells_per_zone']):g}", row["other"], row["below"], error(row["area_median"]), error(row["area_largest"]),
              error(row["penetration_largest"]), error(row["pull_off_largest"])] for row in rows_of(folder, "adhesion_cells")]
     return table(["cells per zone", "another state", "error above its estimate", "area, median error", "largest", "penetration, largest [D]",
                   "pull-off, largest"], body)
