@@ -24,6 +24,7 @@ SHOWN = {
     ("wavy_sliding", "velocity"): ("friction_coefficient",),
     ("sphere", "load"): ("friction_force", "friction_area"),
     ("surface_sliding", "mean_pressure"): ("friction_coefficient", "contact_fraction", "peak_pressure", "contact_shift"),
+    ("surface_elastic", "mean_pressure"): ("friction_stress", "contact_fraction", "adhesion_fraction", "peak_pressure"),
     ("wave_1d", "mean_pressure"): ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap"),
     ("wave_1d", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
     ("wave_1d", "stress"): ("pull_off_pressure", "hysteresis_loss"),

@@ -12,7 +12,8 @@ module adfric_classical_wave_model
    use adfric_classical_sliding_wave_point, only: slide_point_t, is_possible_slide, solve_slide, get_slide_profiles
    use adfric_classical_wave_variables, only: get_wave_variables, get_wave_results, v_adhesion, v_amplitude, v_branch, &
       & v_contact_modulus, v_material, v_mean_pressure, v_penetration, v_period, v_second_poisson_ratio, v_temperature, &
-      & v_turning_pressure, v_velocity, r_adhesion_energy, r_adhesion_fraction, r_contact_fraction, r_contact_width, &
+      & v_pressure_factor, v_shear_strength, v_turning_pressure, v_velocity, r_friction_coefficient, r_friction_stress, &
+      & r_adhesion_energy, r_adhesion_fraction, r_contact_fraction, r_contact_width, &
       & r_elastic_energy, r_full_contact_pressure, r_hysteresis_loss, r_largest_gap, r_mean_gap, r_mean_pressure, r_peak_pressure, &
       & r_penetration, r_regime, r_violation, regime_full, regime_none, regime_partial
    use adfric_classical_westergaard, only: wave_half_width, wave_pressure, wave_gap, wave_mean_gap, wave_penetration, &
@@ -20,6 +21,7 @@ module adfric_classical_wave_model
    use adfric_material_adhesion_rows, only: check_adhesion, has_adhesion
    use adfric_material_contact_modulus, only: contact_modulus_of, check_contact_modulus, derive_contact_modulus
    use adfric_material_given_spectrum, only: given_spectrum_t
+   use adfric_material_shear_strength_rows, only: check_shear, get_friction_of_area
    use adfric_material_spectrum_rows, only: check_spectrum, derive_spectrum, describe_spectrum, doubt_spectrum, has_spectrum, &
       & n_spectrum_rows, take_spectrum, take_spectrum_attribute
    use adfric_model_check, only: require, require_one
@@ -156,6 +158,8 @@ contains
       call check_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
          & values(v_contact_modulus:v_second_poisson_ratio), problems, .false.)
       call check_adhesion(self%variables(v_adhesion:v_turning_pressure), values(v_adhesion:v_turning_pressure), problems)
+      call check_shear(self%variables(v_shear_strength:v_pressure_factor), values(v_shear_strength:v_pressure_factor), &
+         & merge(values(v_adhesion), 0.0_dp, is_adhesive(values)), problems)
       do k = v_temperature, v_velocity
          if (is_set(values(k))) call problems%add(self%variables(k)%group, self%variables(k)%name, &
             & 'has no meaning without &material; over an elastic solid nothing rubs')
@@ -182,6 +186,10 @@ contains
       call check_spectrum(self%variables(v_material:v_temperature), values(v_material:v_temperature), self%given, is_swept, &
          & problems)
       call require(self%variables, values, [v_velocity], problems)
+      do k = v_shear_strength, v_pressure_factor
+         if (is_set(values(k))) call problems%add(self%variables(k)%group, self%variables(k)%name, &
+            & 'stands beside &material; the friction of a viscoelastic solid is that of its losses')
+      end do
       do k = v_adhesion, v_turning_pressure
          if (k == v_branch .or. .not. is_set(values(k))) cycle
          call problems%add(self%variables(k)%group, self%variables(k)%name, &
@@ -278,9 +286,24 @@ contains
       else
          call solve_elastic(values, results, error_estimate, status)
       end if
+      if (status == status_solved .and. .not. is_sliding(values)) call store_friction(values, results)
       associate (unused => counts)
       end associate
    end subroutine solve_point
+
+   !> Friction of a shear strength.
+   pure subroutine store_friction(values, results)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> In: results of a solved point. Out: with friction; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      real(dp) :: tension
+
+      tension = 0
+      if (is_adhesive(values)) tension = values(v_adhesion)*results(r_adhesion_fraction)
+      call get_friction_of_area(values(v_shear_strength:v_pressure_factor), results(r_contact_fraction), &
+         & results(r_mean_pressure), tension, results(r_friction_stress), results(r_friction_coefficient))
+   end subroutine store_friction
 
    !> A wave on an elastic half-plane. Beyond full contact the penetration is undefined.
    subroutine solve_elastic(values, results, error_estimate, status)

@@ -3,6 +3,7 @@ module adfric_classical_wave_variables
    use adfric_base_kinds, only: dp
    use adfric_material_adhesion_rows, only: set_adhesion_rows, n_adhesion_rows
    use adfric_material_contact_modulus, only: set_modulus_rows
+   use adfric_material_shear_strength_rows, only: set_shear_rows, n_shear_rows
    use adfric_material_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
    use adfric_model_rows, only: positive, number, result_row
    use adfric_model_table, only: variable_t, result_t
@@ -15,8 +16,10 @@ module adfric_classical_wave_variables
    integer, parameter, public :: v_period = 1, v_amplitude = 2, v_contact_modulus = 3, v_second_poisson_ratio = 7, &
       & v_adhesion = 8, v_branch = v_adhesion + 3, v_turning_pressure = v_adhesion - 1 + n_adhesion_rows, &
       & v_material = v_turning_pressure + 1, v_temperature = v_material - 1 + n_spectrum_rows, v_velocity = v_temperature + 1, &
-      & v_mean_pressure = v_temperature + 2, v_penetration = v_temperature + 3
-   !> Places of the results; those from `r_friction_stress` on belong to sliding, those from `r_adhesion_fraction` on to adhesion.
+      & v_mean_pressure = v_temperature + 2, v_penetration = v_temperature + 3, &
+      & v_shear_strength = v_penetration + 1, v_pressure_factor = v_penetration + n_shear_rows
+   !> Places of the results; those from `r_contact_shift` on belong to sliding, friction also to a shear strength, those from
+   !> `r_adhesion_fraction` on to adhesion.
    integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_width = 3, r_contact_fraction = 4, &
       & r_peak_pressure = 5, r_mean_gap = 6, r_largest_gap = 7, r_full_contact_pressure = 8, r_regime = 9, r_violation = 10, &
       & r_friction_stress = 11, r_friction_coefficient = 12, r_contact_shift = 13, r_dissipation = 14, r_energy_imbalance = 15, &
@@ -34,7 +37,7 @@ contains
    function get_wave_variables() result(v)
       type(variable_t), allocatable :: v(:)
 
-      allocate (v(v_penetration))
+      allocate (v(v_pressure_factor))
       v(v_period) = positive(group='surface', name='period', unit='m', meaning='wavelength l')
       v(v_amplitude) = positive(group='surface', name='amplitude', unit='m', meaning='D of the wave z = D (1 - cos 2 pi x/l)')
       call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
@@ -49,6 +52,7 @@ contains
          & meaning='load over nominal area; below 0 with adhesion alone')
       v(v_penetration) = number(group='operating', name='penetration', unit='m', &
          & meaning='approach of the mean planes since first touch, instead')
+      call set_shear_rows(v(v_shear_strength:v_pressure_factor))
    end function get_wave_variables
 
    !> Does the group `solid` have a variable of the same name?
@@ -80,7 +84,7 @@ contains
       r(r_violation) = result_row(name='contact_violation', unit='-', &
          & long_name='largest violation of g >= 0, p >= 0, g p = 0, with adhesion of p >= -p0 and of its range')
       r(r_friction_stress) = result_row(name='friction_stress', unit='Pa', &
-         & long_name='friction force over nominal area, with the sign of the velocity')
+         & long_name='friction force over nominal area: of losses, with the sign of the velocity, or of a shear strength')
       r(r_friction_coefficient) = result_row(name='friction_coefficient', unit='-', &
          & long_name='friction stress over mean pressure', is_main=.true.)
       r(r_contact_shift) = result_row(name='contact_shift', unit='m', &

@@ -8,6 +8,7 @@ module adfric_periodic_elastic_model
       & n_adhesion_rows, resolve_adhesion, set_adhesion_rows
    use adfric_material_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, n_two_bodies, &
       & set_modulus_rows
+   use adfric_material_shear_strength_rows, only: check_shear, get_friction_of_area, n_shear_rows, set_shear_rows
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_rows, only: positive
    use adfric_model_table, only: variable_t
@@ -74,6 +75,7 @@ contains
 
       call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), solid(:n_two_bodies))
       call set_adhesion_rows(solid(n_two_bodies + 1:n_two_bodies + n_adhesion_rows))
+      call set_shear_rows(solid(n_elastic_solid - n_shear_rows:n_elastic_solid - 1))
       solid(n_elastic_solid) = pull_off_row()
       call self%set_tables(name, summary, surface, solid, .true.)
       deallocate (self%results)
@@ -94,6 +96,9 @@ contains
       associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1, held => self%before_held)
          call check_contact_modulus(self%variables(first:last), values(first:last), problems, .false.)
          call check_adhesion(self%variables(last + 1:last + n_adhesion_rows), values(last + 1:last + n_adhesion_rows), problems)
+         call check_shear(self%variables(last + n_adhesion_rows + 1:last + n_adhesion_rows + n_shear_rows), &
+            & values(last + n_adhesion_rows + 1:last + n_adhesion_rows + n_shear_rows), &
+            & merge(values(last + 1), 0.0_dp, has_adhesion(values(last + 1:last + n_adhesion_rows))), problems)
          if (.not. has_adhesion(values(last + 1:last + n_adhesion_rows))) then
             if (values(held + v_mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
                & 'is below 0, but nothing pulls without &adhesion')
@@ -210,6 +215,10 @@ contains
          if (allocated(solution%share)) &
             & results(r_adhesion_fraction) = max(sum(solution%share)/cells - solution%area%corrected, 0.0_dp)
          results(r_regime) = regime_of(solution)
+         associate (first => self%last_of_solid - n_shear_rows, last => self%last_of_solid - 1)
+            call get_friction_of_area(values(first:last), results(r_contact_fraction), results(r_mean_pressure), &
+               & law%stress*results(r_adhesion_fraction), results(r_friction_stress), results(r_friction_coefficient))
+         end associate
          if (.not. law%stress > 0) return
          results(r_cells_per_zone) = cells_per_zone(law, surface)
          if (solution%pull_off < huge(1.0_dp) .and. results(r_cells_per_zone) >= least_cells) &

@@ -4,6 +4,7 @@ module adfric_periodic_variables
    use adfric_base_kinds, only: dp
    use adfric_material_adhesion_rows, only: n_adhesion_rows
    use adfric_material_contact_modulus, only: n_two_bodies
+   use adfric_material_shear_strength_rows, only: n_shear_rows
    use adfric_model_rows, only: number, switch, result_row, any_number
    use adfric_model_table, only: variable_t, result_t
    implicit none (type, external)
@@ -14,7 +15,7 @@ module adfric_periodic_variables
    integer, parameter, public :: v_mean_pressure = 1, v_penetration = 2, v_profiles = 3
    integer, parameter, public :: n_held = 3
    !> Number of the rows that the models on an elastic half-space share.
-   integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + 1
+   integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + n_shear_rows + 1
    integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_held
 
    !> Places of the results.
@@ -23,8 +24,8 @@ module adfric_periodic_variables
    integer, parameter, public :: n_periodic_results = 8
    !> Places of those that the models on an elastic half-space add, and their number in all.
    integer, parameter, public :: r_regime = 9, r_adhesion_fraction = 10, r_elastic_energy = 11, r_adhesion_energy = 12, &
-      & r_pull_off_pressure = 13, r_cells_per_zone = 14
-   integer, parameter, public :: n_elastic_results = 14
+      & r_pull_off_pressure = 13, r_cells_per_zone = 14, r_friction_stress = 15, r_friction_coefficient = 16
+   integer, parameter, public :: n_elastic_results = 16
    !> Numbers of the regimes; they have the words of `wave_1d`.
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2, regime_adhesion_only = 3, &
       & regime_adhesion_zones = 4, regime_saturated_adhesion = 5
@@ -81,6 +82,10 @@ contains
          & long_name='least mean pressure of the adhered branch, with &output pull_off')
       r(r_cells_per_zone) = result_row(name='cells_per_zone', unit='-', &
          & long_name='length pi E* h0/(4 p0) of a short zone of adhesion over that of a cell')
+      r(r_friction_stress) = result_row(name='friction_stress', unit='Pa', &
+         & long_name='friction force over nominal area, of a shear strength')
+      r(r_friction_coefficient) = result_row(name='friction_coefficient', unit='-', &
+         & long_name='friction stress over mean pressure, where that presses')
    end function get_elastic_results
 
    !> The table of results.
