@@ -115,6 +115,7 @@ contains
             found = state
             call find_state(found, operator, gap_solver, tolerance, has_found)
             is_certain = has_found .and. change <= resting_share .and. .not. is_widening
+            if (is_certain) is_certain = is_bound(found%cohesion%share, is_adhered, share)
          end if
          if (change <= resting_share) exit
       end do
@@ -240,6 +241,8 @@ contains
          if (minval(way) < 0) return
          load(:, :) = 0
          call law%subtract_slope(way, load, lost)
+         ! nothing that the edge passes moves
+         if (.not. sum(abs(load)) > 0) return
          way(:, :) = merge(-1, 1, is_adhered)*way*(cells_beside*law%stress*law%n_squares/sum(abs(load)))
       end associate
       far = state

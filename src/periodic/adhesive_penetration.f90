@@ -59,6 +59,8 @@ module adfric_periodic_adhesive_penetration
       type(contact_state_t) :: state
       !> Has it been found?
       logical :: has_state = .false.
+      !> States of a turn on all grids, once they are known.
+      type(contact_state_t), allocatable :: turned(:)
       !> Has the last load told something?
       logical :: is_known = .true.
    end type window_t
@@ -255,7 +257,7 @@ contains
       real(dp) :: excess
       logical :: has_contact
 
-      call solve_adhesive_state(self, shape, load, branch, tolerance, state, found, error)
+      call solve_adhesive_state(self, shape, load, branch, tolerance, window%turned, state, found, error)
       if (allocated(error)) return
       solution%n_pairs = solution%n_pairs + found%n_pairs
       has_contact = found%status == contact_solved

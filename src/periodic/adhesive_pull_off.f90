@@ -30,6 +30,8 @@ module adfric_periodic_adhesive_pull_off
 
    !> Relative error that is small enough, and by how much more a tension is that must have no state.
    real(dp), parameter :: wanted_error = 1.0e-5_dp, beyond = 1.0e-2_dp
+   !> The most that it may be more, where rounds of a load nearer to it do not end.
+   real(dp), parameter :: farthest = 8*beyond
    !> Loads and steps that are tried at most.
    integer, parameter :: most_loads = 40, most_steps = 60
    !> Part of the stress below which a pull-off is none.
@@ -64,7 +66,8 @@ contains
       type(periodic_adhesion_t) :: branch
       type(periodic_solution_t) :: solution
       type(contact_state_t) :: state
-      real(dp) :: load, without
+      type(contact_state_t), allocatable :: turned(:)
+      real(dp) :: load, without, reach
       integer :: k
 
       branch = adhesion
@@ -72,25 +75,34 @@ contains
       without = -adhesion%stress*(1 + wanted_error)
       load = -adhesion%stress*(1 - wanted_error)
       pull_off%mean_pressure = 0
+      reach = beyond
       do k = 1, most_loads
-         call solve_adhesive_state(solver, shape, load, branch, tolerance, state, solution, error)
+         call solve_adhesive_state(solver, shape, load, branch, tolerance, turned, state, solution, error)
          if (allocated(error)) return
          pull_off%n_pairs = pull_off%n_pairs + solution%n_pairs
          if (solution%status == contact_out_of_range) then
             without = load
          else if (solution%status == contact_solved) then
+            reach = beyond
             pull_off%mean_pressure = load
             pull_off%penetration = sum(shape - state%gap)/size(shape)
             if (any(state%is_open)) call go_down(solver, state, tolerance, pull_off)
-         else
+         else if (pull_off%mean_pressure < 0 .and. reach < farthest) then
+            ! next to a fold rounds take long
+            reach = 2*reach
+         else if (pull_off%mean_pressure < 0 .or. k == most_loads) then
             return
          end if
-         pull_off%is_found = pull_off%mean_pressure - without <= max(1.1_dp*beyond*abs(pull_off%mean_pressure), &
+         pull_off%is_found = pull_off%mean_pressure - without <= max(1.1_dp*reach*abs(pull_off%mean_pressure), &
             & least_part*adhesion%stress)
          if (pull_off%is_found) return
-         load = without/2
-         if (pull_off%mean_pressure < 0) load = max((1 + beyond)*pull_off%mean_pressure, &
-            & (pull_off%mean_pressure + without)/2)
+         if (pull_off%mean_pressure < 0) then
+            load = max((1 + reach)*pull_off%mean_pressure, (pull_off%mean_pressure + without)/2)
+         else if (solution%status == contact_out_of_range) then
+            load = without/2
+         else
+            load = load/2
+         end if
       end do
    end subroutine find_pull_off
 

@@ -47,19 +47,20 @@ contains
       type(periodic_solution_t), intent(out) :: solution
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
-      type(contact_state_t), allocatable :: states(:)
+      type(contact_state_t), allocatable :: states(:), turned(:)
 
-      call solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, solution, error)
+      call solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, turned, solution, error)
       if (allocated(error)) return
-      if (solution%status == contact_out_of_range) return
       associate (n => size(states))
+         ! there is no state, or none of the turn has been found
+         if (solution%status == contact_out_of_range .or. .not. allocated(states(n)%gap)) return
          call set_full_pressure(self%grids(n)%operator, shape, solution)
          call set_solution(states, self%grids(n)%operator, solution)
       end associate
    end subroutine solve_adhesive_load
 
    !> Solve as `solve_adhesive_load`, for the state on the finest grid.
-   subroutine solve_adhesive_state(self, shape, mean_pressure, adhesion, tolerance, state, solution, error)
+   subroutine solve_adhesive_state(self, shape, mean_pressure, adhesion, tolerance, turned, state, solution, error)
       !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
@@ -70,6 +71,9 @@ contains
       type(periodic_adhesion_t), intent(in) :: adhesion
       !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
+      !> States of the turn on all grids, which belong to the surface, its law and the tolerance; not allocated: not known yet. Receives
+      !> them, so that other loads need not find them again.
+      type(contact_state_t), allocatable, intent(inout) :: turned(:)
       !> The state, of no meaning where there is none.
       type(contact_state_t), intent(out) :: state
       !> Receives pairs of transforms and how it ended.
@@ -78,12 +82,12 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(contact_state_t), allocatable :: states(:)
 
-      call solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, solution, error)
+      call solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, turned, solution, error)
       if (.not. allocated(error)) state = states(size(states))
    end subroutine solve_adhesive_state
 
    !> Solve on all grids; after a turn the state of the turn first.
-   subroutine solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, solution, error)
+   subroutine solve_on_grids(self, shape, mean_pressure, adhesion, tolerance, states, turned, solution, error)
       !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: self
       !> Gap of the undeformed surfaces in the middles of the cells; 0 at first touch, and no less.
@@ -96,17 +100,18 @@ contains
       real(dp), intent(in) :: tolerance
       !> Receives the states, from the coarsest grid to the finest.
       type(contact_state_t), allocatable, intent(out) :: states(:)
+      !> States of the turn, if they are known; receives them where they are needed.
+      type(contact_state_t), allocatable, intent(inout) :: turned(:)
       !> Receives pairs of transforms and how it ended.
       type(periodic_solution_t), intent(out) :: solution
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
-      type(contact_state_t), allocatable :: turned(:)
       integer :: k, n
 
       call check_shape(self, shape, error)
       if (allocated(error)) return
       n = size(self%grids)
-      allocate (states(n), turned(n))
+      allocate (states(n))
       states(n)%shape = shape
       do k = n, 1, -1
          if (k < n) states(k)%shape = coarsen(states(k + 1)%shape)
@@ -115,11 +120,15 @@ contains
          states(k)%mean_pressure = mean_pressure
       end do
       if (adhesion%is_adhered .and. adhesion%has_turned .and. mean_pressure < adhesion%turning_pressure) then
-         turned(:) = states
-         do k = 1, n
-            turned(k)%mean_pressure = adhesion%turning_pressure
-         end do
-         call pass_grids(self, turned, .false., tolerance, solution)
+         if (.not. allocated(turned)) then
+            allocate (turned, source=states)
+            do k = 1, n
+               turned(k)%mean_pressure = adhesion%turning_pressure
+            end do
+            call pass_grids(self, turned, .false., tolerance, solution)
+         end if
+         solution%status = contact_out_of_range
+         if (allocated(turned(n)%gap)) solution%status = merge(contact_solved, contact_not_converged, turned(n)%is_converged)
          if (solution%status == contact_solved) call pass_grids(self, states, .true., tolerance, solution, turned)
       else
          call pass_grids(self, states, adhesion%is_adhered .and. .not. adhesion%has_turned, tolerance, solution)

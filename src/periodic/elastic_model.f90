@@ -16,6 +16,7 @@ module adfric_periodic_elastic_model
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
+   use adfric_periodic_pull_off_list, only: pull_off_list_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_variables
    implicit none (type, external)
@@ -32,7 +33,11 @@ module adfric_periodic_elastic_model
 
    !> The models of surfaces on an elastic half-space.
    type, abstract, extends(periodic_model_t) :: elastic_model_t
+      !> Pull-offs that the points of a run share; null unless the model is prepared.
+      type(pull_off_list_t), pointer :: pull_offs => null()
    contains
+      procedure :: prepare
+      procedure :: release
       procedure(height_of_i), deferred :: height_of
       procedure :: set_elastic_tables
       procedure :: check_solid
@@ -81,6 +86,22 @@ contains
       deallocate (self%results)
       allocate (self%results, source=get_elastic_results())
    end subroutine set_elastic_tables
+
+   !> Make room for the pull-offs that points share.
+   subroutine prepare(self)
+      !> The model; all threads use what it keeps.
+      class(elastic_model_t), intent(inout) :: self
+
+      if (.not. associated(self%pull_offs)) allocate (self%pull_offs)
+   end subroutine prepare
+
+   !> Give back the pull-offs that points have shared.
+   subroutine release(self)
+      !> The model, which keeps nothing at the end.
+      class(elastic_model_t), intent(inout) :: self
+
+      if (associated(self%pull_offs)) deallocate (self%pull_offs)
+   end subroutine release
 
    !> See `periodic_model_t`.
    subroutine check_solid(self, values, is_swept, problems)
@@ -180,6 +201,7 @@ contains
       goal%adhesion%has_turned = allocated(law%turning_pressure)
       if (allocated(law%turning_pressure)) goal%adhesion%turning_pressure = law%turning_pressure/modulus
       goal%wants_pull_off = wants_pull_off(values(self%last_of_solid))
+      goal%pull_offs => self%pull_offs
    end subroutine set_adhesion
 
    !> Is the pull-off wanted?

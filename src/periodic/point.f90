@@ -9,6 +9,7 @@ module adfric_periodic_point
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
+   use adfric_periodic_pull_off_list, only: pull_off_list_t, get_pull_off
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    implicit none (type, external)
    private
@@ -50,6 +51,8 @@ module adfric_periodic_point
       type(periodic_adhesion_t), allocatable :: adhesion
       !> Is the pull-off wanted?
       logical :: wants_pull_off = .false.
+      !> Pull-offs that the points of a run share; null: of this point alone.
+      type(pull_off_list_t), pointer :: pull_offs => null()
    end type periodic_goal_t
 
    !> Solver of the last point, for the next one.
@@ -65,12 +68,6 @@ module adfric_periodic_point
       real(dp), allocatable :: kernel_numbers(:)
       !> The solver, with its transforms and buffers.
       type(periodic_solver_t), allocatable :: solver
-      !> Adhesion and tolerance of the surface whose pull-off is known; not allocated: of none.
-      real(dp), allocatable :: pull_off_numbers(:)
-      !> That surface [periods along x].
-      real(dp), allocatable :: pull_off_shape(:, :)
-      !> That pull-off; pressures in E*, lengths in periods along x.
-      type(pull_off_t) :: pull_off
    end type periodic_memory_t
 
 contains
@@ -112,15 +109,15 @@ contains
       type(periodic_surface_t), intent(in) :: surface
       !> What is held at the point.
       type(periodic_goal_t), intent(in) :: goal
-      !> Solver of the surface; what it knows of the pull-off does not depend on the points before.
+      !> Solver of the surface.
       type(periodic_memory_t), intent(inout) :: memory
       !> The solution; lengths in periods along x, pressures in E*.
       type(periodic_solution_t), intent(out) :: solution
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(periodic_adhesion_t) :: adhesion
-      real(dp), allocatable :: numbers(:), shape_in_periods(:, :)
-      logical :: is_known
+      type(pull_off_t) :: pull_off
+      real(dp), allocatable :: shape_in_periods(:, :)
 
       adhesion = goal%adhesion
       adhesion%range = adhesion%range/surface%period(1)
@@ -132,19 +129,14 @@ contains
             & goal%tolerance, solution, error)
       end if
       if (allocated(error) .or. .not. goal%wants_pull_off) return
-      numbers = [adhesion%stress, adhesion%range, merge(adhesion%turning_pressure, -1.0_dp, adhesion%has_turned), goal%tolerance, &
-         & memory%period]
-      is_known = allocated(memory%pull_off_numbers)
-      if (is_known) is_known = all(abs(memory%pull_off_numbers - numbers) <= 0) &
-         & .and. all(shape(memory%pull_off_shape) == shape(shape_in_periods))
-      if (is_known) is_known = all(abs(memory%pull_off_shape - shape_in_periods) <= 0)
-      if (.not. is_known) then
-         call find_pull_off(memory%solver, shape_in_periods, adhesion, goal%tolerance, memory%pull_off, error)
-         if (allocated(error)) return
-         memory%pull_off_numbers = numbers
-         call move_alloc(shape_in_periods, memory%pull_off_shape)
+      if (associated(goal%pull_offs)) then
+         call get_pull_off(goal%pull_offs, memory%solver, shape_in_periods, memory%period, adhesion, &
+            & goal%tolerance, pull_off, error)
+      else
+         call find_pull_off(memory%solver, shape_in_periods, adhesion, goal%tolerance, pull_off, error)
       end if
-      if (memory%pull_off%is_found) solution%pull_off = memory%pull_off%mean_pressure
+      if (allocated(error)) return
+      if (pull_off%is_found) solution%pull_off = pull_off%mean_pressure
    end subroutine solve_adhesive
 
    !> Mean pressure at which contact becomes full on the cells of the surface: the largest tension under a flat surface, without a
