@@ -118,18 +118,21 @@ contains
       type(pull_off_t), intent(inout) :: pull_off
       type(contact_state_t) :: next
       type(way_t) :: way
-      real(dp) :: step, gap
+      real(dp) :: step, shortest, gap
       logical :: has_found
       integer :: k, n_before
 
       state%has_fixed_mean = .true.
       call add(way, sum(state%gap)/size(state%gap), state%mean_pressure)
       step = first_step*(maxval(state%shape) - minval(state%shape))
+      shortest = least_step*(maxval(state%shape) - minval(state%shape))
       associate (grid => solver%grids(size(solver%grids)))
          n_before = grid%operator%n_applied
          do k = 1, most_steps
             gap = way%gaps(way%n) + step
             if (has_bracket(way)) gap = lowest_place(way)
+            ! nothing lies between states that are one but for round-off
+            if (any(abs(gap - way%gaps(:way%n)) <= shortest)) exit
             next = state
             next%mean_gap = gap
             call find_state(next, grid%operator, grid%gap_solver, tolerance, has_found)
@@ -144,7 +147,7 @@ contains
                if (is_lowest(way)) exit
             else
                step = step/4
-               if (has_bracket(way) .or. step < least_step*(maxval(state%shape) - minval(state%shape))) exit
+               if (has_bracket(way) .or. step < shortest) exit
             end if
          end do
          pull_off%n_pairs = pull_off%n_pairs + grid%operator%n_applied - n_before
