@@ -2,7 +2,8 @@
 !>
 !> With alpha = 0 it is Bowden and Tabor's: shear strength times real area. Over nominal area it is tau0 a + alpha P, a the share of the
 !> area in contact and P what contact carries: the mean pressure, and the tension that adhesion has outside contact. So P needs no
-!> pressure in cells. Every elastic model of a half-space has its rows of the group `friction` from here.
+!> pressure in cells. P is below 0 where contact pulls as a whole, by p0 at most; then, too, the stress is not below 0, since alpha p0
+!> is at most tau0. Every elastic model of a half-space has its rows of the group `friction` from here.
 module adfric_material_shear_strength_rows
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
@@ -73,8 +74,12 @@ contains
       real(dp), intent(inout) :: stress, coefficient
 
       if (.not. has_shear(values)) return
-      stress = values(shear_strength)*area
-      if (is_set(values(pressure_factor))) stress = stress + values(pressure_factor)*max(mean_pressure + tension, 0.0_dp)
+      stress = 0
+      ! the sum of load and tension is rounded, and no friction without contact
+      if (area > 0) then
+         stress = values(shear_strength)*area
+         if (is_set(values(pressure_factor))) stress = max(stress + values(pressure_factor)*(mean_pressure + tension), 0.0_dp)
+      end if
       if (mean_pressure > 0) coefficient = stress/mean_pressure
    end subroutine get_friction_of_area
 
