@@ -13,9 +13,9 @@ LEVEL_OF = {room: level for level, rooms in enumerate(LEVELS) for room in rooms}
 # The library adfric::physics, as CMakeLists.txt names its folders: it knows neither files nor processes.
 PHYSICS = ("base", "numerics", "model", "material", "shape", "wavy", "sphere", "classical", "periodic", "contact", "")
 NOT_FOR_PHYSICS = ("system", "hdf5")
-# Modules from outside that a room may use; bindings of libraries for numbers stand in numerics alone.
+# Modules from outside that a room may use; bindings of libraries for numbers, and locks of threads, stand in numerics alone.
 FOREIGN = {"physics": {"iso_fortran_env", "ieee_arithmetic"},
-           "numerics": {"iso_fortran_env", "ieee_arithmetic", "iso_c_binding"},
+           "numerics": {"iso_fortran_env", "ieee_arithmetic", "iso_c_binding", "omp_lib"},
            "rest": {"iso_fortran_env", "ieee_arithmetic", "iso_c_binding", "omp_lib", "hdf5", "h5ds", "h5lt", "mpi_f08"}}
 # Two files of one module, of which CMake takes one (cmake/AdfricMpi.cmake); and the library's interface, which has a short name.
 ALTERNATIVES = {"run/world_mpi": "run/world", "run/world_serial": "run/world", "api/api": "api"}

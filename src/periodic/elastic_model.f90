@@ -16,7 +16,7 @@ module adfric_periodic_elastic_model
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
-   use adfric_periodic_pull_off_list, only: pull_off_list_t
+   use adfric_periodic_pull_off_list, only: pull_off_list_t, forget_pull_offs
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_variables
    implicit none (type, external)
@@ -100,7 +100,9 @@ contains
       !> The model, which keeps nothing at the end.
       class(elastic_model_t), intent(inout) :: self
 
-      if (associated(self%pull_offs)) deallocate (self%pull_offs)
+      if (.not. associated(self%pull_offs)) return
+      call forget_pull_offs(self%pull_offs)
+      deallocate (self%pull_offs)
    end subroutine release
 
    !> See `periodic_model_t`.
