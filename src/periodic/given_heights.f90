@@ -17,9 +17,9 @@ module adfric_periodic_given_heights
    public :: given_heights_t, set_heights_rows, n_heights_rows
 
    !> Number of rows.
-   integer, parameter :: n_heights_rows = 3
+   integer, parameter :: n_heights_rows = 4
    !> Places among the rows.
-   integer, parameter :: heights = 1, length_x = 2, length_y = 3
+   integer, parameter :: heights = 1, length_x = 2, length_y = 3, rms_height = 4
    !> Fewest cells in each direction, so that they can hold a wave.
    integer, parameter :: fewest_cells = 4
 
@@ -27,10 +27,16 @@ module adfric_periodic_given_heights
    type :: given_heights_t
       !> Depths below the highest summit, shape `(nx, ny)` [m]; ny = 1 for a surface that does not vary along y.
       real(dp), allocatable :: depths(:, :)
+      !> Root of the mean square of the heights about their mean [m].
+      real(dp) :: root_mean_square = 0
+      !> Cell of the lowest height, along x and y.
+      integer :: lowest(2) = 1
    contains
       procedure :: take
       procedure :: check
       procedure :: get_cells
+      procedure :: get_shape
+      procedure :: factor_of
       procedure :: describe
       procedure :: doubt
       procedure, private :: is_line
@@ -49,6 +55,8 @@ contains
       rows(length_x) = positive(group='surface', name='length_x', unit='m', &
          & meaning='period in x, along which the heights vary fastest')
       rows(length_y) = positive(group='surface', name='length_y', unit='m', meaning='period in y')
+      rows(rms_height) = positive(group='surface', name='root_mean_square_height', unit='m', &
+         & meaning='the heights are multiplied so that this is the root of their mean square; as they are if it is not given')
    end subroutine set_heights_rows
 
    !> Keep the depths below the highest summit.
@@ -64,10 +72,33 @@ contains
 
       if (maxval(values) > minval(values)) then
          self%depths = maxval(values) - values
+         self%lowest = maxloc(self%depths)
+         associate (largest => maxval(self%depths))
+            self%root_mean_square = largest*sqrt(variance_of(self%depths/largest))
+         end associate
       else
          call problems%add(row%group, row%name, 'all heights are the same')
       end if
    end subroutine take
+
+   !> Mean square about the mean.
+   pure real(dp) function variance_of(values) result(variance)
+      !> The values.
+      real(dp), intent(in) :: values(:, :)
+
+      variance = sum((values - sum(values)/size(values))**2)/size(values)
+   end function variance_of
+
+   !> By what the heights of the input are multiplied [-].
+   pure real(dp) function factor_of(self, values) result(factor)
+      !> The heights.
+      class(given_heights_t), intent(in) :: self
+      !> Values of the rows; shape `(n_heights_rows)`.
+      real(dp), intent(in) :: values(:)
+
+      factor = 1
+      if (is_set(values(rms_height))) factor = values(rms_height)/self%root_mean_square
+   end function factor_of
 
    !> Does the surface not vary along y?
    pure logical function is_line(self)
@@ -114,6 +145,28 @@ contains
       if (.not. self%is_line()) surface%period(2) = values(length_y)
       surface%n_cells = shape(self%depths)
    end subroutine get_cells
+
+   !> The undeformed gap of a point.
+   pure subroutine get_shape(self, values, shape)
+      !> The heights.
+      class(given_heights_t), intent(in) :: self
+      !> Values of the rows, which have been checked; shape `(n_heights_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> In: that of the point before, not allocated at the first one. Out: depths below the highest summit, which are not copied
+      !> again where they are the same [m].
+      real(dp), allocatable, intent(inout) :: shape(:, :)
+      real(dp) :: factor
+
+      factor = self%factor_of(values)
+      if (allocated(shape)) then
+         associate (x => self%lowest(1), y => self%lowest(2))
+            if (.not. abs(shape(x, y) - factor*self%depths(x, y)) > 0) return
+         end associate
+         deallocate (shape)
+      end if
+      allocate (shape, source=self%depths)
+      shape(:, :) = factor*shape
+   end subroutine get_shape
 
    !> A line where the error is not estimated; else nothing.
    function describe(self, has_friction) result(text)

@@ -41,11 +41,12 @@ contains
       call require(variables, values, [v_kind], problems)
       if (.not. is_set(values(v_kind))) return
       if (nint(values(v_kind)) == kind_heights) then
-         call heights%check(variables(v_heights:v_length_y), values(v_heights:v_length_y), problems)
+         call heights%check(variables(v_heights:v_rms_height), values(v_heights:v_rms_height), problems)
          call refuse_given(variables, values, is_swept, [v_period, v_amplitude, v_cells], 'has no meaning beside heights', problems)
       else
          call require(variables, values, [v_period, v_amplitude], problems)
-         call refuse_given(variables, values, is_swept, [v_heights, v_length_x, v_length_y], 'has no meaning for waves', problems)
+         call refuse_given(variables, values, is_swept, [v_heights, v_length_x, v_length_y, v_rms_height], &
+            & 'has no meaning for waves', problems)
          if (nint(values(v_kind)) == kind_wave_2d .and. cells_of(values) > most_cells_2d) &
             & call add(v_cells, 'is more than 8192, the most for wave_2d')
       end if

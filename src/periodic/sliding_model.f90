@@ -143,7 +143,7 @@ contains
       type(periodic_surface_t), intent(inout) :: surface
 
       if (nint(values(v_kind)) == kind_heights) then
-         call self%heights%get_cells(values(v_heights:v_length_y), surface)
+         call self%heights%get_cells(values(v_heights:v_rms_height), surface)
       else
          surface%period = values(v_period)
          surface%n_cells = cells_of(values)
@@ -161,7 +161,7 @@ contains
       real(dp), allocatable, intent(inout) :: shape(:, :)
 
       if (nint(values(v_kind)) == kind_heights) then
-         if (.not. allocated(shape)) allocate (shape, source=self%heights%depths)
+         call self%heights%get_shape(values(v_heights:v_rms_height), shape)
       else
          associate (n => cells_of(values))
             call set_wave(values(v_amplitude), n, [n, merge(1, n, nint(values(v_kind)) == kind_wave_1d)], shape)

@@ -13,8 +13,8 @@ module adfric_periodic_sliding_variables
 
    !> Places of the rows of the surface.
    integer, parameter, public :: v_kind = 1, v_period = 2, v_amplitude = 3, v_heights = 4, v_length_x = 5, v_length_y = 6, &
-      & v_direction = 7, v_cells = 8
-   integer, parameter, public :: n_surface_rows = 8
+      & v_rms_height = 7, v_direction = 8, v_cells = 9
+   integer, parameter, public :: n_surface_rows = 9
    !> Kinds of surfaces, in the order of the choice.
    integer, parameter, public :: kind_wave_1d = 1, kind_wave_2d = 2, kind_heights = 3
 

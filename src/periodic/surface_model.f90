@@ -13,7 +13,7 @@ module adfric_periodic_surface_model
    public :: surface_model_t, new_surface_model
 
    !> Places of the surface's own variables; those that all models of a periodic surface share follow.
-   integer, parameter, public :: v_heights = 1, v_length_x = 2, v_length_y = 3
+   integer, parameter, public :: v_heights = 1, v_length_x = 2, v_length_y = 3, v_rms_height = 4
 
    !> The model `surface_elastic`.
    type, extends(elastic_model_t) :: surface_model_t
@@ -70,7 +70,7 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call self%given%check(self%variables(v_heights:v_length_y), values(v_heights:v_length_y), problems)
+      call self%given%check(self%variables(v_heights:v_rms_height), values(v_heights:v_rms_height), problems)
       if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [v_length_x, v_length_y], problems)
    end subroutine check_surface
 
@@ -83,33 +83,29 @@ contains
       !> Receives the periods and the cells of the heights.
       type(periodic_surface_t), intent(inout) :: surface
 
-      call self%given%get_cells(values(v_heights:v_length_y), surface)
+      call self%given%get_cells(values(v_heights:v_rms_height), surface)
    end subroutine get_cells
 
-   !> See `periodic_model_t`: all points have the same map.
+   !> See `periodic_model_t`.
    subroutine get_shape(self, values, shape)
       !> The model with its heights.
       class(surface_model_t), intent(in) :: self
-      !> Values of the variables, not used here.
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the depths below the highest summit, unless it has them already [m].
       real(dp), allocatable, intent(inout) :: shape(:, :)
 
-      if (.not. allocated(shape)) allocate (shape, source=self%given%depths)
-      associate (unused => values)
-      end associate
+      call self%given%get_shape(values(v_heights:v_rms_height), shape)
    end subroutine get_shape
 
    !> See `elastic_model_t`.
    pure real(dp) function height_of(self, values)
       !> The model with its heights.
       class(surface_model_t), intent(in) :: self
-      !> Values of the variables, not used here.
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      height_of = maxval(self%given%depths)
-      associate (unused => values)
-      end associate
+      height_of = self%given%factor_of(values(v_heights:v_rms_height))*maxval(self%given%depths)
    end function height_of
 
    !> See `periodic_model_t`: that of the cells as they are.
