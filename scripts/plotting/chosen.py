@@ -10,11 +10,14 @@ import os.path
 
 import numpy as np
 
+from .adhesion import RELATIVE, add_pull_off
 from .curves import add_legend, find_curves, leave_out_pole, load_of, passes_zero, without_pole
 from .labels import axis_label, point_label, scale_of
 from .results import RENAMED, BadFile, Field, NothingToDraw
+from .jumps import draw_curve, find_jumps, way_of
 from .rubber import contact_share
-from .style import COLOURS, DASHES, MISSED, is_logarithmic, make_panels
+from .sphere import draw_limits
+from .style import COLOURS, DASHES, MISSED, is_logarithmic, label_few_decades, make_panels
 
 # curves of so many values or less have a mark at each
 MOST_MARKED = 30
@@ -30,6 +33,7 @@ def draw_chosen(runs, x_name, y_names, table):
 
     for results in runs:
         _add_share(results)
+        add_pull_off(results)
     x_name = x_name or _last_swept(runs[0])
     y_names = y_names or _default_results(runs, x_name, choose_results)
     for results in runs:
@@ -98,13 +102,16 @@ def _draw_run(panel, results, names, scales, look):
         x, y = (np.moveaxis(results.values(name), k, -1)[curve.index] for name in names)
         if y_name == "friction_coefficient":
             y = without_pole(y, load_of(results, k, curve.index))
-        panel.plot(x * scales[x_name][0], y * scales[y_name][0], label=label or "_", **style)
+        order = np.argsort(results.axes[k].values)
+        draw_curve(panel, x[order] * scales[x_name][0], y[order] * scales[y_name][0], find_jumps(results, k, curve.index),
+                   way_of(results), label=label or "_", **style)
 
 
 def _finish_panel(panel, runs, x_name, y_name, scales):
     """Labels, and lines through 0."""
-    if all(x_name in results.axis_names and is_logarithmic(_axis(results, x_name).values) for results in runs):
+    if all(_is_logarithmic(results, x_name) for results in runs):
         panel.set_xscale("log")
+        label_few_decades(panel, np.concatenate([results.values(x_name).ravel() for results in runs]) * scales[x_name][0])
     else:
         low, high = panel.get_xlim()
         if low < 0 < high:
@@ -113,11 +120,18 @@ def _finish_panel(panel, runs, x_name, y_name, scales):
         leave_out_pole(panel, np.concatenate([results.values(y_name).ravel() for results in runs]) * scales[y_name][0])
     elif not any(np.nanmin(results.values(y_name), initial=0.0) < 0 for results in runs) and panel.dataLim.y0 >= 0:
         panel.set_ylim(bottom=0)
+    if y_name == RELATIVE and not any("approach" in [*results.axis_names, *results.constants] for results in runs):
+        draw_limits(panel, "load")
     low, high = panel.get_ylim()
     if low < 0 < high:
         panel.axhline(0, color="0.7", linewidth=0.6, zorder=0)
     panel.set_xlabel(axis_label(x_name, scales[x_name][1]))
     panel.set_ylabel(axis_label(y_name, scales[y_name][1]))
+
+
+def _is_logarithmic(results, name):
+    """Is a swept variable spread over decades, or Maugis's lambda, which follows from one?"""
+    return (name in results.axis_names or name == "lambda") and is_logarithmic(np.unique(results.values(name)))
 
 
 def _loads(results):

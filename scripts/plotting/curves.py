@@ -7,9 +7,10 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
+from .jumps import draw_curve, find_jumps, way_of
 from .labels import NO_ADHESION, axis_label, point_label, scale_of, scales_of
 from .results import NOT_CONVERGED
-from .style import COLOURS, DASHES, MISSED, is_logarithmic, make_panels, norm_of, plt
+from .style import COLOURS, DASHES, MISSED, has_few_decades, is_logarithmic, label_few_decades, make_panels, norm_of, plt
 
 MOST_CURVES = 60
 MOST_PANELS = 6
@@ -72,7 +73,9 @@ def draw_curves(axes, results, abscissa, ordinate, curves, scale=None):
     along = results.axis_names.index(abscissa)
     x_axis, field = results.axes[along], results.fields[ordinate]
     logarithmic = is_logarithmic(x_axis.values)
-    x_factor, x_unit = (1.0, scale_of([], x_axis.unit)[1]) if logarithmic else scale_of(x_axis.values, x_axis.unit)
+    x_factor, x_unit = scale_of(x_axis.values, x_axis.unit)
+    if logarithmic and not has_few_decades(x_axis.values):
+        x_factor, x_unit = 1.0, scale_of([], x_axis.unit)[1]
     y_factor, y_unit = scale or scale_of(field.values, field.unit)
     order = np.argsort(x_axis.values)
     x = x_axis.values[order] * x_factor
@@ -84,13 +87,15 @@ def draw_curves(axes, results, abscissa, ordinate, curves, scale=None):
             load = load_of(results, along, curve.index)[order]
             y = without_pole(y, load)
             has_pole = has_pole or passes_zero(load)
-        axes.plot(x, y, label=curve.label, marker="o" if x.size <= 30 else None, markersize=3, **curve.style)
+        draw_curve(axes, x, y, find_jumps(results, along, curve.index), way_of(results), label=curve.label,
+                   marker="o" if x.size <= 30 else None, markersize=3, **curve.style)
         missed |= np.moveaxis(results.status, along, -1)[curve.index][order] == NOT_CONVERGED
     if missed.any():
         axes.plot(x[missed], np.full(missed.sum(), 0.015), "x", color=MISSED, markersize=4, clip_on=False,
                   transform=axes.get_xaxis_transform(), label="not converged")
     if logarithmic:
         axes.set_xscale("log")
+        label_few_decades(axes, x)
     else:
         axes.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
     axes.set_xlim(x[0], x[-1])
@@ -140,6 +145,12 @@ def leave_out_pole(axes, values):
         axes.set_ylim(-max(lowest, highest), max(lowest, highest))
     elif highest > 0:
         axes.set_ylim(0, highest)
+
+
+def relimit(axes):
+    """Let the y axis hold what is drawn, whatever it was limited to before."""
+    axes.relim()
+    axes.autoscale(axis="y")
 
 
 def _median(values):

@@ -5,7 +5,7 @@ The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2
 
 import numpy as np
 
-from . import halfspace, rubber, sliding, sphere
+from . import adhesion, halfspace, rubber, sliding, sphere
 from .curves import draw_panels
 from .results import NothingToDraw
 from .surface import draw_pressure_maps, draw_stresses
@@ -28,7 +28,8 @@ SHOWN = {
     ("wave_1d", "mean_pressure"): ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap"),
     ("wave_1d", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
     ("wave_1d", "stress"): ("pull_off_pressure", "hysteresis_loss"),
-    ("wave_2d_elastic", "stress"): ("pull_off_pressure", "cells_per_zone"),
+    ("wave_2d_elastic", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
+    ("surface_elastic", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
     ("wave_1d", "velocity"): ("friction_coefficient", "contact_fraction", "contact_shift", "peak_pressure"),
 }
 
@@ -91,6 +92,9 @@ FIGURES = {
     ("sphere", "tangential_force"): sphere.draw_stick_radius,
     ("sphere", "lambda"): sphere.draw_pull_off,
     ("wave_2d_elastic", "mean_pressure"): halfspace.draw_area,
+    ("wave_2d_elastic", "stress"): adhesion.draw_pull_off,
+    ("wave_2d_elastic", "range"): adhesion.draw_pull_off,
+    ("surface_elastic", "root_mean_square_height"): adhesion.draw_stickiness,
     ("hertz", "radius_1x"): halfspace.draw_half_axes,
     ("hertz", "radius_2y"): halfspace.draw_half_axes,
 }

@@ -8,8 +8,8 @@ from matplotlib.lines import Line2D
 
 from .curves import draw_panels, draw_profiles, find_curves
 from .labels import axis_label, point_label, scale_of
-from .style import COLOURS, DASHES, make_panels, plt
-from .surface import choose_points, label_rows
+from .style import COLOURS, DASHES, adhesion_colours, adhesion_ticks, make_panels, plt
+from .surface import ADHESION_KEY, choose_points, draw_outline, label_rows, relative_gap
 
 # bi-sinusoidal wave: mean pressure over that of full contact at which the summits' contacts merge (docs/periodic.md)
 MERGING = 0.2286
@@ -70,18 +70,26 @@ def draw_contact_maps(results):
     full, area = (results.fields[name].values for name in ("full_contact_pressure", "contact_fraction"))
     pressure, share = results.profiles["pressure"].values, _share_of_full(results)
     shown = [np.tile(_mirror(_mirror(pressure[i] / full[i]).T).T, (2, 2)) for i in points]
-    colours = plt.get_cmap("YlOrRd").with_extremes(bad=OPEN)
-    norm = Normalize(0, max(np.nanmax(values, initial=0.0) for values in shown) or 1.0)
-    figure, panels = make_panels(len(points), (2.75, 2.75), (3.4, 3.2), shared=True)
+    highest, lowest = (max(np.nanmax(sign * values, initial=0.0) for values in shown) for sign in (1, -1))
+    colours, norm = plt.get_cmap("YlOrRd").with_extremes(bad=OPEN), Normalize(0, highest or 1.0)
+    words, ticks = "Pressure over $p^*$; blue: no contact", None
+    if lowest > 0:
+        colours, norm = adhesion_colours(-lowest, highest)
+        words, ticks = f"Pressure over $p^*$; {ADHESION_KEY}", adhesion_ticks(-lowest, highest)
+    figure, panels = make_panels(len(points), (2.75, 2.5), (3.4, 3.2), shared=True)
     for panel, index, values in zip(panels, points, shown):
-        image = panel.pcolormesh(x, y, np.where(values > 0, values, np.nan), cmap=colours, norm=norm, shading="nearest",
+        image = panel.pcolormesh(x, y, np.where(values != 0, values, np.nan), cmap=colours, norm=norm, shading="nearest",
                                  rasterized=True)
+        if lowest > 0:
+            gap = relative_gap(results, index)
+            draw_outline(panel, x, y, np.tile(_mirror(_mirror(gap).T).T, (2, 2)))
         panel.set_aspect("equal")
+        panel.locator_params(nbins=5)
         panel.set_title(f"$p/p^*$ = {share[index]:.3g}, $A/l^2$ = {area[index]:.3f}", fontsize="small")
         if panel.get_subplotspec().is_last_row():
             panel.set_xlabel(axis_label("x", unit))
         label_rows(panel, axis_label("y", unit))
-    figure.colorbar(image, ax=panels, label="Pressure over $p^*$; blue: no contact", shrink=0.85)
+    figure.colorbar(image, ax=panels, label=words, ticks=ticks, shrink=0.85)
     return figure
 
 

@@ -43,6 +43,7 @@ SYMBOLS = {
     "pressure": "p",
     "pull_off_load": "P_c",
     "pull_off_pressure": "p_c",
+    "pull_off_tension": "-p_c",
     "radius_1x": "R_{1x}",
     "radius_2y": "R_{2y}",
     "relative_area": "A/A_0",
@@ -52,6 +53,7 @@ SYMBOLS = {
     "retardation_ratio": r"\beta",
     "shear_strength": r"\tau_0",
     "shear_stress": r"\tau",
+    "root_mean_square_height": r"h_\mathrm{rms}",
     "slip": "s",
     "slip_energy_ratio": "g_0",
     "stick_radius": "e",
@@ -68,7 +70,8 @@ SYMBOLS = {
 }
 NAMES = {"area_left": "friction area", "contact_half_width": "half-width", "lambda": "", "minor_half_width": "minor half-width",
          "position_x": "position", "position_y": "position", "position_z": "position", "pull_off_load": "pull-off load",
-         "pull_off_pressure": "pull-off pressure", "r": "", "radius_1x": "principal radius", "radius_2y": "principal radius",
+         "pull_off_pressure": "pull-off pressure", "pull_off_tension": "pull-off tension", "r": "", "radius_1x": "principal radius",
+         "radius_2y": "principal radius",
          "relative_area": "friction area", "relative_pull_off_load": "pull-off load", "relative_stick_radius": "stick radius",
          "stress": "adhesion stress",
          "velocity": "sliding velocity", "x": "", "y": ""}

@@ -113,13 +113,27 @@ def draw_pull_off(results):
     if results.fields["pull_off_load"].unit != "-":
         return figure
     axes.set_ylabel(axis_label("relative_pull_off_load", ""))
-    given = "approach" if {"approach", "operating_approach"} & {*results.axis_names, *results.constants} else "load"
+    draw_limits(axes, "approach" if {"approach", "operating_approach"} & {*results.axis_names, *results.constants} else "load")
+    return figure
+
+
+def lambda_of(stress, radius, energy, modulus):
+    """Maugis's parameter [-] of a sphere: stress [Pa], radius [m], work of adhesion [J/m^2], E* [Pa] (J 2.12)."""
+    return stress * (9 * radius / (2 * np.pi * energy * modulus**2)) ** (1 / 3)
+
+
+def relative_pull_off(load, radius, energy):
+    """A load [N] over pi w R."""
+    return load / (np.pi * energy * radius)
+
+
+def draw_limits(axes, given):
+    """The pull-off of the simpler theories in pi w R, under a given `load` or `approach`."""
     for name, limit in LIMITS[given].items():
         axes.axhline(limit, color="0.6", linewidth=0.6, linestyle=DASHES[0], zorder=0)
         axes.annotate(name, (0.97, limit), xycoords=("axes fraction", "data"), xytext=(0, 4), textcoords="offset points",
                       ha="right", va="bottom", fontsize="small", color="0.4")
     axes.set_ylim(*(-2.1, -1.4) if given == "load" else (-1.1, 0.1))
-    return figure
 
 
 def _first(results, values, name):

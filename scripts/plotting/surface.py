@@ -5,13 +5,15 @@ from matplotlib.patches import Patch
 
 from .labels import axis_label, point_label, scale_of
 from .results import REASONS, SOLVED
-from .style import COLOURS, make_panels, pressure_colours
+from .style import COLOURS, adhesion_colours, adhesion_ticks, make_panels, pressure_colours
 
 MOST_PANELS = 6
 # a gap below this part of the largest one is contact
 CLOSED = 1e-9
 # the contact is outlined where the gap is this part of the largest one: a smooth line just outside
 OUTLINE = 1e-3
+# what maps with adhesion show
+ADHESION_KEY = "grey: no adhesion; black line: edge of contact"
 
 
 def draw_stresses(results):
@@ -46,17 +48,22 @@ def draw_pressure_maps(results):
     x_factor, x_unit = scale_of(x.values, x.unit)
     factor, unit = scale_of(pressure.values, pressure.unit)
     shown = np.array([pressure.values[index] for index in points]) * factor
-    colours, norm = pressure_colours(np.nanmin(shown, initial=0.0), np.nanmax(shown, initial=0.0))
+    lowest, highest = np.nanmin(shown, initial=0.0), np.nanmax(shown, initial=0.0)
+    adheres = "adhesion_fraction" in results.fields and lowest < 0
+    colours, norm = (adhesion_colours if adheres else pressure_colours)(lowest, highest)
     figure, panels = make_panels(len(points), (3.4, 3.2), (3.7, 3.5), shared=True)
     for panel, index, values in zip(panels, points, shown):
-        image = panel.pcolormesh(x.values * x_factor, y.values * x_factor, values, cmap=colours, norm=norm,
+        shown_here = np.where(values != 0, values, np.nan) if adheres else values
+        image = panel.pcolormesh(x.values * x_factor, y.values * x_factor, shown_here, cmap=colours, norm=norm,
                                  shading="nearest", rasterized=True)
         outline_contact(panel, results, index, x.values * x_factor, y.values * x_factor)
         panel.set_aspect("equal")
         panel.set_title(panel_title(results, index))
         panel.set_xlabel(axis_label(x.name, x_unit) + (", direction of sliding" if results.model == "wavy_sliding" else ""))
         label_rows(panel, axis_label(y.name, x_unit))
-    figure.colorbar(image, ax=panels, label=axis_label("pressure", unit), shrink=0.85)
+    words = f"{axis_label('pressure', unit)}; {ADHESION_KEY}" if adheres else axis_label("pressure", unit)
+    ticks = adhesion_ticks(lowest, highest) if adheres else None
+    figure.colorbar(image, ax=panels, label=words, ticks=ticks, shrink=0.85)
     return figure
 
 
@@ -75,14 +82,14 @@ def label_rows(panel, label):
 
 
 def panel_title(results, index):
-    """Swept values and friction coefficient of a point, or why it is empty."""
+    """Swept values and friction coefficient of a point, of one that adheres without friction the share in contact; or why it is empty."""
     words = [point_label(results.describe(index), results.model)]
     if results.status[index] != SOLVED:
         words.append(REASONS[int(results.status[index])])
-    elif "friction_coefficient" in results.fields:
-        coefficient = results.fields["friction_coefficient"].values[index]
-        if np.isfinite(coefficient):
-            words.append(rf"$\mu$ = {format_coefficient(coefficient)}")
+    elif "friction_coefficient" in results.fields and np.isfinite(results.fields["friction_coefficient"].values[index]):
+        words.append(rf"$\mu$ = {format_coefficient(results.fields['friction_coefficient'].values[index])}")
+    elif "adhesion_fraction" in results.fields:
+        words.append(f"$A/A_0$ = {results.fields['contact_fraction'].values[index]:.3f}")
     return "; ".join(word for word in words if word)
 
 
@@ -109,6 +116,10 @@ def shade_contact(panel, results, index, x):
 
 
 def outline_contact(panel, results, index, x, y):
-    gap = relative_gap(results, index)
+    draw_outline(panel, x, y, relative_gap(results, index))
+
+
+def draw_outline(panel, x, y, gap):
+    """The edge of the contact on a map of relative gaps."""
     if (gap < OUTLINE).any() and (gap > OUTLINE).any():
         panel.contour(x, y, gap, levels=[OUTLINE], colors="black", linewidths=0.7)

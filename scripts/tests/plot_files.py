@@ -24,6 +24,7 @@ SPHERE = ("load", "approach", "contact_radius", "adhesion_radius", "friction_rad
 HALFSPACE = {"hertz": ("contact_half_width", "minor_half_width", "peak_pressure", "approach"),
              "wave_1d": ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap", "full_contact_pressure"),
              "wave_2d_elastic": ("contact_fraction", "contact_fraction_error", "full_contact_pressure"),
+             "surface_elastic": ("contact_fraction", "adhesion_fraction", "mean_gap"),
              "surface_sliding": ("contact_fraction", "friction_stress", "full_contact_friction"),
              "rigid_punch": ("mean_pressure",), "line_load": ()}
 STRESS_MODELS = ("line_load", "rigid_punch")

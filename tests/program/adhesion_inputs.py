@@ -1,0 +1,46 @@
+"""The shipped inputs of rough surfaces that adhere, on fewer cells, and their figures."""
+
+import sys
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+from input_runs import InputRuns  # noqa: E402
+from plotting import adhesion, figures, surface  # noqa: E402
+from plotting.results import Results  # noqa: E402
+
+
+class AdhesionInputs(InputRuns):
+    def test_stickiness(self):
+        """A smooth surface holds to the stress of adhesion, a rough one to less and less of it; a surface that has been pressed holds
+        no less than one that has touched."""
+        self.make_surface("surface_stickiness", 32)
+        found = self.solve("surface_stickiness", **{"count = 25": "count = 4", "range = 1.25e-7": "range = 2.5e-7"})
+        tension = -found["pull_off_pressure"]
+        self.assertEqual(tension.shape, (2, 4))
+        np.testing.assert_allclose(tension[:, 0], found["stress"], rtol=1e-9)
+        self.assertTrue(np.all(np.diff(tension) < 0))
+        # to the step with which a pull-off is sought
+        self.assertTrue(np.all(tension[1] >= 0.99 * tension[0]))
+        results = Results(self.folder / "run.h5")
+        self.assertIs(figures.choose_figure(results), adhesion.draw_stickiness)
+        adhesion.draw_stickiness(results)
+
+    def test_maps(self):
+        """Without the load of the contacts alone: rims of tension, whose pressure is that of adhesion, balance it."""
+        self.make_surface("surface_adhesion_maps", 64)
+        found = self.solve("surface_adhesion_maps", **{"range = 5.0e-8": "range = 1.0e-7", "4.0e4, 1.5e5": "4.0e4"})
+        pressure, gap = found["pressure"], found["gap"]
+        np.testing.assert_allclose(pressure.mean(axis=(1, 2)), found["mean_pressure"], atol=1e-6 * pressure.max())
+        self.assertGreaterEqual(pressure.min(), -found["stress"] * (1 + 1e-6))
+        rims = (gap > 0) & (gap < 0.5 * found["range"])
+        np.testing.assert_array_less(pressure[rims], 0)
+        results = Results(self.folder / "run.h5")
+        self.assertIs(figures.choose_figure(results), surface.draw_pressure_maps)
+        surface.draw_pressure_maps(results)
+
+
+if __name__ == "__main__":
+    unittest.main()
