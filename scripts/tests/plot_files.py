@@ -14,6 +14,7 @@ SCRIPTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(SCRIPTS))
 
 from plotting import command, halfspace  # noqa: E402
+from plotting.style import plt  # noqa: E402
 
 UNITS = {"stress": "Pa", "velocity": "m/s", "load": "N/m", "x": "m", "y": "m", "pressure": "Pa", "gap": "m",
          "friction_force": "N/m", "contact_width": "m", "friction_coefficient": "-", "radius": "m", "mean_pressure": "Pa",
@@ -71,11 +72,13 @@ def make_file(path, axes, profile_axes=(), model="wavy_sliding"):
 
 
 class PlotCase(unittest.TestCase):
-    """A folder of its own for each test."""
+    """A folder of its own for each test, and no figure left open."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
+        # what a test has drawn and not closed
+        self.addCleanup(plt.close, "all")
         self.folder = Path(folder.name)
         self.file = self.folder / "run.h5"
 

@@ -13,6 +13,18 @@ from plotting.results import Results  # noqa: E402
 
 
 class AdhesionInputs(InputRuns):
+    def test_adhesion_and_friction(self):
+        """A rough surface that adheres has friction under a tension, where it has no coefficient; it is that of area and of what contact carries."""
+        self.make_surface("surface_adhesion_friction", 256)
+        found = self.solve("surface_adhesion_friction", **{"count = 12": "count = 2"})
+        self.assertLess(found["mean_pressure"][0], 0)
+        self.assertGreater(found["friction_stress"][0], 0)
+        self.assertTrue(np.isnan(found["friction_coefficient"][0]))
+        carried = found["mean_pressure"] + found["stress"] * found["adhesion_fraction"]
+        expected = found["shear_strength"] * found["contact_fraction"] + found["pressure_factor"] * carried
+        np.testing.assert_allclose(found["friction_stress"], expected, rtol=1e-14)
+        np.testing.assert_allclose(found["friction_coefficient"][1], expected[1] / found["mean_pressure"][1], rtol=1e-14)
+
     def test_stickiness(self):
         """A smooth surface holds to the stress of adhesion, a rough one to less and less of it; a surface that has been pressed holds
         no less than one that has touched."""

@@ -1,5 +1,4 @@
-"""The shipped inputs of sliding that stand side by side: cells beside a closed form, and a thin layer beside the strips it stands for; and
-friction of a rough surface that adheres."""
+"""The shipped inputs of sliding that stand side by side: cells beside a closed form, and a thin layer beside the strips it stands for."""
 
 import re
 import sys
@@ -52,18 +51,6 @@ class SlidingInputs(InputRuns):
         layer = self.solve("surface_sliding_layer", **few, **thick, **{"count = 17": "count = 3"})
         strips = self.solve("surface_sliding_strips", **few, **thick, **{"count = 65": "count = 3"})
         np.testing.assert_array_less(3 * layer["error_estimate"], abs(layer["friction_coefficient"] / strips["friction_coefficient"] - 1))
-
-    def test_adhesion_and_friction(self):
-        """A rough surface that adheres has friction under a tension, where it has no coefficient; it is that of area and of what contact carries."""
-        self.make_surface("surface_adhesion_friction", 256)
-        found = self.solve("surface_adhesion_friction", **{"count = 12": "count = 2"})
-        self.assertLess(found["mean_pressure"][0], 0)
-        self.assertGreater(found["friction_stress"][0], 0)
-        self.assertTrue(np.isnan(found["friction_coefficient"][0]))
-        carried = found["mean_pressure"] + found["stress"] * found["adhesion_fraction"]
-        expected = found["shear_strength"] * found["contact_fraction"] + found["pressure_factor"] * carried
-        np.testing.assert_allclose(found["friction_stress"], expected, rtol=1e-14)
-        np.testing.assert_allclose(found["friction_coefficient"][1], expected[1] / found["mean_pressure"][1], rtol=1e-14)
 
 
 if __name__ == "__main__":
