@@ -14,21 +14,21 @@
 !> All but the solution of the points is done by one thread at a time (`critical (adfric_api)`), since gfortran keeps the lengths of
 !> texts that functions give back in one place for all threads.
 module adfric_api
-   use adfric, only: known_models, new_model
-   use adfric_api_solution, only: solve_by_threads
-   use adfric_api_state, only: open_state, state_t
+   use adfric, only: known_models
+   use adfric_api_solution, only: solve_by_threads, stopped
+   use adfric_api_state, only: open_model, read_state, state_t
    use adfric_api_results, only: describe_name, find_axis, find_profile, find_result, list_of
-   use adfric_base_error, only: error_t, file_failure, input_failure, set_error
+   use adfric_base_error, only: error_t, file_failure, input_failure
    use adfric_base_kinds, only: dp, i8
    use adfric_base_text, only: name_length
    use adfric_base_words, only: count_words, get_word
-   use adfric_input_run, only: say_unknown_model
-   use adfric_model_model, only: model_t
    use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_solved
    use adfric_model_table, only: profile_axis_t
+   use adfric_run_progress, only: progress_t
    implicit none (type, external)
    private
-   public :: simulation_t, open_simulation, list_models, error_t, dp, i8, name_length, input_failure, file_failure
+   public :: simulation_t, open_simulation, read_simulation, list_models, error_t, dp, i8, name_length, progress_t
+   public :: input_failure, file_failure, stopped
    public :: status_solved, status_no_equilibrium, status_not_converged
 
    !> A model, the values of its variables, and what was found.
@@ -50,6 +50,7 @@ module adfric_api
       procedure, private :: sweep_together
       generic :: sweep => sweep_one, sweep_together
       procedure :: n_points
+      procedure :: check
       procedure :: solve
       procedure, private :: get_real
       procedure, private :: get_integer
@@ -71,17 +72,25 @@ contains
       character(*), intent(in) :: model
       !> Allocated if there is no such model; says which there are.
       type(error_t), allocatable, intent(out) :: error
-      class(model_t), allocatable :: opened
 
       !$omp critical (adfric_api)
-      call new_model(opened, trim(model), error)
-      if (allocated(error)) then
-         error%message = '&job model: '//say_unknown_model(trim(model), known_models)
-      else
-         call open_state(self%state, opened)
-      end if
+      call open_model(self%state, model, error)
       !$omp end critical (adfric_api)
    end subroutine open_simulation
+
+   !> Open a simulation as an input describes it, with its sweeps and its datasets.
+   subroutine read_simulation(self, path, error)
+      !> Receives the simulation; closed if there is an error.
+      type(simulation_t), intent(out) :: self
+      !> Name of the input.
+      character(*), intent(in) :: path
+      !> Says what is wrong with the input, a line each.
+      type(error_t), allocatable, intent(out) :: error
+
+      !$omp critical (adfric_api)
+      call read_state(self%state, path, is_text=.false., error=error)
+      !$omp end critical (adfric_api)
+   end subroutine read_simulation
 
    !> Close a simulation, and give back its memory. It may be opened again.
    subroutine close_simulation(self)
@@ -259,20 +268,32 @@ contains
       if (allocated(self%state%run%model)) n_points = self%state%run%plan%n_points()
    end function n_points
 
+   !> Check all values together, as `solve` does before it solves.
+   subroutine check(self, error)
+      !> The simulation; its values stay as they are.
+      class(simulation_t), intent(inout) :: self
+      !> Says what is missing, contradictory or impossible, a line each.
+      type(error_t), allocatable, intent(out) :: error
+
+      !$omp critical (adfric_api)
+      call self%state%check_open(error)
+      if (.not. allocated(error)) call self%state%check_case(error)
+      !$omp end critical (adfric_api)
+   end subroutine check
+
    !> Solve all points. A point without equilibrium, or that did not converge, is no error: see its status.
-   subroutine solve(self, error, n_threads)
+   subroutine solve(self, error, n_threads, progress)
       !> The simulation; after an error it has no results.
       class(simulation_t), intent(inout) :: self
       !> Says what is missing, contradictory or impossible, a line each, or what the machine has too little of.
       type(error_t), allocatable, intent(out) :: error
       !> Number of threads, >= 1; as many as OpenMP gives if absent. The results do not depend on it.
       integer, intent(in), optional :: n_threads
+      !> Is told from time to time how many points are solved, and may end the call: the code of the error is `stopped` then.
+      class(progress_t), intent(inout), optional :: progress
 
-      !$omp critical (adfric_api)
-      call self%state%check_open(error)
-      if (.not. allocated(error)) call self%state%check_case(error)
-      !$omp end critical (adfric_api)
-      if (.not. allocated(error)) call solve_by_threads(self%state%run, self%state%found, error, n_threads)
+      call self%check(error)
+      if (.not. allocated(error)) call solve_by_threads(self%state%run, self%state%found, error, n_threads, progress)
    end subroutine solve
 
    !> Get a result of every point, the error estimate or the status, or the coordinates along an axis of the profiles.

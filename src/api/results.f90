@@ -14,7 +14,7 @@ module adfric_api_results
    use adfric_run_memory_sink, only: memory_sink_t
    implicit none (type, external)
    private
-   public :: find_result, find_axis, find_profile, describe_name, list_of
+   public :: find_result, find_axis, find_profile, describe_name, list_of, refuse
 
    !> `call find_result(model, found, name, values, error)`, by the type of the values.
    interface find_result

@@ -5,27 +5,36 @@ module adfric_api_solution
    use adfric_base_text, only: show_count
    use adfric_output_resources, only: check_memory
    use adfric_run_memory_sink, only: memory_sink_t, new_memory_sink, status_not_put
-   use adfric_run_progress, only: silent_progress_t
+   use adfric_run_progress, only: progress_t, silent_progress_t
    use adfric_run_run, only: run_t
    use adfric_run_runner, only: run_sweep
    use adfric_run_summary, only: run_summary_t
    use adfric_system_threads, only: check_threads
    implicit none (type, external)
    private
-   public :: solve_by_threads
+   public :: solve_by_threads, stopped
+
+   !> Code of the error of a call that the caller has ended before its time.
+   integer, parameter :: stopped = 4
 
 contains
 
    !> Solve every point of a run.
-   subroutine solve_by_threads(run, found, error, n_threads)
+   subroutine solve_by_threads(run, found, error, n_threads, progress, summary)
       !> The run, whose values have been checked.
       class(run_t), intent(inout) :: run
       !> Receives the results; not allocated if there is an error.
       type(memory_sink_t), allocatable, intent(out) :: found
-      !> Allocated if the machine has too little memory or too few threads.
+      !> Allocated if the machine has too little memory or too few threads, or the caller has ended the call.
       type(error_t), allocatable, intent(out) :: error
       !> Number of threads, >= 1; as many as OpenMP gives if absent.
       integer, intent(in), optional :: n_threads
+      !> Is told from time to time how many points are solved, and may end the call.
+      class(progress_t), intent(inout), optional :: progress
+      !> Receives counts and times; of no use if there is an error.
+      type(run_summary_t), intent(out), optional :: summary
+      type(silent_progress_t) :: silent
+      type(run_summary_t) :: told
       integer :: n, n_before
 
       n_before = omp_get_max_threads()
@@ -43,21 +52,28 @@ contains
       if (allocated(error)) return
       ! of this thread alone, and only up to the end of this procedure
       call omp_set_num_threads(n)
-      call solve_all(run, found, error)
+      if (present(progress)) then
+         call solve_all(run, found, progress, told, error)
+      else
+         call solve_all(run, found, silent, told, error)
+      end if
       call omp_set_num_threads(n_before)
       if (allocated(error)) deallocate (found)
+      if (present(summary)) summary = told
    end subroutine solve_by_threads
 
    !> Solve every point by the threads that there are.
-   subroutine solve_all(run, found, error)
+   subroutine solve_all(run, found, progress, summary, error)
       !> The run, whose values have been checked.
       class(run_t), intent(inout) :: run
       !> Receives the results; of no use if there is an error.
       type(memory_sink_t), allocatable, intent(out) :: found
-      !> Allocated if the machine has too little memory.
+      !> Is told from time to time how many points are solved, and may end the call.
+      class(progress_t), intent(inout) :: progress
+      !> Receives counts and times.
+      type(run_summary_t), intent(out) :: summary
+      !> Allocated if the machine has too little memory, or the caller has ended the call.
       type(error_t), allocatable, intent(out) :: error
-      type(silent_progress_t) :: silent
-      type(run_summary_t) :: summary
 
       allocate (found)
       !$omp critical (adfric_api)
@@ -66,10 +82,15 @@ contains
       !$omp end critical (adfric_api)
       if (allocated(error)) return
       call run%model%prepare()
-      call run_sweep(run, found, silent, summary, error)
+      call run_sweep(run, found, progress, summary, error)
       call run%model%release()
       if (allocated(error)) return
-      if (any(found%status == status_not_put)) call set_error(error, file_failure, 'a signal ended the run before its time')
+      if (all(found%status /= status_not_put)) return
+      if (summary%signal /= 0) then
+         call set_error(error, file_failure, 'a signal ended the run before its time')
+      else
+         call set_error(error, stopped, 'the call was stopped before all points were solved')
+      end if
    end subroutine solve_all
 
 end module adfric_api_solution

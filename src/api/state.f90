@@ -1,5 +1,6 @@
 !> What a simulation is made of, and what its parts have to do with each other.
 module adfric_api_state
+   use adfric, only: known_models, new_model
    use adfric_api_axes, only: leave_out, put_axis
    use adfric_api_values, only: check_swept, error_of, find_place, give_number, give_samples, give_switch, give_word
    use adfric_base_error, only: error_t, input_failure, set_error
@@ -9,13 +10,15 @@ module adfric_api_state
    use adfric_input_case, only: case_t, new_case
    use adfric_input_consistency, only: check_consistency
    use adfric_input_namelist_file, only: namelist_file_t, new_namelist_file
+   use adfric_input_run, only: read_case, read_job, read_job_of_text, run_input_t, say_unknown_model
    use adfric_input_sweep, only: find_size_problem
    use adfric_model_model, only: model_t
+   use adfric_run_dataset, only: dataset_t
    use adfric_run_memory_sink, only: memory_sink_t
    use adfric_run_run, only: new_run, run_t
    implicit none (type, external)
    private
-   public :: state_t, open_state
+   public :: state_t, open_model, open_state, read_state
 
    !> The parts of a simulation.
    type :: state_t
@@ -37,6 +40,74 @@ module adfric_api_state
    end type state_t
 
 contains
+
+   !> Open a model by its name.
+   subroutine open_model(self, name, error)
+      !> Receives the model, with no value but the defaults; closed if there is an error.
+      type(state_t), intent(out) :: self
+      !> Name of the model; blanks at its end do not count.
+      character(*), intent(in) :: name
+      !> Allocated if there is no such model; says which there are.
+      type(error_t), allocatable, intent(out) :: error
+      class(model_t), allocatable :: model
+
+      call new_model(model, trim(name), error)
+      if (allocated(error)) then
+         error%message = '&job model: '//say_unknown_model(trim(name), known_models)
+      else
+         call open_state(self, model)
+      end if
+   end subroutine open_model
+
+   !> Open what an input describes: the model, its values, sweeps and datasets.
+   subroutine read_state(self, input, is_text, error)
+      !> Receives the model with its values; closed if there is an error.
+      type(state_t), intent(out) :: self
+      !> Name of the input, or its text.
+      character(*), intent(in) :: input
+      !> Is it the text, and not the name?
+      logical, intent(in) :: is_text
+      !> Says what is wrong with the input, a line each.
+      type(error_t), allocatable, intent(out) :: error
+      type(namelist_file_t) :: file
+      type(run_input_t) :: run
+      type(problems_t) :: problems
+
+      if (is_text) then
+         call read_job_of_text(input, known_models, file, run, problems, error)
+      else
+         call read_job(input, known_models, file, run, problems, error)
+      end if
+      if (allocated(error)) return
+      if (len(run%model_name) > 0) then
+         call new_model(run%model, run%model_name, error)
+         if (allocated(error)) return
+         call read_case(file, run, problems)
+      end if
+      call error_of(problems, error, file%path)
+      if (.not. allocated(error)) call take_input(self, run)
+   end subroutine read_state
+
+   !> Take over what an input describes.
+   subroutine take_input(self, run)
+      !> Receives the model with its values.
+      type(state_t), intent(inout) :: self
+      !> What the input describes; nothing is left of it.
+      type(run_input_t), intent(inout) :: run
+      integer :: i
+
+      call open_state(self, run%model)
+      self%input%values = run%plan%base
+      self%input%is_given = run%is_given
+      do i = 1, size(self%input%values)
+         self%input%is_swept(i) = run%plan%is_swept(i)
+      end do
+      call move_alloc(run%datasets, self%input%datasets)
+      call move_alloc(run%plan%axes, self%run%plan%axes)
+      self%run%title = run%title
+      self%run%text = run%text
+      self%run%output = run%output
+   end subroutine take_input
 
    !> Open a model.
    subroutine open_state(self, model)
@@ -172,9 +243,15 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(namelist_file_t) :: nothing
       type(problems_t) :: problems, unused
+      type(dataset_t) :: none
       character(:), allocatable :: text
+      integer :: i
 
       self%run%plan%base = self%input%values
+      do i = 1, size(self%input%datasets)
+         self%run%datasets(i) = none
+         if (self%input%is_given(i)) self%run%datasets(i) = self%input%datasets(i)
+      end do
       call new_namelist_file(nothing, '', '', unused)
       call check_consistency(nothing, self%run%model, self%input, self%run%plan%axes, problems)
       text = find_size_problem(self%run%plan)

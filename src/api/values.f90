@@ -162,9 +162,11 @@ contains
       !> Receives what is wrong, if anything is.
       type(problems_t), intent(inout) :: problems
       type(problems_t) :: found
+      type(dataset_t) :: none
       character(:), allocatable :: flaw
       real(dp), allocatable :: copy(:, :)
 
+      input%datasets(place) = none
       associate (variable => model%variables(place), dataset => input%datasets(place))
          if (variable%kind /= kind_dataset) then
             flaw = 'has one value, given an array of '//show_count(size(samples))//', allowed: '//describe_allowed(variable)
@@ -253,18 +255,22 @@ contains
    end subroutine append
 
    !> Problems as an error, a line each.
-   subroutine error_of(problems, error)
+   subroutine error_of(problems, error, path)
       !> The problems; there may be none.
       type(problems_t), intent(in) :: problems
       !> Not allocated if there are none.
       type(error_t), allocatable, intent(out) :: error
-      character(:), allocatable :: text
+      !> Name of the input, which each line begins with; there is none if absent.
+      character(*), intent(in), optional :: path
+      character(:), allocatable :: file, text
       integer :: i
 
       if (problems%count() == 0) return
-      text = problems%line_of(1, '')
+      file = ''
+      if (present(path)) file = path
+      text = problems%line_of(1, file)
       do i = 2, problems%count()
-         text = text//newline//problems%line_of(i, '')
+         text = text//newline//problems%line_of(i, file)
       end do
       call set_error(error, input_failure, text)
    end subroutine error_of

@@ -9,7 +9,7 @@ module adfric_input_namelist_file
    use adfric_input_whole_file, only: read_whole_file
    implicit none (type, external)
    private
-   public :: namelist_file_t, open_namelist_file, new_namelist_file
+   public :: namelist_file_t, open_namelist_file, open_namelist_text, new_namelist_file
 
    !> A namelist file.
    type :: namelist_file_t
@@ -45,20 +45,37 @@ contains
       !> Allocated if the file cannot be read, or is no text.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: text
-      type(source_t) :: source
-      integer :: place
 
       call read_whole_file(path, text, error)
       if (allocated(error)) return
+      call open_namelist_text(self, path, text, problems, error)
+      if (allocated(error)) error%message = path//': '//error%message
+   end subroutine open_namelist_file
+
+   !> Find the groups and assignments of a text that may be none.
+   subroutine open_namelist_text(self, path, text, problems, error)
+      !> Receives the text with its groups and assignments; empty if there is an error.
+      type(namelist_file_t), intent(out) :: self
+      !> Name of the file, as the user gave it; empty if there is none.
+      character(*), intent(in) :: path
+      !> The whole text of the file, byte by byte.
+      character(*), intent(in) :: text
+      !> Receives what is wrong with the form of the file; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      !> Allocated if it is no text; without the name of the file.
+      type(error_t), allocatable, intent(out) :: error
+      type(source_t) :: source
+      integer :: place
+
       place = find_control_character(text)
       if (place > 0) then
          call new_source(source, text(:place))
-         call set_error(error, input_failure, path//': cannot be an input, it is not a text, given the control '// &
+         call set_error(error, input_failure, 'cannot be an input, it is not a text, given the control '// &
             'character '//show_count(iachar(text(place:place)))//' (line '//show_count(source%line_at(place))//')')
          return
       end if
       call new_namelist_file(self, path, text, problems)
-   end subroutine open_namelist_file
+   end subroutine open_namelist_text
 
    !> Find groups and assignments of a text; whatever stands twice is a problem.
    subroutine new_namelist_file(self, path, text, problems)

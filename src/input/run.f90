@@ -11,14 +11,14 @@ module adfric_input_run
    use adfric_input_dataset_loading, only: load_datasets
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
-   use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file
+   use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file, open_namelist_text
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_input_sweep, only: read_sweeps, find_size_problem
    use adfric_input_vocabulary, only: job_names, report_unknown_names
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
-   public :: run_input_t, read_job, read_case, say_unknown_model
+   public :: run_input_t, read_job, read_job_of_text, read_case, say_unknown_model
 
    !> A run, and what its input says of it beside.
    type, extends(run_t) :: run_input_t
@@ -44,13 +44,56 @@ contains
       type(problems_t), intent(inout) :: problems
       !> Allocated if the file cannot be read, or is no text.
       type(error_t), allocatable, intent(out) :: error
-      integer :: group
+
+      call start_run(run, default_output(path))
+      call open_namelist_file(file, path, problems, error)
+      if (.not. allocated(error)) call find_job(file, known_models, run, problems)
+   end subroutine read_job
+
+   !> Find out which model a text wants that is no file.
+   subroutine read_job_of_text(text, known_models, file, run, problems, error)
+      !> Text of the input.
+      character(*), intent(in) :: text
+      !> Names of the models, separated by a blank.
+      character(*), intent(in) :: known_models
+      !> Receives the input, cut into groups and assignments, for `read_case`.
+      type(namelist_file_t), intent(out) :: file
+      !> Receives the names of the model and of the results file, the title and the text.
+      type(run_input_t), intent(out) :: run
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      !> Allocated if it is no text.
+      type(error_t), allocatable, intent(out) :: error
+
+      call start_run(run, default_output('text'))
+      call open_namelist_text(file, '', text, problems, error)
+      if (.not. allocated(error)) call find_job(file, known_models, run, problems)
+   end subroutine read_job_of_text
+
+   !> Nothing is known of a run but where its results go.
+   subroutine start_run(run, output)
+      !> Receives empty texts.
+      type(run_input_t), intent(inout) :: run
+      !> Name of the results file.
+      character(*), intent(in) :: output
 
       run%model_name = ''
       run%title = ''
-      run%output = default_output(path)
-      call open_namelist_file(file, path, problems, error)
-      if (allocated(error)) return
+      run%output = output
+   end subroutine start_run
+
+   !> Find out which model an input wants.
+   subroutine find_job(file, known_models, run, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Names of the models, separated by a blank.
+      character(*), intent(in) :: known_models
+      !> Receives the names of the model and of the results file, the title and the text.
+      type(run_input_t), intent(inout) :: run
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: group
+
       ! of a file that has not been looked at to its end nothing more can be said
       if (problems%is_enough()) return
       run%text = file%text
@@ -64,7 +107,7 @@ contains
       call read_word(file, group, 'title', run%title, problems)
       call read_output(file, group, run%output, problems)
       call read_model(file, group, known_models, run%model_name, problems)
-   end subroutine read_job
+   end subroutine find_job
 
    !> Read the case and the sweep of the model that the input wants, and hand the model its datasets.
    subroutine read_case(file, run, problems)

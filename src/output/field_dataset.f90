@@ -1,13 +1,13 @@
 !> A new dataset of a results file with all that describes it.
 module adfric_output_field_dataset
    use hdf5, only: hid_t
-   use adfric_base_kinds, only: dp, i8
+   use adfric_base_kinds, only: i8
    use adfric_hdf5_attributes, only: write_attribute
    use adfric_hdf5_calls, only: hdf5_calls_t, no_id
    use adfric_hdf5_datasets, only: create_space, create_real_dataset, create_state_dataset, &
       write_values, close_dataset, make_scale, attach_scale
    use adfric_output_flags, only: write_flags
-   use adfric_output_layout, only: scale_t, field_t
+   use adfric_output_layout, only: scale_t, field_t, number_places
    use adfric_output_virtual_parts, only: virtual_parts_t
    implicit none (type, external)
    private
@@ -63,12 +63,8 @@ contains
       type(scale_t), intent(in) :: list
       type(scale_t) :: places
       integer(hid_t) :: space, dataset, scale
-      integer :: i
 
-      places%name = list%name//'_place'
-      places%unit = '1'
-      places%long_name = 'place in '//list%name
-      places%values = [(real(i, dp), i=1, size(list%values))]
+      call number_places(list, places)
       call create_scale(calls, file, places, scale)
       call create_space(calls, [size(list%values, kind=i8)], space)
       call create_real_dataset(calls, file, list%name, space, dataset)

@@ -12,7 +12,7 @@ module adfric_output_heading
    use adfric_system_files, only: utc_time
    implicit none (type, external)
    private
-   public :: heading_t, new_heading, write_heading, read_heading, say_difference
+   public :: heading_t, new_heading, write_heading, read_heading, say_difference, conventions, source_of
 
    !> The CF conventions that a file keeps.
    character(*), parameter :: conventions = 'CF-1.11'
@@ -131,7 +131,7 @@ contains
       type(heading_t), intent(in) :: heading
       character(:), allocatable :: program, step
 
-      program = 'adfric '//heading%version//' ('//heading%revision//')'
+      program = source_of(heading)
       step = ' run'
       if (len(heading%history) > 0) step = ' merge'
       call write_attribute(calls, file, 'Conventions', conventions)
@@ -139,6 +139,15 @@ contains
       call write_attribute(calls, file, 'history', heading%history//utc_time()//' '//program//step//new_line('a'))
       if (len(heading%references) > 0) call write_attribute(calls, file, 'references', heading%references)
    end subroutine write_conventions
+
+   !> The program that has made a file.
+   pure function source_of(heading) result(program)
+      !> Heading of the file.
+      type(heading_t), intent(in) :: heading
+      character(:), allocatable :: program
+
+      program = 'adfric '//heading%version//' ('//heading%revision//')'
+   end function source_of
 
    !> Read the heading of a file.
    subroutine read_heading(calls, file, heading)

@@ -8,7 +8,7 @@ module adfric_output_layout
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
-   public :: layout_t, new_layout, check_axes, scale_t, field_t, set_status_fields
+   public :: layout_t, new_layout, check_axes, scale_t, field_t, set_status_fields, number_places
 
    !> Meaning of the state `no_state` of a result.
    character(*), parameter :: no_state_meaning = 'no_value'
@@ -136,6 +136,20 @@ contains
          lists(n)%values = run%datasets(i)%numbers
       end do
    end subroutine find_lists
+
+   !> The places of the numbers of a list, as values along its dimension.
+   pure subroutine number_places(list, places)
+      !> The list.
+      type(scale_t), intent(in) :: list
+      !> Receives the places from 1 on, with their name.
+      type(scale_t), intent(out) :: places
+      integer :: i
+
+      places%name = list%name//'_place'
+      places%unit = '1'
+      places%long_name = 'place in '//list%name
+      places%values = [(real(i, dp), i=1, size(list%values))]
+   end subroutine number_places
 
    !> Name the swept variables: by their own names or, where two of them share it, with the group before it.
    subroutine find_axes(run, axes)

@@ -1,4 +1,4 @@
-!> Who is told how far a sweep is.
+!> Who is told how far a sweep is, and may end it.
 module adfric_run_progress
    use adfric_base_kinds, only: i8
    implicit none (type, external)
@@ -9,6 +9,7 @@ module adfric_run_progress
    type, abstract :: progress_t
    contains
       procedure(report_i), deferred :: report
+      procedure :: wants_end
    end type progress_t
 
    !> A listener that shows nothing.
@@ -32,6 +33,16 @@ module adfric_run_progress
    end interface
 
 contains
+
+   !> Shall the run end before its time? Every thread asks, often and at once. Here it shall not.
+   logical function wants_end(self)
+      !> The listener.
+      class(progress_t), intent(in) :: self
+
+      wants_end = .false.
+      associate (unused => self)
+      end associate
+   end function wants_end
 
    !> Show nothing.
    subroutine report_nothing(self, n_done, n_total)

@@ -64,13 +64,14 @@ module adfric_run_runner
 
 contains
 
-   !> Solve every block of the source. The run ends before that when a signal asks for it; `summary%signal` says so.
+   !> Solve every block of the source. The run ends before that when a signal asks for it; `summary%signal` says so. It does so, too,
+   !> when the listener wants it.
    subroutine run_sweep(run, sink, progress, summary, error, source)
       !> The run, whose model solves the points.
       class(run_t), intent(in) :: run
       !> Receives the results.
       class(sink_t), intent(inout) :: sink
-      !> Is told from time to time how many points are solved.
+      !> Is told from time to time how many points are solved, and says whether the run shall end.
       class(progress_t), intent(inout) :: progress
       !> Counts, ranges and times of the points that are solved now.
       type(run_summary_t), intent(out) :: summary
@@ -94,7 +95,7 @@ contains
       class(run_t), intent(in) :: run
       !> Receives the results.
       class(sink_t), intent(inout) :: sink
-      !> Is told from time to time how many points are solved.
+      !> Is told from time to time how many points are solved, and says whether the run shall end.
       class(progress_t), intent(inout) :: progress
       !> Counts, ranges and times of the points that are solved now.
       type(run_summary_t), intent(out) :: summary
@@ -180,7 +181,7 @@ contains
       class(run_t), intent(in) :: run
       !> Receives the results.
       class(sink_t), intent(inout) :: sink
-      !> Is told from time to time how many points are solved.
+      !> Is told from time to time how many points are solved, and says whether the run shall end.
       class(progress_t), intent(inout) :: progress
       !> Says which blocks are solved; they are taken from it.
       class(block_source_t), intent(inout) :: source
@@ -195,7 +196,7 @@ contains
       call new_worker(worker, run, source%blocks, sweep)
       call omp_set_num_threads(sweep%threads_of_point)
       do
-         call take_blocks(source, sweep, worker%n_wanted, first, n)
+         call take_blocks(source, sweep, progress, worker%n_wanted, first, n)
          if (n == 0) exit
          sweep%delivery%store%batches(worker%place)%first = source%blocks%first_point(first)
          start = wall_clock()
@@ -212,12 +213,12 @@ contains
             n_solved = sweep%n_solved + source%n_points_elsewhere
             !$omp end critical (adfric_run_shared)
             if (omp_get_thread_num() == 0) call progress%report(n_solved, source%blocks%n_points())
-            if (must_end(sweep)) exit
+            if (must_end(sweep, progress)) exit
          end do
          call leave_batch(sink, sweep%delivery, worker%place)
          call choose_batch_size(wall_clock() - start, worker%n_wanted)
       end do
-      is_cut_short = must_end(sweep)
+      is_cut_short = must_end(sweep, progress)
       !$omp critical (adfric_run_shared)
       if (is_cut_short) call source%end_early()
       call sweep%summary%merge(worker%summary)
@@ -244,11 +245,13 @@ contains
    end subroutine new_worker
 
    !> Take the next blocks: less of them towards the end of the run, so that all threads end at about the same time.
-   subroutine take_blocks(source, sweep, n_wanted, first, n)
+   subroutine take_blocks(source, sweep, progress, n_wanted, first, n)
       !> The source, which has these blocks no more.
       class(block_source_t), intent(inout) :: source
       !> What the threads share; it says whether something has failed.
       type(sweep_t), intent(in) :: sweep
+      !> Says whether the run shall end.
+      class(progress_t), intent(in) :: progress
       !> Largest number of blocks to take, at least 1.
       integer, intent(in) :: n_wanted
       !> Number in the run of the first block that is taken; undefined if there is none.
@@ -258,7 +261,7 @@ contains
       integer(i8) :: share
 
       n = 0
-      if (must_end(sweep)) return
+      if (must_end(sweep, progress)) return
       !$omp critical (adfric_run_shared)
       share = source%n_left/(2*sweep%delivery%n_workers)
       call source%take_blocks(int(max(1_i8, min(share, int(n_wanted, i8)))), first, n)
@@ -266,12 +269,15 @@ contains
    end subroutine take_blocks
 
    !> Has something failed, or does the user want the run to end?
-   logical function must_end(sweep)
+   logical function must_end(sweep, progress)
       !> What the threads share; it says whether something has failed.
       type(sweep_t), intent(in) :: sweep
+      !> Says whether the run shall end.
+      class(progress_t), intent(in) :: progress
 
       must_end = has_failed(sweep%delivery)
       if (.not. must_end) must_end = caught_signal() /= 0
+      if (.not. must_end) must_end = progress%wants_end()
    end function must_end
 
    !> Number of blocks of the next batch.

@@ -1,0 +1,303 @@
+!> The functions of adfric.h that solve a case, and that give out and close results.
+module adfric_c_results
+   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_funptr, c_int, c_int32_t, c_int64_t, c_loc, c_ptr
+   use omp_lib, only: omp_get_max_threads
+   use adfric_api_results, only: refuse
+   use adfric_api_solution, only: solve_by_threads
+   use adfric_api_state, only: state_t
+   use adfric_base_error, only: error_t, file_failure, input_failure, set_error
+   use adfric_base_text, only: show_count, to_lower
+   use adfric_base_words, only: get_word
+   use adfric_c_arrays, only: array_info_t, arrays_t, new_arrays
+   use adfric_c_attributes, only: attribute_info_t, attributes_t, new_attributes
+   use adfric_c_handles, only: add_handle, end_handle, kind_case, kind_results, leave_object, let_stop, take_object
+   use adfric_c_listener, only: listener_t, new_listener
+   use adfric_c_places, only: check_place
+   use adfric_c_texts, only: read_text, refuse_null, status_of, too_little_memory
+   use adfric_run_memory_sink, only: memory_sink_t
+   use adfric_run_summary, only: run_summary_t
+   implicit none (type, external)
+   private
+
+   !> What a case has found.
+   type :: results_t
+      !> Its numbers.
+      type(arrays_t) :: arrays
+      !> What is said of it as a whole.
+      type(attributes_t) :: attributes
+   end type results_t
+
+contains
+
+   !> See adfric.h.
+   integer(c_int) function solve(self, n_threads, progress, context, found) bind(c, name='adfric_solve') result(status)
+      !> Handle of the case.
+      integer(c_int64_t), intent(in), value :: self
+      !> Number of threads; 0: as many as OpenMP gives.
+      integer(c_int32_t), intent(in), value :: n_threads
+      !> Is told how far the call is; may be null.
+      type(c_funptr), intent(in), value :: progress
+      !> Is handed to it.
+      type(c_ptr), intent(in), value :: context
+      !> Receives the handle of the results.
+      type(c_ptr), intent(in), value :: found
+      type(listener_t) :: listener
+      type(error_t), allocatable :: error
+      type(c_ptr) :: object
+
+      call refuse_null(found, 'found', error)
+      if (.not. allocated(error)) call take_object(self, kind_case, .true., object, error)
+      if (.not. allocated(error)) then
+         call new_listener(listener, self, progress, context)
+         call let_stop(self, 1_c_int)
+         call solve_case(object, int(n_threads), listener, found, error)
+         call let_stop(self, 0_c_int)
+         call leave_object(self)
+      end if
+      status = status_of(error)
+   end function solve
+
+   !> Solve a case, and give what it finds a handle.
+   subroutine solve_case(object, n_threads, listener, found, error)
+      !> Place of the case.
+      type(c_ptr), intent(in) :: object
+      !> Number of threads; 0: as many as OpenMP gives.
+      integer, intent(in) :: n_threads
+      !> Watches the call.
+      class(listener_t), intent(inout) :: listener
+      !> Receives the handle of the results.
+      type(c_ptr), intent(in) :: found
+      !> Says what is wrong, or that the call was stopped.
+      type(error_t), allocatable, intent(out) :: error
+      type(state_t), pointer :: state
+      type(memory_sink_t), allocatable :: sink
+      type(run_summary_t) :: summary
+
+      call c_f_pointer(object, state)
+      !$omp critical (adfric_api)
+      if (n_threads < 0) then
+         call set_error(error, input_failure, 'n_threads: out of range, given '//show_count(n_threads)// &
+            & ', allowed: an integer >= 0')
+      else
+         call state%check_case(error)
+      end if
+      !$omp end critical (adfric_api)
+      if (.not. allocated(error)) call solve_by_threads(state%run, sink, error, merge(n_threads, omp_get_max_threads(), &
+         & n_threads > 0), listener, summary)
+      if (.not. allocated(error)) call keep_results(state, sink, summary, found, error)
+   end subroutine solve_case
+
+   !> Keep what was found.
+   subroutine keep_results(state, sink, summary, found, error)
+      !> The case.
+      type(state_t), intent(in) :: state
+      !> What was found; the results take it over.
+      type(memory_sink_t), allocatable, intent(inout) :: sink
+      !> Counts and times of the solution.
+      type(run_summary_t), intent(in) :: summary
+      !> Receives the handle of the results.
+      type(c_ptr), intent(in) :: found
+      !> Allocated if there is too little memory.
+      type(error_t), allocatable, intent(out) :: error
+      type(results_t), pointer :: results
+      integer(c_int64_t), pointer :: handle
+      integer :: failure
+
+      allocate (results, stat=failure)
+      if (failure /= 0) then
+         call set_error(error, file_failure, too_little_memory)
+         return
+      end if
+      !$omp critical (adfric_api)
+      call new_attributes(results%attributes, state%run, sink, summary%wall_seconds, error)
+      call new_arrays(results%arrays, state%run, sink, error)
+      !$omp end critical (adfric_api)
+      if (.not. allocated(error)) then
+         call c_f_pointer(found, handle)
+         call add_handle(kind_results, c_loc(results), handle, error)
+      end if
+      if (allocated(error)) deallocate (results)
+   end subroutine keep_results
+
+   !> Begin to read results.
+   subroutine take_results(self, results, error)
+      !> Handle of the results.
+      integer(c_int64_t), intent(in) :: self
+      !> Receives the results.
+      type(results_t), pointer, intent(out) :: results
+      !> Allocated if there are no such results, or they are just being closed.
+      type(error_t), allocatable, intent(out) :: error
+      type(c_ptr) :: object
+
+      nullify (results)
+      call take_object(self, kind_results, .false., object, error)
+      if (.not. allocated(error)) call c_f_pointer(object, results)
+   end subroutine take_results
+
+   !> See adfric.h.
+   integer(c_int) function array_count(self, n) bind(c, name='adfric_array_count') result(status)
+      !> Handle of the results.
+      integer(c_int64_t), intent(in), value :: self
+      !> Receives the number of arrays.
+      type(c_ptr), intent(in), value :: n
+      type(results_t), pointer :: results
+      type(error_t), allocatable :: error
+      integer(c_int32_t), pointer :: number
+
+      call take_results(self, results, error)
+      if (.not. allocated(error)) then
+         call refuse_null(n, 'n', error)
+         if (.not. allocated(error)) then
+            call c_f_pointer(n, number)
+            number = int(results%arrays%n, c_int32_t)
+         end if
+         call leave_object(self)
+      end if
+      status = status_of(error)
+   end function array_count
+
+   !> See adfric.h.
+   integer(c_int) function array_at(self, place, array) bind(c, name='adfric_array_at') result(status)
+      !> Handle of the results.
+      integer(c_int64_t), intent(in), value :: self
+      !> Place of the array, from 0.
+      integer(c_int32_t), intent(in), value :: place
+      !> Receives what is known of it.
+      type(c_ptr), intent(in), value :: array
+      type(results_t), pointer :: results
+      type(error_t), allocatable :: error
+
+      call take_results(self, results, error)
+      if (.not. allocated(error)) then
+         call check_place('array', place, results%arrays%n, error)
+         if (.not. allocated(error)) call give_array(results%arrays, int(place) + 1, array, error)
+         call leave_object(self)
+      end if
+      status = status_of(error)
+   end function array_at
+
+   !> See adfric.h.
+   integer(c_int) function array_of(self, name, array) bind(c, name='adfric_array_of') result(status)
+      !> Handle of the results.
+      integer(c_int64_t), intent(in), value :: self
+      !> Name of the array.
+      type(c_ptr), intent(in), value :: name
+      !> Receives what is known of it.
+      type(c_ptr), intent(in), value :: array
+      type(results_t), pointer :: results
+      type(error_t), allocatable :: error
+      character(:), allocatable :: word
+      integer :: place
+
+      call take_results(self, results, error)
+      if (.not. allocated(error)) then
+         call read_text(name, 'name', word, error)
+         !$omp critical (adfric_api)
+         if (.not. allocated(error)) call find_place(results%arrays, word, place, error)
+         !$omp end critical (adfric_api)
+         if (.not. allocated(error)) call give_array(results%arrays, place, array, error)
+         call leave_object(self)
+      end if
+      status = status_of(error)
+   end function array_of
+
+   !> Find an array by its name.
+   subroutine find_place(arrays, name, place, error)
+      !> The arrays.
+      type(arrays_t), intent(in) :: arrays
+      !> The name; capitals do not count.
+      character(*), intent(in) :: name
+      !> Receives the place, from 1; 0 if there is none.
+      integer, intent(out) :: place
+      !> Allocated if there is no such array.
+      type(error_t), allocatable, intent(out) :: error
+
+      do place = arrays%n, 1, -1
+         if (get_word(arrays%names, place) == to_lower(name)) return
+      end do
+      call refuse(name, 'array', arrays%names, error)
+   end subroutine find_place
+
+   !> Give out an array.
+   subroutine give_array(arrays, place, to, error)
+      !> The arrays.
+      type(arrays_t), intent(in) :: arrays
+      !> Place of the array, from 1.
+      integer, intent(in) :: place
+      !> Receives what is known of it.
+      type(c_ptr), intent(in) :: to
+      !> Allocated if that is null.
+      type(error_t), allocatable, intent(out) :: error
+      type(array_info_t), pointer :: info
+
+      call refuse_null(to, 'array', error)
+      if (allocated(error)) return
+      call c_f_pointer(to, info)
+      info = arrays%items(place)%info
+   end subroutine give_array
+
+   !> See adfric.h.
+   integer(c_int) function attribute_count(self, n) bind(c, name='adfric_attribute_count') result(status)
+      !> Handle of the results.
+      integer(c_int64_t), intent(in), value :: self
+      !> Receives the number of attributes.
+      type(c_ptr), intent(in), value :: n
+      type(results_t), pointer :: results
+      type(error_t), allocatable :: error
+      integer(c_int32_t), pointer :: number
+
+      call take_results(self, results, error)
+      if (.not. allocated(error)) then
+         call refuse_null(n, 'n', error)
+         if (.not. allocated(error)) then
+            call c_f_pointer(n, number)
+            number = int(results%attributes%n, c_int32_t)
+         end if
+         call leave_object(self)
+      end if
+      status = status_of(error)
+   end function attribute_count
+
+   !> See adfric.h.
+   integer(c_int) function attribute_at(self, place, attribute) bind(c, name='adfric_attribute') result(status)
+      !> Handle of the results.
+      integer(c_int64_t), intent(in), value :: self
+      !> Place of the attribute, from 0.
+      integer(c_int32_t), intent(in), value :: place
+      !> Receives what is known of it.
+      type(c_ptr), intent(in), value :: attribute
+      type(results_t), pointer :: results
+      type(error_t), allocatable :: error
+      type(attribute_info_t), pointer :: info
+
+      call take_results(self, results, error)
+      if (.not. allocated(error)) then
+         call check_place('attribute', place, results%attributes%n, error)
+         if (.not. allocated(error)) call refuse_null(attribute, 'attribute', error)
+         if (.not. allocated(error)) then
+            call c_f_pointer(attribute, info)
+            info = results%attributes%items(place + 1)%info
+         end if
+         call leave_object(self)
+      end if
+      status = status_of(error)
+   end function attribute_at
+
+   !> See adfric.h.
+   integer(c_int) function close_results(self) bind(c, name='adfric_close_results') result(status)
+      !> Handle of the results.
+      integer(c_int64_t), intent(in), value :: self
+      type(results_t), pointer :: results
+      type(error_t), allocatable :: error
+      type(c_ptr) :: object
+
+      call take_object(self, kind_results, .true., object, error)
+      if (.not. allocated(error)) then
+         call c_f_pointer(object, results)
+         call end_handle(self)
+         deallocate (results)
+      end if
+      status = status_of(error)
+   end function close_results
+
+end module adfric_c_results
