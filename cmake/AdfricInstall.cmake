@@ -22,6 +22,9 @@ foreach(name physics run)
   endforeach()
 endforeach()
 
+# the header for C
+install(FILES include/adfric.h DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+
 # the package for CMake
 configure_file("${PROJECT_SOURCE_DIR}/cmake/adfricConfig.cmake.in" "${PROJECT_BINARY_DIR}/adfricConfig.cmake" @ONLY)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/adfricConfigVersion.cmake" COMPATIBILITY SameMinorVersion)

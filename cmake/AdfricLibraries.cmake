@@ -67,6 +67,15 @@ function(adfric_link_foreign target)
   endif()
 endfunction()
 
+# adfric_add_header(adfric_<name> <folder>): who uses the library from C finds its header, in the sources or where it is installed.
+function(adfric_add_header target folder)
+  foreach(one ${target} ${target}_shared)
+    if(TARGET ${one})
+      target_include_directories(${one} PUBLIC "$<BUILD_INTERFACE:${folder}>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+    endif()
+  endforeach()
+endfunction()
+
 # adfric_build_upon(adfric_<name> adfric_<other>): who uses the one library uses the other one, too, of the same kind.
 function(adfric_build_upon target other)
   target_link_libraries(${target} PUBLIC ${other})

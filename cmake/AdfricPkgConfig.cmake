@@ -1,8 +1,10 @@
 # Gives adfric_write_pkg_config(): the packages for pkg-config.
 
 # adfric_write_pkg_config(<name> <file>...): the package of the library lib<name>, which needs the libraries of others in the
-# files. Fortran's own libraries, and those of OpenMP, come with the compiler.
+# files. Those of OpenMP come with the compiler; Fortran's own do so where it is that of Fortran, and are named for that of C.
 function(adfric_write_pkg_config name)
+  set(runtime ${CMAKE_Fortran_IMPLICIT_LINK_LIBRARIES})
+  list(FILTER runtime INCLUDE REGEX "^(gfortran|quadmath|m)$")
   set(folder "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig")
   file(RELATIVE_PATH PREFIX_FROM_HERE "${folder}" "${CMAKE_INSTALL_PREFIX}")
   string(REGEX REPLACE "/$" "" PREFIX_FROM_HERE "${PREFIX_FROM_HERE}")
@@ -20,7 +22,7 @@ function(adfric_write_pkg_config name)
   if(NOT CMAKE_SKIP_INSTALL_RPATH AND NOT CMAKE_SKIP_RPATH)
     set(RPATH " -Wl,-rpath,\${libdir}")
   endif()
-  adfric_link_flags(FOREIGN ${ARGN})
+  adfric_link_flags(FOREIGN ${ARGN} ${runtime})
   # without a shared library whoever links needs the libraries of others
   set(PRIVATE .private)
   if(NOT "shared" IN_LIST ADFRIC_KINDS)

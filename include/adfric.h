@@ -224,7 +224,7 @@ typedef struct {
    const char *unit;              /**< SI unit, "1" for a pure number */
    const char *long_name;         /**< what it is */
    const char *flag_meanings;     /**< names of the states, separated by a blank; empty for numbers */
-   const char *const *dimensions; /**< names of the dimensions, the slowest first; a coordinate with that name may have its values */
+   const char *const *dimensions; /**< names of the dimensions, the slowest first; a coordinate may have that name */
    const int64_t *shape;          /**< number of values along each dimension */
    const int64_t *strides;        /**< how many values stand from one to the next along each dimension */
    const double *values;          /**< the numbers, NaN where there is none; NULL for states */
@@ -261,10 +261,10 @@ int adfric_close_results(adfric_results self);
 
 /* ---- One contact: batches ----
 
-   What follows solves n contacts, one for each value of its arrays, in reduced variables. It keeps nothing between calls, and starts
-   no threads. Each array has n values; what is received must not overlap with anything else. `status` receives ADFRIC_SOLVED, ... or
-   ADFRIC_BAD_ARGUMENT for each contact; all else that is received is NaN where it is not ADFRIC_SOLVED. Arrays of flags may be NULL,
-   if none of them is set. */
+   What follows solves n contacts, one for each value of its arrays, in reduced variables. It keeps nothing between calls, and
+   starts no threads. Each array has n values; what is received must not overlap with anything else. `status` receives
+   ADFRIC_SOLVED, ... or ADFRIC_BAD_ARGUMENT for each contact; all else that is received is NaN where it is not ADFRIC_SOLVED.
+   Arrays of flags may be NULL, if none of them is set. */
 
 /** Units of the reduced variables of a sphere (Johnson 1997, eq. 2.11). All that is given must be > 0.
     @param radius            radius R of the sphere [m]
@@ -274,7 +274,7 @@ int adfric_close_results(adfric_results self);
     @param closer            receives the unit of the approach [m]
     @param force             receives the unit of loads [N]
     @param strength          receives the unit of stresses [Pa]: the adhesion stress in it is Maugis's lambda */
-int adfric_sphere_units(int64_t n, const double *radius, const double *contact_modulus, const double *work_of_adhesion,
+int adfric_sphere_scales(int64_t n, const double *radius, const double *contact_modulus, const double *work_of_adhesion,
                         double *length, double *closer, double *force, double *strength);
 
 /** Adhesive sphere by Maugis's theory with Dugdale's law, under a load.

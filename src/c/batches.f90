@@ -36,11 +36,13 @@ contains
    end subroutine check_batch
 
    !> Refuse numbers that are not all > 0.
-   subroutine check_positive(name, values, unit, error)
+   subroutine check_positive(name, n, values, unit, error)
       !> What the header calls the array.
       character(*), intent(in) :: name
+      !> Number of values.
+      integer(c_int64_t), intent(in) :: n
       !> The numbers.
-      real(c_double), intent(in) :: values(:)
+      real(c_double), intent(in) :: values(n)
       !> Their unit.
       character(*), intent(in) :: unit
       !> Allocated if one of them is not; says which is the first.
@@ -48,10 +50,10 @@ contains
       character(longest_number) :: given, place
       integer(c_int64_t) :: i
 
-      do i = 1, size(values, kind=c_int64_t)
+      do i = 1, n
          if (.not. is_positive(values(i))) exit
       end do
-      if (i > size(values, kind=c_int64_t)) return
+      if (i > n) return
       given = 'NaN'
       if (.not. ieee_is_nan(values(i))) write (given, '(es12.4)') values(i)
       write (place, '(i0)') i - 1

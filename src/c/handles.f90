@@ -124,19 +124,20 @@ contains
       what = c_take(handle, kind, merge(1_c_int, 0_c_int, is_alone), object)
       if (what == handle_good) return
       write (number, '(i0)') handle
-      associate (word => trim(words(kind)), other => trim(words(1 - kind)), source => trim(sources(kind)))
-         select case (what)
-         case (handle_unknown)
-            call set_error(error, input_failure, 'unknown '//word//', given '//trim(number)//', allowed: what '//source//' gave')
-         case (handle_closed)
-            call set_error(error, input_failure, 'closed '//word//', given '//trim(number)//', allowed: what '//source// &
-               & ' gave, until it is closed')
-         case (handle_of_other_kind)
-            call set_error(error, input_failure, 'is no '//word//', given '//other//', allowed: what '//source//' gave')
-         case default
-            call set_error(error, input_failure, 'another thread uses the '//word//' at the moment, allowed: one thread at a time')
-         end select
-      end associate
+      select case (what)
+      case (handle_unknown)
+         call set_error(error, input_failure, 'unknown '//trim(words(kind))//', given '//trim(number)//', allowed: what '// &
+            & trim(sources(kind))//' gave')
+      case (handle_closed)
+         call set_error(error, input_failure, 'closed '//trim(words(kind))//', given '//trim(number)//', allowed: what '// &
+            & trim(sources(kind))//' gave, until it is closed')
+      case (handle_of_other_kind)
+         call set_error(error, input_failure, 'is no '//trim(words(kind))//', given '//trim(words(1 - kind))//', allowed: what '// &
+            & trim(sources(kind))//' gave')
+      case default
+         call set_error(error, input_failure, 'another thread uses the '//trim(words(kind))// &
+            & ' at the moment, allowed: one thread at a time')
+      end select
    end subroutine take_object
 
 end module adfric_c_handles

@@ -144,8 +144,8 @@ contains
    end function sphere_pull_off
 
    !> See adfric.h.
-   integer(c_int) function sphere_units(n, radius, contact_modulus, work_of_adhesion, length, closer, force, strength) &
-      & bind(c, name='adfric_sphere_units') result(outcome)
+   integer(c_int) function sphere_scales(n, radius, contact_modulus, work_of_adhesion, length, closer, force, strength) &
+      & bind(c, name='adfric_sphere_scales') result(outcome)
       !> Number of spheres.
       integer(c_int64_t), intent(in), value :: n
       !> Radius [m].
@@ -168,14 +168,14 @@ contains
       call check_batch(n, [present(radius), present(contact_modulus), present(work_of_adhesion), present(length), &
          & present(closer), present(force), present(strength)], &
          & 'radius contact_modulus work_of_adhesion length closer force strength', error)
-      if (.not. allocated(error) .and. n > 0) call check_positive('radius', radius, 'm', error)
-      if (.not. allocated(error) .and. n > 0) call check_positive('contact_modulus', contact_modulus, 'Pa', error)
-      if (.not. allocated(error) .and. n > 0) call check_positive('work_of_adhesion', work_of_adhesion, 'J/m^2', error)
+      if (.not. allocated(error) .and. n > 0) call check_positive('radius', n, radius, 'm', error)
+      if (.not. allocated(error) .and. n > 0) call check_positive('contact_modulus', n, contact_modulus, 'Pa', error)
+      if (.not. allocated(error) .and. n > 0) call check_positive('work_of_adhesion', n, work_of_adhesion, 'J/m^2', error)
       outcome = status_of(error)
       if (allocated(error)) return
       do i = 1, n
          call get_sphere_units(radius(i), contact_modulus(i), work_of_adhesion(i), length(i), closer(i), force(i), strength(i))
       end do
-   end function sphere_units
+   end function sphere_scales
 
 end module adfric_c_sphere
