@@ -115,6 +115,31 @@ class Rooms(unittest.TestCase):
                     self.assertRegex(path.read_text(), re.compile(rf"^module {path.stem}$", re.MULTILINE))
 
 
+class Names(unittest.TestCase):
+    """What C calls."""
+
+    def test_no_module_has_the_name_of_a_function(self):
+        """Both are global in Fortran, and gfortran takes one for the other without a word."""
+        texts = [path.read_text() for path, _ in files_of(ROOT)]
+        modules = {module for text in texts for module in re.findall(r"^module (adfric\w*)$", text, re.MULTILINE)}
+        functions = {function for text in texts for function in re.findall(r"bind\(c, name='(\w+)'\)", text)}
+        self.assertGreater(len(functions), 50)
+        self.assertEqual(set(), modules & functions)
+
+    def test_header(self):
+        """Every function of the header is there, and those of src/c that are not bindings stand in it."""
+        declared = set(re.findall(r"^(?:int|const char \*)\s*(adfric_\w+)\(", (ROOT / "include/adfric.h").read_text(), re.MULTILINE))
+        written = set()
+        for path in sorted((ROOT / "src/c").iterdir()):
+            text = path.read_text()
+            if path.suffix == ".c":
+                written |= set(re.findall(r"/\* See adfric.h[^/]*\*/\n[\w ]+[ *](adfric_\w+)\(", text))
+            else:
+                written |= set(re.findall(r"name='(adfric_\w+)'", text[text.index("\ncontains\n"):]))
+        self.assertGreater(len(declared), 30)
+        self.assertEqual(declared, written)
+
+
 class Faults(unittest.TestCase):
     """Sources that break the order are found."""
 

@@ -34,12 +34,15 @@ contains
       character(:), allocatable :: allowed, flaw
       integer :: i
 
+      call find_variable(model, to_lower(trim(adjustl(name))), '', place, flaw)
+      if (place > 0) return
+      ! only now are the names wanted that are allowed
       allowed = ''
       do i = 1, size(model%variables)
          allowed = allowed//' '//full_name(model, i)
       end do
       call find_variable(model, to_lower(trim(adjustl(name))), allowed, place, flaw)
-      if (place == 0) call problems%add('', '', flaw)
+      call problems%add('', '', flaw)
    end subroutine find_place
 
    !> Give a number.

@@ -8,7 +8,7 @@ module adfric_output_constants
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
-   public :: constant_t, find_constants, add_derived_constants, file_unit, name_in_file
+   public :: constant_t, find_constants, add_derived_constants, file_unit, list_taken, name_in_file
 
    !> Words of a logical variable, for 0 and 1.
    character(*), parameter :: logical_words = 'false true'
@@ -37,28 +37,48 @@ contains
       class(run_t), intent(in) :: run
       !> Receives the variables that are set and not swept, but for datasets.
       type(constant_t), allocatable, intent(out) :: constants(:)
-      type(constant_t) :: constant
-      integer :: i
+      character(:), allocatable :: taken
+      logical :: is_constant(size(run%model%variables))
+      integer :: i, n
 
-      allocate (constants(0))
-      do i = 1, size(run%model%variables)
-         associate (variable => run%model%variables(i))
-            if (variable%kind == kind_dataset .or. .not. is_set(run%plan%base(i)) .or. run%plan%is_swept(i)) cycle
-            constant%name = name_in_file(run, i)
-            constant%unit = file_unit(run%model%unit_of(run%plan%base, i))
-            constant%long_name = variable%meaning
-            constant%value = run%plan%base(i)
-            constant%flag_meanings = ''
-            constant%first_flag = 0
-            if (variable%kind == kind_logical) constant%flag_meanings = logical_words
-            if (variable%kind == kind_choice) then
-               constant%flag_meanings = variable%choices
-               constant%first_flag = 1
-            end if
-         end associate
-         constants = [constants, constant]
+      taken = list_taken(run)
+      do i = 1, size(is_constant)
+         is_constant(i) = run%model%variables(i)%kind /= kind_dataset .and. is_set(run%plan%base(i))
+         if (is_constant(i)) is_constant(i) = .not. run%plan%is_swept(i)
+      end do
+      allocate (constants(count(is_constant)))
+      n = 0
+      do i = 1, size(is_constant)
+         if (.not. is_constant(i)) cycle
+         n = n + 1
+         call set_constant(run, i, taken, constants(n))
       end do
    end subroutine find_constants
+
+   !> A variable that has one value.
+   subroutine set_constant(run, place, taken, constant)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
+      !> Place of the variable in the variables of the model.
+      integer, intent(in) :: place
+      !> Names of other datasets that the file may have.
+      character(*), intent(in) :: taken
+      !> Receives the name, the unit and the value.
+      type(constant_t), intent(out) :: constant
+
+      associate (variable => run%model%variables(place))
+         constant%name = name_in_file(run, place, taken)
+         constant%unit = file_unit(run%model%unit_of(run%plan%base, place))
+         constant%long_name = variable%meaning
+         constant%value = run%plan%base(place)
+         constant%flag_meanings = ''
+         if (variable%kind == kind_logical) constant%flag_meanings = logical_words
+         if (variable%kind == kind_choice) then
+            constant%flag_meanings = variable%choices
+            constant%first_flag = 1
+         end if
+      end associate
+   end subroutine set_constant
 
    !> Add the quantities that follow from what is not swept. It may take a while, as for the spectrum of a surface.
    subroutine add_derived_constants(run, constants)
@@ -67,26 +87,48 @@ contains
       !> The constants so far; the derived quantities that have one value in the run are added.
       type(constant_t), allocatable, intent(inout) :: constants(:)
       type(derived_t), allocatable :: derived(:)
-      type(constant_t) :: constant
-      logical :: is_constant
-      integer :: i, k
+      type(constant_t), allocatable :: longer(:)
+      logical, allocatable :: is_constant(:)
+      integer :: i, n
 
       allocate (derived, source=run%model%get_derived(run%plan%base))
+      call find_derived_constants(run, derived, is_constant)
+      n = size(constants)
+      allocate (longer(n + count(is_constant)))
+      longer(:n) = constants
       do i = 1, size(derived)
-         is_constant = .not. has_word(list_taken(run), derived(i)%name)
+         if (.not. is_constant(i)) cycle
+         n = n + 1
+         longer(n)%name = derived(i)%name
+         longer(n)%unit = file_unit(derived(i)%unit)
+         longer(n)%long_name = derived(i)%long_name
+         longer(n)%flag_meanings = ''
+         longer(n)%value = derived(i)%value
+      end do
+      call move_alloc(longer, constants)
+   end subroutine add_derived_constants
+
+   !> Which derived quantities have one value in the run, and a name of their own.
+   subroutine find_derived_constants(run, derived, is_constant)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
+      !> The derived quantities.
+      type(derived_t), intent(in) :: derived(:)
+      !> Receives whether each of them is one.
+      logical, allocatable, intent(out) :: is_constant(:)
+      character(:), allocatable :: taken
+      integer :: i, k
+
+      allocate (is_constant(size(derived)))
+      taken = list_taken(run)
+      do i = 1, size(derived)
+         is_constant(i) = .not. has_word(taken, derived(i)%name)
          do k = 1, size(run%model%variables)
             if (.not. run%plan%is_swept(k)) cycle
-            if (derived(i)%follows_from(run%model%variables(k)%name)) is_constant = .false.
+            if (derived(i)%follows_from(run%model%variables(k)%name)) is_constant(i) = .false.
          end do
-         if (.not. is_constant) cycle
-         constant%name = derived(i)%name
-         constant%unit = file_unit(derived(i)%unit)
-         constant%long_name = derived(i)%long_name
-         constant%flag_meanings = ''
-         constant%value = derived(i)%value
-         constants = [constants, constant]
       end do
-   end subroutine add_derived_constants
+   end subroutine find_derived_constants
 
    !> A unit as it stands in the file: 1 for a pure number.
    pure function file_unit(unit) result(text)
@@ -99,17 +141,19 @@ contains
    end function file_unit
 
    !> Name of a variable in the file; with its group before it where it would not be the only one of its name.
-   function name_in_file(run, variable) result(name)
+   function name_in_file(run, variable, taken) result(name)
       !> The run, with its model and its points.
       class(run_t), intent(in) :: run
       !> Place of the variable in the variables of the model.
       integer, intent(in) :: variable
+      !> Names of other datasets that the file may have, see `list_taken`.
+      character(*), intent(in) :: taken
       character(:), allocatable :: name
       logical :: is_alone
       integer :: i
 
       name = run%model%variables(variable)%name
-      is_alone = .not. has_word(list_taken(run), name)
+      is_alone = .not. has_word(taken, name)
       do i = 1, size(run%model%variables)
          if (i == variable .or. run%model%variables(i)%name /= name) cycle
          if (run%model%variables(i)%has_bare_name .or. .not. run%model%variables(variable)%has_bare_name) is_alone = .false.

@@ -3,7 +3,7 @@ module adfric_output_layout
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_kinds, only: dp, i8
    use adfric_model_table, only: result_t, profile_t, profile_axis_t, results_of_every_run
-   use adfric_output_constants, only: constant_t, find_constants, file_unit, name_in_file
+   use adfric_output_constants, only: constant_t, find_constants, file_unit, list_taken, name_in_file
    use adfric_run_blocks, only: blocks_t
    use adfric_run_run, only: run_t
    implicit none (type, external)
@@ -130,7 +130,7 @@ contains
       do i = 1, size(run%datasets)
          if (.not. allocated(run%datasets(i)%numbers)) cycle
          n = n + 1
-         lists(n)%name = name_in_file(run, i)
+         lists(n)%name = name_in_file(run, i, list_taken(run))
          lists(n)%unit = file_unit(run%model%unit_of(run%plan%base, i))
          lists(n)%long_name = run%model%variables(i)%meaning
          lists(n)%values = run%datasets(i)%numbers

@@ -160,6 +160,31 @@ static void test_results(void)
    CHECK_OK(adfric_close_case(tip));
 }
 
+/* Results that no memory holds. */
+static void test_memory(void)
+{
+   enum { n = 200000 };
+   double *values = malloc(n*sizeof *values);
+   adfric_case tip = 0;
+   adfric_results found = 42;
+   CHECK(values != NULL);
+   for (int i = 0; i < n; i++) values[i] = 1e-6*(i + 1);
+   CHECK_OK(adfric_open("sphere", &tip));
+   CHECK_OK(adfric_set_real(tip, "contact_modulus", 1e9));
+   CHECK_OK(adfric_set_real(tip, "work_of_adhesion", 0));
+   CHECK_OK(adfric_sweep(tip, "radius", n, values));
+   CHECK_OK(adfric_sweep(tip, "load", n, values));
+   CHECK(adfric_solve(tip, 1, NULL, NULL, &found) == ADFRIC_FAILED && found == 42);
+   CHECK(strcmp(adfric_message(), "there is too little memory for the results") == 0);
+   /* the case goes on */
+   CHECK_OK(adfric_set_real(tip, "radius", 1));
+   CHECK_OK(adfric_sweep(tip, "load", 2, values));
+   CHECK_OK(adfric_solve(tip, 1, NULL, NULL, &found));
+   CHECK_OK(adfric_close_results(found));
+   CHECK_OK(adfric_close_case(tip));
+   free(values);
+}
+
 /* Inputs: files and texts that are none. */
 static void test_inputs(void)
 {
@@ -184,6 +209,7 @@ int main(void)
    test_arrays();
    test_null();
    test_results();
+   test_memory();
    test_inputs();
    return 0;
 }

@@ -14,7 +14,9 @@ TREE = Path(os.environ["ADFRIC_PROGRAM"]).parent
 OUTSIDE = SOURCE / "tests/program/installed"
 COMPILER = os.environ["ADFRIC_COMPILER"]
 # programs of the folder `installed`, by the part of the library that they use
-PROGRAMS = {"use_physics": "adfric_physics", "use_run": "adfric"}
+PROGRAMS = {"use_physics": "adfric_physics", "use_run": "adfric", "use_c": "adfric"}
+if shutil.which("c++"):
+    PROGRAMS["use_cpp"] = "adfric"
 
 
 def run(*words, folder=None, **variables):
@@ -129,6 +131,12 @@ class CMakeTest(Installed):
                 self.assertEqual(is_shared, "libadfric" in needs, options)
         self.build(self.prefix, "-DPARTS=physics", "-DKIND=static", "-DCMAKE_DISABLE_FIND_PACKAGE_HDF5=TRUE")
 
+    def test_without_fortran(self):
+        """A project of C and C++ alone takes the shared library."""
+        self.build(self.prefix, "-DPARTS=c", "-DLANGUAGES=C")
+        for name in PROGRAMS.keys() & {"use_c", "use_cpp"}:
+            self.check_program(self.folder / "build" / name)
+
     def test_build_tree(self):
         """The build tree is found as a prefix is."""
         self.build(TREE, "-DPARTS=physics", "-DKIND=static")
@@ -153,7 +161,7 @@ class CMakeTest(Installed):
     def test_unknown_component(self):
         """What is not there is named, with what is."""
         self.check_refused(self.configure(self.prefix, "-DPARTS=friction"),
-                           "adfric has no component friction here, known are physics run static shared")
+                           "adfric has no component friction here, known are physics run c static shared")
 
     def test_no_fortran(self):
         """A project without Fortran is told so."""
@@ -167,10 +175,13 @@ class PkgConfigTest(Installed):
     """adfric.pc and adfric_physics.pc."""
 
     def compile(self, prefix, name, *options):
-        """Build a program as one does with a makefile."""
+        """Build a program as one does with a makefile, by the compiler of its language."""
+        source = next(OUTSIDE.glob(f"{name}.*"))
+        compiler = {".c": "cc", ".cpp": "c++"}.get(source.suffix, COMPILER)
         package, = prefix.glob("lib*/**/pkgconfig")
         flags = self.succeed("pkg-config", "--cflags", "--libs", *options, PROGRAMS[name], PKG_CONFIG_PATH=str(package))
-        self.succeed(COMPILER, OUTSIDE / f"{name}.f90", "-o", self.folder / name, *shlex.split(flags), folder=self.folder)
+        self.succeed(compiler, source, "-o", self.folder / name, *shlex.split(flags), *["-lm"] * (source.suffix == ".c"),
+                     folder=self.folder)
         return self.folder / name
 
     def test_kinds(self):
@@ -192,7 +203,7 @@ class ExamplesTest(Installed):
         """They are built outside the tree with either kind, and run."""
         for is_static in ("OFF", "ON"):
             self.build(self.prefix, f"-Dadfric_USE_STATIC_LIBS={is_static}", source=SOURCE / "examples")
-            for path in sorted((SOURCE / "examples").glob("*.f90")):
+            for path in every_example():
                 self.succeed(self.folder / "build" / path.stem, folder=self.folder)
 
     @unittest.skipUnless(shutil.which("pkg-config"), "there is no pkg-config")
@@ -200,8 +211,9 @@ class ExamplesTest(Installed):
         """They are built by one command each, and run."""
         package, = self.prefix.glob("lib*/**/pkgconfig")
         flags = self.succeed("pkg-config", "--cflags", "--libs", "adfric", PKG_CONFIG_PATH=str(package))
-        for path in sorted((SOURCE / "examples").glob("*.f90")):
-            self.succeed(COMPILER, path, "-o", self.folder / path.stem, *shlex.split(flags), folder=self.folder)
+        for path in every_example():
+            compiler, more = ("cc", ["-lm"]) if path.suffix == ".c" else (COMPILER, [])
+            self.succeed(compiler, path, "-o", self.folder / path.stem, *shlex.split(flags), *more, folder=self.folder)
             self.succeed(self.folder / path.stem, folder=self.folder)
 
 
@@ -286,6 +298,11 @@ class CompletionTest(Installed):
                   "zpty -d shell\nprint -r -- $seen\n(( i < 600 ))\n")
         self.succeed("zsh", "-f", "-c", script, folder=self.folder, FUNCTIONS=str(self.prefix / "share/zsh/site-functions"),
                      PATH=f"{self.prefix}/bin:{os.environ['PATH']}", TERM="dumb")
+
+
+def every_example():
+    """The programs of the documents."""
+    return sorted(path for path in (SOURCE / "examples").iterdir() if path.suffix in (".f90", ".c"))
 
 
 def contents(folder):
