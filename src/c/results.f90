@@ -10,7 +10,8 @@ module adfric_c_results
    use adfric_base_words, only: get_word
    use adfric_c_arrays, only: array_info_t, arrays_t, new_arrays
    use adfric_c_attributes, only: attribute_info_t, attributes_t, new_attributes
-   use adfric_c_handles, only: add_handle, end_handle, kind_case, kind_results, leave_object, let_stop, take_object
+   use adfric_c_cases, only: take_case
+   use adfric_c_handles, only: add_handle, end_handle, kind_results, leave_object, let_stop, take_object
    use adfric_c_listener, only: listener_t, new_listener
    use adfric_c_places, only: check_place
    use adfric_c_texts, only: read_text, refuse_null, status_of, too_little_memory
@@ -42,15 +43,15 @@ contains
       !> Receives the handle of the results.
       type(c_ptr), intent(in), value :: found
       type(listener_t) :: listener
+      type(state_t), pointer :: state
       type(error_t), allocatable :: error
-      type(c_ptr) :: object
 
       call refuse_null(found, 'found', error)
-      if (.not. allocated(error)) call take_object(self, kind_case, .true., object, error)
+      if (.not. allocated(error)) call take_case(self, state, error)
       if (.not. allocated(error)) then
          call new_listener(listener, self, progress, context)
          call let_stop(self, 1_c_int)
-         call solve_case(object, int(n_threads), listener, found, error)
+         call solve_case(state, int(n_threads), listener, found, error)
          call let_stop(self, 0_c_int)
          call leave_object(self)
       end if
@@ -58,9 +59,9 @@ contains
    end function solve
 
    !> Solve a case, and give what it finds a handle.
-   subroutine solve_case(object, n_threads, listener, found, error)
-      !> Place of the case.
-      type(c_ptr), intent(in) :: object
+   subroutine solve_case(state, n_threads, listener, found, error)
+      !> The case.
+      type(state_t), intent(inout) :: state
       !> Number of threads; 0: as many as OpenMP gives.
       integer, intent(in) :: n_threads
       !> Watches the call.
@@ -69,11 +70,9 @@ contains
       type(c_ptr), intent(in) :: found
       !> Says what is wrong, or that the call was stopped.
       type(error_t), allocatable, intent(out) :: error
-      type(state_t), pointer :: state
       type(memory_sink_t), allocatable :: sink
       type(run_summary_t) :: summary
 
-      call c_f_pointer(object, state)
       !$omp critical (adfric_api)
       if (n_threads < 0) then
          call set_error(error, input_failure, 'n_threads: out of range, given '//show_count(n_threads)// &

@@ -82,6 +82,8 @@ static void test_values(void)
    CHECK_REFUSED(adfric_sweep(tip, "theory", 1, loads), "&model theory: is not a number, it cannot be swept");
    CHECK_REFUSED(adfric_sweep_together(tip, 2, names, 1, loads), "load is given twice, allowed: once");
    CHECK_REFUSED(adfric_sweep_together(tip, -1, names, 1, loads), "n_names: out of range, given -1");
+   CHECK_REFUSED(adfric_sweep_together(tip, INT32_MAX, names, 1, loads),
+                 "n_names: out of range, given 2147483647, allowed: 1 to 1000");
    CHECK_OK(adfric_point_count(tip, &n));
    CHECK(n == 1);
    CHECK_OK(adfric_close_case(tip));
