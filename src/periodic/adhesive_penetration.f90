@@ -37,7 +37,7 @@ module adfric_periodic_adhesive_penetration
    !> Mean gap in the same unit at which contact is full.
    real(dp), parameter :: closed = 1.0e-12_dp
    !> How far beyond the loads on the way the branch is looked at, in units of the load that contact carries.
-   real(dp), parameter :: beyond = 5.0e-3_dp
+   real(dp), parameter :: beyond = 2.0e-2_dp
    !> How often it is looked at twice as far beyond, where that has not told anything, but for one.
    integer, parameter :: most_looks = 4
 
