@@ -398,7 +398,7 @@ contains
 
       !$omp critical (adfric_api)
       call self%state%check_open(error)
-      if (.not. allocated(error)) call list_of(self%state%run%model, what, names, error)
+      if (.not. allocated(error)) call list_of(self%state%run%model, self%state%input, what, names, error)
       !$omp end critical (adfric_api)
    end subroutine list
 

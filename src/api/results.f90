@@ -126,6 +126,8 @@ contains
          call refuse(name, 'profile', names_of(model, 'profiles'), error)
       else if (size(found%profiles) == 0) then
          call set_error(error, input_failure, '&output profiles: is .false., needed for a profile: .true.')
+      else if (place > size(found%profiles, 3)) then
+         call refuse(name, 'profile of this case', first_words(names_of(model, 'profiles'), size(found%profiles, 3)), error)
       else if (point < 1 .or. point > size(found%status, kind=i8)) then
          call set_error(error, input_failure, 'there is no point '//show_count(point)//', allowed: 1 to '// &
             & show_count(size(found%status, kind=i8)))
@@ -164,8 +166,9 @@ contains
          call describe_result(model, input, place, is_complete, unit, long_name, words)
       else if (place_in(names_of(model, 'profiles'), name) > 0) then
          allocate (profiles, source=model%profiles)
-         if (is_complete) profiles = model%describe_profiles(input%values)
          place = place_in(names_of(model, 'profiles'), name)
+         if (place > model%count_profiles(input%values)) is_complete = .false.
+         if (is_complete) profiles = model%describe_profiles(input%values)
          unit = profiles(place)%unit
          long_name = profiles(place)%long_name
       else if (find_axis(model, name) > 0) then
@@ -241,9 +244,11 @@ contains
    end subroutine describe_axis
 
    !> A list of names.
-   subroutine list_of(model, what, names, error)
+   subroutine list_of(model, input, what, names, error)
       !> The model, whose tables have the names.
       class(model_t), intent(in) :: model
+      !> Values of the variables; a case may have fewer profiles than the table.
+      type(case_t), intent(in) :: input
       !> One of `lists`.
       character(*), intent(in) :: what
       !> Receives the names.
@@ -258,6 +263,7 @@ contains
          return
       end if
       words = names_of(model, plain(what))
+      if (plain(what) == 'profiles') words = first_words(words, model%count_profiles(input%values))
       allocate (names(count_words(words)))
       do i = 1, size(names)
          names(i) = get_word(words, i)
@@ -292,6 +298,21 @@ contains
          words = model%profile_axes
       end select
    end function names_of
+
+   !> The first words of a list.
+   pure function first_words(words, n) result(first)
+      !> Words, separated by a blank.
+      character(*), intent(in) :: words
+      !> How many are wanted.
+      integer, intent(in) :: n
+      character(:), allocatable :: first
+      integer :: i
+
+      first = ''
+      do i = 1, n
+         first = first//' '//get_word(words, i)
+      end do
+   end function first_words
 
    !> Place of a name in a list; 0 if it is not there. Capitals, and blanks at its end, do not count.
    pure integer function place_in(words, name) result(place)

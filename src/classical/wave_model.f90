@@ -21,13 +21,13 @@ module adfric_classical_wave_model
    use adfric_material_adhesion_rows, only: check_adhesion, has_adhesion
    use adfric_material_contact_modulus, only: contact_modulus_of, check_contact_modulus, derive_contact_modulus
    use adfric_material_given_spectrum, only: given_spectrum_t
-   use adfric_material_shear_strength_rows, only: check_shear, get_friction_of_area
+   use adfric_material_shear_strength_rows, only: check_shear, count_shear_profiles, get_friction_of_area, p_shear_stress, &
+      & shear_profiles, shear_stress
    use adfric_material_spectrum_rows, only: check_spectrum, derive_spectrum, describe_spectrum, doubt_spectrum, has_spectrum, &
       & n_spectrum_rows, take_spectrum, take_spectrum_attribute
    use adfric_model_check, only: require, require_one
    use adfric_model_derived, only: derived_t
    use adfric_model_pointwise, only: point_state_t
-   use adfric_model_rows, only: contact_profiles
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_model_table, only: profile_axis_t
    implicit none (type, external)
@@ -50,6 +50,7 @@ module adfric_classical_wave_model
       procedure :: describe_case
       procedure :: describe_doubts
       procedure :: solve_point
+      procedure :: count_profiles
       procedure :: fill_profiles
    end type wave_model_t
 
@@ -62,7 +63,7 @@ contains
 
       call self%set_tables(name='wave_1d', summary='a sinusoidal wave on an elastic half-plane, also with adhesion, or sliding ' &
          & //'over a viscoelastic one, up to full contact', &
-         & variables=get_wave_variables(), results=get_wave_results(), profiles=contact_profiles(), axes='x', is_depth=.false.)
+         & variables=get_wave_variables(), results=get_wave_results(), profiles=shear_profiles(), axes='x', is_depth=.false.)
       self%references = self%references//'; Int. J. Solids Struct. 32 (1995); N. Menga, C. Putignano, G. Carbone, G. P. Demelio, ' &
          & //'Proc. R. Soc. A 470 (2014)'
    end subroutine new_wave_model
@@ -355,7 +356,19 @@ contains
       end associate
    end subroutine solve_elastic
 
-   !> See `pointwise_model_t`.
+   !> See `model_t`: the shear stress belongs to friction of a shear strength.
+   pure integer function count_profiles(self, values)
+      !> The model; nothing is read from it here.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      count_profiles = count_shear_profiles(values(v_shear_strength:v_pressure_factor))
+      associate (unused => self)
+      end associate
+   end function count_profiles
+
+   !> See `pointwise_model_t`: pressure and gap, and with friction of a shear strength the shear stress.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
       !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
@@ -369,10 +382,29 @@ contains
       type(profile_axis_t), intent(in) :: axes(:)
       !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
-      real(dp) :: q, p, lift
 
+      call fill_pressure_and_gap(values, results, state, axes, profiles)
+      if (size(profiles, 3) < p_shear_stress) return
+      profiles(:, 1, p_shear_stress) = shear_stress(values(v_shear_strength:v_pressure_factor), profiles(:, 1, 1), &
+         & results(r_contact_width) > 0 .and. .not. profiles(:, 1, 2) > 0)
       associate (unused => self)
       end associate
+   end subroutine fill_profiles
+
+   !> Pressure and gap.
+   subroutine fill_pressure_and_gap(values, results, state, axes, profiles)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> What `solve_point` has left: the contact of a sliding or of an adhesive wave.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Axes of the profiles, the slowest first.
+      type(profile_axis_t), intent(in) :: axes(:)
+      !> In: all NaN. Out: with pressure and gap; shape `(n_fast, n_slow, n_profiles)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      real(dp) :: q, p, lift
+
       if (is_sliding(values)) then
          select type (state)
          type is (slide_point_t)
@@ -396,6 +428,6 @@ contains
       q = results(r_mean_pressure)/p
       profiles(:, 1, 1) = p*wave_pressure(q, axes(1)%coordinates/values(v_period))
       profiles(:, 1, 2) = values(v_amplitude)*wave_gap(q, axes(1)%coordinates/values(v_period)) + lift
-   end subroutine fill_profiles
+   end subroutine fill_pressure_and_gap
 
 end module adfric_classical_wave_model

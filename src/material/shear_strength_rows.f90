@@ -8,15 +8,18 @@ module adfric_material_shear_strength_rows
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_model_rows, only: any_number
-   use adfric_model_table, only: variable_t
+   use adfric_model_rows, only: any_number, contact_profiles
+   use adfric_model_table, only: profile_t, variable_t
    implicit none (type, external)
    private
-   public :: set_shear_rows, check_shear, has_shear, get_friction_of_area, n_shear_rows
+   public :: set_shear_rows, check_shear, has_shear, count_shear_profiles, get_friction_of_area, shear_profiles, shear_stress
+   public :: n_shear_rows, p_shear_stress
 
    !> Places among the rows, and their number.
    integer, parameter :: shear_strength = 1, pressure_factor = 2
    integer, parameter :: n_shear_rows = pressure_factor
+   !> Place of the shear stress among the profiles, behind those that every contact has.
+   integer, parameter :: p_shear_stress = 3
 
 contains
 
@@ -38,6 +41,39 @@ contains
 
       has_shear = any(is_set(values))
    end function has_shear
+
+   !> The profiles of a contact with friction; the last one belongs to cases with friction alone.
+   function shear_profiles() result(p)
+      type(profile_t) :: p(p_shear_stress)
+
+      p(:p_shear_stress - 1) = contact_profiles()
+      p(p_shear_stress) = profile_t(name='shear_stress', unit='Pa', &
+         & long_name='shear stress tau0 + alpha p in contact, of a shear strength, 0 outside')
+   end function shear_profiles
+
+   !> Number of those profiles that a case has.
+   pure integer function count_shear_profiles(values) result(n)
+      !> Values of the rows; shape `(n_shear_rows)`.
+      real(dp), intent(in) :: values(:)
+
+      n = merge(p_shear_stress, p_shear_stress - 1, has_shear(values))
+   end function count_shear_profiles
+
+   !> Shear stress of places, of values that have been checked, not all of them unset [Pa].
+   pure function shear_stress(values, pressure, is_contact) result(stress)
+      !> Values of the rows; shape `(n_shear_rows)`.
+      real(dp), intent(in) :: values(:)
+      !> Pressure, below 0 where adhesion pulls [Pa]; shape `(n_places)`.
+      real(dp), intent(in) :: pressure(:)
+      !> Do the surfaces touch? Shape `(n_places)`.
+      logical, intent(in) :: is_contact(:)
+      real(dp) :: stress(size(pressure)), factor
+
+      factor = 0
+      if (is_set(values(pressure_factor))) factor = values(pressure_factor)
+      ! at an edge that pulls by tau0/alpha the sum is rounded
+      stress = merge(max(values(shear_strength) + factor*pressure, 0.0_dp), 0.0_dp, is_contact)
+   end function shear_stress
 
    !> Add to `problems` what is missing, and a shear stress that would be below 0.
    subroutine check_shear(rows, values, tension, problems)

@@ -50,6 +50,7 @@ module adfric_model_model
       procedure :: get_derived
       procedure :: describe_case
       procedure :: describe_doubts
+      procedure :: count_profiles
       procedure :: describe_profiles
       procedure :: profile_shape
       procedure :: unit_of
@@ -293,6 +294,18 @@ contains
       end associate
    end function describe_doubts
 
+   !> Number of profiles of this case: all of the table. A model whose last profiles not every case has overrides it.
+   pure integer function count_profiles(self, values)
+      !> The model, whose table of profiles is read.
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      count_profiles = size(self%profiles)
+      associate (unused => values)
+      end associate
+   end function count_profiles
+
    !> The profiles with their units for this case: those of the table. A model whose units depend on the case
    !> (reduced units) overrides it.
    function describe_profiles(self, values) result(profiles)
@@ -302,9 +315,7 @@ contains
       real(dp), intent(in) :: values(:)
       type(profile_t), allocatable :: profiles(:)
 
-      profiles = self%profiles
-      associate (unused => values)
-      end associate
+      profiles = self%profiles(:self%count_profiles(values))
    end function describe_profiles
 
    !> Shape of the profiles of a point: the axis that runs fastest, the other one, and the profiles.
@@ -318,7 +329,7 @@ contains
       integer :: k
 
       call self%get_profile_axes(values, axes)
-      shape = [1, 1, size(self%profiles)]
+      shape = [1, 1, self%count_profiles(values)]
       do k = 1, size(axes)
          shape(size(axes) + 1 - k) = size(axes(k)%coordinates)
       end do

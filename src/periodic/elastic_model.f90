@@ -8,10 +8,12 @@ module adfric_periodic_elastic_model
       & n_adhesion_rows, resolve_adhesion, set_adhesion_rows
    use adfric_material_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, n_two_bodies, &
       & set_modulus_rows
-   use adfric_material_shear_strength_rows, only: check_shear, get_friction_of_area, n_shear_rows, set_shear_rows
+   use adfric_material_shear_strength_rows, only: check_shear, count_shear_profiles, get_friction_of_area, n_shear_rows, &
+      & p_shear_stress, set_shear_rows, shear_profiles, shear_stress
    use adfric_model_derived, only: derived_t, add_derived
+   use adfric_model_pointwise, only: point_state_t
    use adfric_model_rows, only: positive
-   use adfric_model_table, only: variable_t
+   use adfric_model_table, only: profile_axis_t, variable_t
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_model, only: periodic_model_t
@@ -45,6 +47,8 @@ module adfric_periodic_elastic_model
       procedure :: derive_solid
       procedure :: set_adhesion
       procedure :: finish_point
+      procedure :: count_profiles
+      procedure :: fill_profiles
       procedure :: describe_doubts
       procedure :: doubt_adhesion
       procedure, private :: adhesion_of
@@ -85,6 +89,8 @@ contains
       call self%set_tables(name, summary, surface, solid, .true.)
       deallocate (self%results)
       allocate (self%results, source=get_elastic_results())
+      deallocate (self%profiles)
+      allocate (self%profiles, source=shear_profiles())
    end subroutine set_elastic_tables
 
    !> Make room for the pull-offs that points share.
@@ -243,6 +249,7 @@ contains
             call get_friction_of_area(values(first:last), results(r_contact_fraction), results(r_mean_pressure), &
                & law%stress*results(r_adhesion_fraction), results(r_friction_stress), results(r_friction_coefficient))
          end associate
+         if (surface%n_cells(2) > 1) results(r_friction_force) = results(r_friction_stress)*product(surface%period)
          if (.not. law%stress > 0) return
          results(r_cells_per_zone) = cells_per_zone(law, surface)
          if (solution%pull_off < huge(1.0_dp) .and. results(r_cells_per_zone) >= least_cells) &
@@ -251,6 +258,40 @@ contains
             & error_estimate = max(error_estimate, error_of_edge(results(r_cells_per_zone)))
       end associate
    end subroutine finish_point
+
+   !> See `model_t`: the shear stress belongs to friction.
+   pure integer function count_profiles(self, values)
+      !> The model, for the places of its rows.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      count_profiles = count_shear_profiles(values(self%last_of_solid - n_shear_rows:self%last_of_solid - 1))
+   end function count_profiles
+
+   !> See `pointwise_model_t`: the maps of pressure and gap, and with friction that of the shear stress.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
+      !> The model, for the places of its rows.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> The solution of the point.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Axes of the maps.
+      type(profile_axis_t), intent(in) :: axes(:)
+      !> Receives the maps of pressure [Pa], gap [m] and shear stress [Pa]; shape `(nx, ny, n_profiles)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      integer :: j
+
+      call self%fill_contact_maps(values, results, state, axes, profiles)
+      if (size(profiles, 3) < p_shear_stress) return
+      do j = 1, size(profiles, 2)
+         profiles(:, j, p_shear_stress) = shear_stress(values(self%last_of_solid - n_shear_rows:self%last_of_solid - 1), &
+            & profiles(:, j, 1), .not. profiles(:, j, 2) > 0)
+      end do
+   end subroutine fill_profiles
 
    !> Relative error that the cells make of the edge of adhesion.
    pure real(dp) function error_of_edge(cells) result(error)

@@ -33,6 +33,7 @@ module adfric_periodic_model
       procedure :: get_profile_axes
       procedure :: solve_point
       procedure :: fill_profiles
+      procedure, non_overridable :: fill_contact_maps => fill_profiles
       procedure :: derive_quantities
       procedure :: describe_case
       procedure :: describe_surface

@@ -24,8 +24,8 @@ module adfric_periodic_variables
    integer, parameter, public :: n_periodic_results = 8
    !> Places of those that the models on an elastic half-space add, and their number in all.
    integer, parameter, public :: r_regime = 9, r_adhesion_fraction = 10, r_elastic_energy = 11, r_adhesion_energy = 12, &
-      & r_pull_off_pressure = 13, r_cells_per_zone = 14, r_friction_stress = 15, r_friction_coefficient = 16
-   integer, parameter, public :: n_elastic_results = 16
+      & r_pull_off_pressure = 13, r_cells_per_zone = 14, r_friction_stress = 15, r_friction_coefficient = 16, r_friction_force = 17
+   integer, parameter, public :: n_elastic_results = 17
    !> Numbers of the regimes; they have the words of `wave_1d`.
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2, regime_adhesion_only = 3, &
       & regime_adhesion_zones = 4, regime_saturated_adhesion = 5
@@ -86,6 +86,8 @@ contains
          & long_name='friction force over nominal area, of a shear strength')
       r(r_friction_coefficient) = result_row(name='friction_coefficient', unit='-', &
          & long_name='friction stress over mean pressure, where that presses')
+      r(r_friction_force) = result_row(name='friction_force', unit='N', &
+         & long_name='friction force on one period, of a shear strength; none for a surface that does not vary along y')
    end function get_elastic_results
 
    !> The table of results.

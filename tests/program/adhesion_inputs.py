@@ -16,7 +16,7 @@ class AdhesionInputs(InputRuns):
     def test_adhesion_and_friction(self):
         """A rough surface that adheres has friction under a tension, where it has no coefficient; it is that of area and of what contact carries."""
         self.make_surface("surface_adhesion_friction", 256)
-        found = self.solve("surface_adhesion_friction", **{"count = 12": "count = 2"})
+        found = self.solve("surface_adhesion_friction", **{"count = 12": "count = 2", "&friction": "&output profiles = .true. /\n&friction"})
         self.assertLess(found["mean_pressure"][0], 0)
         self.assertGreater(found["friction_stress"][0], 0)
         self.assertTrue(np.isnan(found["friction_coefficient"][0]))
@@ -24,6 +24,14 @@ class AdhesionInputs(InputRuns):
         expected = found["shear_strength"] * found["contact_fraction"] + found["pressure_factor"] * carried
         np.testing.assert_allclose(found["friction_stress"], expected, rtol=1e-14)
         np.testing.assert_allclose(found["friction_coefficient"][1], expected[1] / found["mean_pressure"][1], rtol=1e-14)
+        np.testing.assert_allclose(found["friction_force"], expected * found["length_x"] * found["length_y"], rtol=1e-14)
+        touches = found["gap"] == 0
+        shear = np.where(touches, found["shear_strength"] + found["pressure_factor"] * found["pressure"], 0)
+        np.testing.assert_allclose(found["shear_stress"], shear, rtol=1e-14)
+        # the map counts cells at the perimeter as a whole
+        excess = touches.mean(axis=(1, 2)) - found["contact_fraction"]
+        np.testing.assert_array_less(0, excess)
+        np.testing.assert_array_less(abs(shear.mean(axis=(1, 2)) - expected), 1.0001 * found["shear_strength"] * excess)
 
     def test_stickiness(self):
         """A smooth surface holds to the stress of adhesion, a rough one to less and less of it; a surface that has been pressed holds
