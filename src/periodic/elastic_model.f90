@@ -14,11 +14,11 @@ module adfric_periodic_elastic_model
    use adfric_model_pointwise, only: point_state_t
    use adfric_model_rows, only: positive
    use adfric_model_table, only: profile_axis_t, variable_t
+   use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
-   use adfric_periodic_pull_off_list, only: pull_off_list_t, forget_pull_offs
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_variables
    implicit none (type, external)
@@ -36,7 +36,7 @@ module adfric_periodic_elastic_model
    !> The models of surfaces on an elastic half-space.
    type, abstract, extends(periodic_model_t) :: elastic_model_t
       !> Pull-offs that the points of a run share; null unless the model is prepared.
-      type(pull_off_list_t), pointer :: pull_offs => null()
+      type(found_once_t), pointer :: pull_offs => null()
    contains
       procedure :: prepare
       procedure :: release
@@ -107,7 +107,7 @@ contains
       class(elastic_model_t), intent(inout) :: self
 
       if (.not. associated(self%pull_offs)) return
-      call forget_pull_offs(self%pull_offs)
+      call self%pull_offs%clear()
       deallocate (self%pull_offs)
    end subroutine release
 

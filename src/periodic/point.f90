@@ -3,13 +3,14 @@ module adfric_periodic_point
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
    use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
-   use adfric_periodic_pull_off_list, only: pull_off_list_t, get_pull_off
+   use adfric_periodic_pull_off_table, only: get_pull_off
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    implicit none (type, external)
    private
@@ -52,7 +53,7 @@ module adfric_periodic_point
       !> Is the pull-off wanted?
       logical :: wants_pull_off = .false.
       !> Pull-offs that the points of a run share; null: of this point alone.
-      type(pull_off_list_t), pointer :: pull_offs => null()
+      type(found_once_t), pointer :: pull_offs => null()
    end type periodic_goal_t
 
    !> Solver of the last point, for the next one.

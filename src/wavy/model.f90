@@ -10,6 +10,7 @@ module adfric_wavy_model
    use adfric_model_rows, only: count_row, set_coordinate
    use adfric_model_status, only: status_solved, status_no_equilibrium
    use adfric_model_table, only: result_t, profile_axis_t
+   use adfric_numerics_found_once, only: found_once_t
    use adfric_wavy_adhesion, only: adhesion_t, strip_adhesion_t, new_strip_adhesion, edge_front
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d, kind_map
    use adfric_wavy_check, only: check_wavy_values
@@ -22,7 +23,7 @@ module adfric_wavy_model
    use adfric_wavy_marched_points, only: solve_marched_block, solve_marched_profiles, row_places, column_places
    use adfric_wavy_profiles, only: get_profiles
    use adfric_wavy_pull_off, only: pull_off_t, find_pull_off, is_below_pull_off
-   use adfric_wavy_pull_off_table, only: pull_off_table_t, get_pull_off
+   use adfric_wavy_pull_off_table, only: get_pull_off
    use adfric_wavy_steady_state, only: branch_adhered
    use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only, regime_adhesion_zones, regime_saturated, &
       & regime_saturated_adhesion
@@ -46,7 +47,7 @@ module adfric_wavy_model
    type, extends(model_t) :: wavy_model_t
       private
       !> The pull-off loads that the points of a run share; null unless the model is prepared.
-      type(pull_off_table_t), pointer :: pull_offs => null()
+      type(found_once_t), pointer :: pull_offs => null()
       !> Lists and datasets of the input.
       type(given_surface_t) :: given
    contains
@@ -248,7 +249,9 @@ contains
       !> The model, which keeps nothing at the end.
       class(wavy_model_t), intent(inout) :: self
 
-      if (associated(self%pull_offs)) deallocate (self%pull_offs)
+      if (.not. associated(self%pull_offs)) return
+      call self%pull_offs%clear()
+      deallocate (self%pull_offs)
    end subroutine release
 
    !> Solve neighbouring points. Loads, and penetrations in 3-D and on the approach branch, are solved in the order in which each

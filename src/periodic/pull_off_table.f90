@@ -1,0 +1,86 @@
+!> Pull-offs of the surfaces of a run: the first point of a surface has its pull-off found, all others look it up.
+!>
+!> All threads use one table. What stands in it depends on the surface and its adhesion alone, so it does not matter who found it.
+module adfric_periodic_pull_off_table
+   use adfric_base_error, only: error_t
+   use adfric_base_kinds, only: dp
+   use adfric_numerics_found_once, only: found_once_t, search_t
+   use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
+   use adfric_periodic_adhesive_solver, only: periodic_adhesion_t
+   use adfric_periodic_solver, only: periodic_solver_t
+   implicit none (type, external)
+   private
+   public :: get_pull_off
+
+   !> Numbers that a pull-off depends on beside the gaps: adhesion, tolerance, periods, cells along x, and symmetry.
+   integer, parameter :: n_numbers = 8
+
+contains
+
+   !> The pull-off of a surface, from the table if it stands there.
+   subroutine get_pull_off(table, solver, shape, period, adhesion, tolerance, pull_off, error)
+      !> The table, which receives what had to be found.
+      type(found_once_t), intent(inout) :: table
+      !> Solver for surfaces of these cells and periods.
+      type(periodic_solver_t), intent(inout) :: solver
+      !> Gap of the undeformed surfaces in the middles of the cells [periods along x].
+      real(dp), intent(in) :: shape(:, :)
+      !> Periods, that along x 1.
+      real(dp), intent(in) :: period(2)
+      !> The law; lengths in periods along x.
+      type(periodic_adhesion_t), intent(in) :: adhesion
+      !> Largest residual that is allowed [-].
+      real(dp), intent(in) :: tolerance
+      !> The pull-off.
+      type(pull_off_t), intent(out) :: pull_off
+      !> Not allocated if all went well.
+      type(error_t), allocatable, intent(out) :: error
+      type(search_t) :: search
+      real(dp) :: numbers(n_numbers), found(4)
+      logical :: is_known
+
+      numbers = [adhesion%stress, adhesion%range, merge(adhesion%turning_pressure, -1.0_dp, adhesion%has_turned), tolerance, &
+         & period, real(size(shape, 1), dp), merge(1.0_dp, 0.0_dp, solver%grids(1)%operator%is_quarter)]
+      found = 0
+      call look_up(table, numbers, shape, found, is_known, search)
+      if (is_known) then
+         pull_off = pull_off_t(found(1), found(2), found(3), found(4) > 0)
+         return
+      end if
+      call find_pull_off(solver, shape, adhesion, tolerance, pull_off, error)
+      if (allocated(error)) then
+         call table%give_up(search)
+      else
+         call table%keep(search, [pull_off%mean_pressure, pull_off%penetration, pull_off%n_pairs, &
+            & merge(1.0_dp, 0.0_dp, pull_off%is_found)])
+      end if
+   end subroutine get_pull_off
+
+   !> Look up the numbers of a pull-off.
+   subroutine look_up(table, numbers, shape, found, is_known, search)
+      !> The table.
+      type(found_once_t), intent(inout) :: table
+      !> Numbers that it depends on beside the gaps.
+      real(dp), intent(in) :: numbers(n_numbers)
+      !> Gap of the undeformed surfaces [periods along x].
+      real(dp), intent(in) :: shape(:, :)
+      !> Receives the numbers if they are known.
+      real(dp), intent(inout) :: found(:)
+      !> Are they known? They are not where there is no memory to look them up.
+      logical, intent(out) :: is_known
+      !> Receives what it needs to keep them.
+      type(search_t), intent(out) :: search
+      real(dp), allocatable :: key(:)
+      integer :: j, failure
+
+      is_known = .false.
+      allocate (key(n_numbers + size(shape)), stat=failure)
+      if (failure /= 0) return
+      key(:n_numbers) = numbers
+      do j = 1, size(shape, 2)
+         key(n_numbers + (j - 1)*size(shape, 1) + 1:n_numbers + j*size(shape, 1)) = shape(:, j)
+      end do
+      call table%look_up(key, found, is_known, search)
+   end subroutine look_up
+
+end module adfric_periodic_pull_off_table
