@@ -13,6 +13,7 @@ module adfric_api_state
    use adfric_input_run, only: read_case, read_job, read_job_of_text, run_input_t, say_unknown_model
    use adfric_input_sweep, only: find_size_problem
    use adfric_model_model, only: model_t
+   use adfric_model_table, only: kind_dataset
    use adfric_run_dataset, only: dataset_t
    use adfric_run_memory_sink, only: memory_sink_t
    use adfric_run_run, only: new_run, run_t
@@ -179,7 +180,7 @@ contains
       if (allocated(error)) return
       call give_samples(self%run%model, place, values, rank, self%input, problems)
       call error_of(problems, error)
-      if (allocated(self%found)) deallocate (self%found)
+      if (allocated(self%found) .and. self%run%model%variables(place)%kind == kind_dataset) deallocate (self%found)
    end subroutine give_dataset
 
    !> Give a variable its default value again, or none.

@@ -150,7 +150,7 @@ contains
       end if
    end subroutine take
 
-   !> Give the values of a dataset, and hand them to the model.
+   !> Give the values of a dataset, and hand them to the model. One that is refused is not given afterwards.
    subroutine give_samples(model, place, samples, rank, input, problems)
       !> The model, which takes over the values.
       class(model_t), intent(inout) :: model
@@ -169,11 +169,17 @@ contains
       character(:), allocatable :: flaw
       real(dp), allocatable :: copy(:, :)
 
-      input%datasets(place) = none
-      associate (variable => model%variables(place), dataset => input%datasets(place))
+      associate (variable => model%variables(place))
          if (variable%kind /= kind_dataset) then
-            flaw = 'has one value, given an array of '//show_count(size(samples))//', allowed: '//describe_allowed(variable)
-         else if (variable%is_list .and. rank == 1) then
+            call problems%add(variable%group, variable%name, 'has one value, given an array of '//show_count(size(samples))// &
+               & ', allowed: '//describe_allowed(variable))
+            return
+         end if
+      end associate
+      input%datasets(place) = none
+      input%values(place) = model%variables(place)%default
+      associate (variable => model%variables(place), dataset => input%datasets(place))
+         if (variable%is_list .and. rank == 1) then
             call keep_numbers(samples(:, 1), variable, dataset, flaw)
             allocate (copy, source=samples)
          else if (variable%n_columns() > 0) then

@@ -203,7 +203,7 @@ static void test_input(void)
 /* A list of numbers, and a point without a sweep. */
 static void test_list(void)
 {
-   const double amplitudes[] = {1e-4, 0.5e-4}, phases[] = {0, 0};
+   const double amplitudes[] = {1e-4, 0.5e-4}, phases[] = {0, 0}, others[] = {1e-4, 0.2e-4}, wrong[] = {NAN, 1};
    const int64_t two = 2;
    adfric_variable_info variable;
    adfric_case wave = 0;
@@ -229,6 +229,17 @@ static void test_list(void)
    CHECK_OK(adfric_array_of(found, "status", &status));
    CHECK(status.rank == 0);
    CHECK_OK(adfric_close_results(found));
+   /* another list takes its place, one that is refused leaves none, and none is none */
+   CHECK_OK(adfric_set_array(wave, "amplitudes", 1, &two, others));
+   CHECK_OK(adfric_solve(wave, 0, NULL, NULL, &found));
+   CHECK_OK(adfric_array_of(found, "amplitudes", &list));
+   CHECK(list.values[1] == 0.2e-4);
+   CHECK_OK(adfric_close_results(found));
+   CHECK_REFUSED(adfric_set_array(wave, "amplitudes", 1, &two, wrong), "&surface amplitudes: ");
+   CHECK_REFUSED(adfric_check(wave), "&surface amplitudes: is missing");
+   CHECK_OK(adfric_set_array(wave, "amplitudes", 1, &two, amplitudes));
+   CHECK_OK(adfric_unset(wave, "amplitudes"));
+   CHECK_REFUSED(adfric_check(wave), "&surface amplitudes: is missing");
    CHECK_OK(adfric_close_case(wave));
 }
 

@@ -60,8 +60,11 @@ static void test_values(void)
 {
    const double loads[] = {0, NAN}, none[1] = {0};
    const int64_t shapes[] = {0, -1, INT64_C(1) << 40};
+   const int64_t one = 1;
    const char *const names[] = {"load", "load"};
    adfric_case tip = 0;
+   adfric_results found = 0;
+   adfric_array radius;
    int64_t n = 0;
    CHECK_OK(adfric_open("sphere", &tip));
    CHECK_OK(adfric_set_real(tip, "radius", 1e-6));
@@ -76,6 +79,7 @@ static void test_values(void)
    CHECK_REFUSED(adfric_set_array(tip, "radius", 1, shapes, none), "shape: out of range, given 0, allowed: 1 to ");
    CHECK_REFUSED(adfric_set_array(tip, "radius", 1, shapes + 1, none), "shape: out of range, given -1");
    CHECK_REFUSED(adfric_set_array(tip, "radius", 1, shapes + 2, none), "shape: out of range, given 1");
+   CHECK_REFUSED(adfric_set_array(tip, "radius", 1, &one, none), "&sphere radius: has one value, given an array of 1, allowed: ");
    CHECK_REFUSED(adfric_set_array(tip, "radius", 3, shapes, none), "rank: out of range, given 3, allowed: 1 or 2");
    CHECK_REFUSED(adfric_sweep(tip, "load", 2, loads), "&operating load: ");
    CHECK_REFUSED(adfric_sweep(tip, "load", 0, loads), "n: out of range, given 0");
@@ -86,6 +90,14 @@ static void test_values(void)
                  "n_names: out of range, given 2147483647, allowed: 1 to 1000");
    CHECK_OK(adfric_point_count(tip, &n));
    CHECK(n == 1);
+   /* nothing was changed by all that */
+   CHECK_OK(adfric_set_real(tip, "contact_modulus", 1e9));
+   CHECK_OK(adfric_set_real(tip, "work_of_adhesion", 0));
+   CHECK_OK(adfric_set_real(tip, "load", 1e-6));
+   CHECK_OK(adfric_solve(tip, 1, NULL, NULL, &found));
+   CHECK_OK(adfric_array_of(found, "radius", &radius));
+   CHECK(radius.values[0] == 1e-6);
+   CHECK_OK(adfric_close_results(found));
    CHECK_OK(adfric_close_case(tip));
 }
 
