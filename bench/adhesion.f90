@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Surfaces that adhere to a half-space: time of a load and of the pull-off, on one thread. See bench/README.md.
 !>
 !> adhesion [TABLE.csv [HEIGHTS]]

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What do cells make of a zone of adhesion that has few of them? The 1-D wave beside its closed form, and pull-off of a sphere. See
 !> bench/README.md.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Is a line of cells that adheres, at a given penetration, in the state of the exact wave? See bench/README.md.
 !>
 !> adhesive_penetrations [NUMBER [SEED]]

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a call through adfric.h costs above the same call in Fortran: a point of a batch, and a case of one point from its
 !> opening to its end.
 !>

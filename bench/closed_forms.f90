@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Time of a point of the closed forms on a half-space, and the largest error that they report.
 !>
 !>     closed_forms [TABLE.csv]

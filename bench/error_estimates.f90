@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Is `error_estimate` to be believed? Estimates beside true errors of random strips, surfaces, spheres and waves. See
 !> bench/README.md.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Seconds of the parts of a run, as `adfric run` goes through them. For `whole_program`; see bench/README.md.
 !>
 !> phases INPUT.nml OUTPUT.h5

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A picture of each benchmark, from its tables: pictures.py FOLDER [NAME ...]. `bench/run` calls it."""
 
 import pathlib

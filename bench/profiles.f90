@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A rough profile under a load: the march with blocks and safe steps beside a plain march of the same accuracy.
 !>
 !>     profiles [TABLE.csv]

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Are states of random rough surfaces that adhere wrong? See bench/README.md.
 !>
 !> random_adhesion [NUMBER [SEED [CELLS]]]

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Is any sum of waves with a spectrum of relaxation times wrong? See bench/README.md.
 !>
 !> random_lines [NUMBER [SEED]]

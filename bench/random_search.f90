@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random cases of every model: does any break a rule that must hold? See bench/README.md.
 !>
 !> random_search [SECONDS [SEED [MODEL]]]

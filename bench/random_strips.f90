@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Is any strip wrong, and how fast is one found? See bench/README.md.
 !>
 !> random_strips [NUMBER [SEED [TABLE.csv]]]

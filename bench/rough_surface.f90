@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random self-affine surfaces on an elastic half-space: time, transforms and residual of one load.
 !>
 !>     rough_surface [TABLE.csv [LARGEST [DIGITS]]]

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Steady sliding over a viscoelastic half-space: time, transforms and error of one load.
 !>
 !>     sliding [TABLE.csv [LARGEST]]

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A sphere on a plane: time of a contact, error against quadruple precision, and the limit theories. See bench/README.md.
 !>
 !> sphere [FOLDER [points]]

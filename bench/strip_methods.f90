@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Time and error of a strip by several methods, regime by regime. See bench/README.md.
 !>
 !> strip_methods [TABLE.csv]

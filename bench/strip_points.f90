@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random strips for another program to solve, and what its answers are worth. See bench/README.md.
 !>
 !> strip_points write STRIPS.csv

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Time of a point of the 3-D surface under load, and error against number of strips. See bench/README.md.
 !>
 !> surface_3d [POINTS.csv [STRIPS.csv]]

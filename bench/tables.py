@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tables of docs/accuracy.md, docs/periodic.md and docs/scenes.md from those of the benchmarks.
 
 usage: tables.py [FOLDER [--write]]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the benchmarks in Python share: environments of their own for public packages, the machine, tables."""
 
 import contextlib

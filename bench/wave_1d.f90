@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The sinusoidal wave on an elastic half-plane by the solver of periodic surfaces, against Westergaard's solution.
 !>
 !>     wave_1d [TABLE.csv]

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The bi-sinusoidal wave on an elastic half-space: time and error of one load against the number of cells.
 !>
 !>     wave_2d [TABLE.csv [CELLS [DIGITS]]]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Which compilers build the project.
 
 # The oldest gfortran that builds all of it; Ubuntu 22.04 has this one.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The libraries of others: GSL, FFTW, LAPACK, OpenMP, HDF5 and, on demand, MPI. All that are missing are named at once, with their
 # packages, for a module of a cluster or a prefix of one's own may be what is meant (docs/clusters.md).
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What `cmake --install` puts into a prefix, and the packages by which CMake and pkg-config find it there, wherever the prefix is
 # moved to. CMake finds the build tree, too.
 

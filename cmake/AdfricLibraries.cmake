@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The libraries adfric::physics and adfric::run, static and shared.
 #
 # BUILD_SHARED_LIBS=ON makes shared libraries alone, OFF static ones alone. Where it is not set there are both, and the program

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # With or without MPI: include it before HDF5 is looked for, which must be built with the same MPI. Which HDF5 was found stays in
 # the cache, so each choice has a build tree of its own (presets release and mpi).
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Build options and compiler flags of the project.
 
 if(NOT CMAKE_BUILD_TYPE)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Gives adfric_write_pkg_config(): the packages for pkg-config.
 
 # adfric_write_pkg_config(<name> <file>...): the package of the library lib<name>, which needs the libraries of others in the

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Gives add_pfunit_ctest(): from an installed pFUnit 4 or, without one, from the project's own runner, which
 # understands a subset of the same test files.
 

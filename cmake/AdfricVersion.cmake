@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Gives adfric_add_version(): the module that says which program this is, renewed at every build.
 
 find_package(Git QUIET)

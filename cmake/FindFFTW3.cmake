@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Finds FFTW 3 in double precision: FFTW3_FOUND and the target FFTW3::fftw3. Its own package files are missing where it was
 # not built with CMake, and its headers are not needed from Fortran.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Take away the files of the last installation, which MANIFEST lists, and the folders of its own that are then empty.
 
 if(NOT EXISTS "${MANIFEST}")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Write the version of the program and the revision of its source into RESULT, if they have changed.
 
 set(ADFRIC_GIT_REVISION "unknown")

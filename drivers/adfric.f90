@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The program `adfric`: see `adfric help`.
 program main
    use, intrinsic :: iso_c_binding, only: c_int

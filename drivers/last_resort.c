@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The last resort: memory is exhausted, or a library ends the program. Then there is one line and status 3, and no file of
    no use is left behind. */
 

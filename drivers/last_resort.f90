@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What happens where memory is exhausted, or a library ends the program: see `last_resort.c`.
 module adfric_driver_last_resort
    implicit none (type, external)

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Output and errors of a command, written when the command has ended.
 module adfric_driver_last_words
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_size_t

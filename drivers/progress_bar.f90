@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A line on the terminal that says how far a run is.
 module adfric_driver_progress_bar
    use, intrinsic :: iso_c_binding, only: c_int

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Maugis's theory by itself, with plain numbers: a contact of a soft sphere from a pull to a push.
 program adhesive_sphere
    use adfric_contact_sphere, only: dp, get_sphere_units, solve_sphere_load, status_solved

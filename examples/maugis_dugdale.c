@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Granular dynamics with Maugis-Dugdale contacts: the forces of all pairs of grains in one call. Here a row of grains that touch is
    let go, is drawn together by adhesion, and comes to rest.
 

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A rough surface given as an array, pressed against an elastic half-space: share in contact, and a map of the pressure.
 program rough_contact
    use adfric_api, only: dp, error_t, i8, open_simulation, simulation_t

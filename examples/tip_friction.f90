@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction of a tip on mica (Johnson 1997, Fig. 5), from pull-off to 300 nN.
 program tip_friction
    use adfric_api, only: dp, error_t, open_simulation, simulation_t, status_solved

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* adfric for C and C++ (docs/library.md).
 
    A case is a model whose variables are set by name. It is solved at any number of points, and what is found are results: arrays

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Bring a measured surface or a master curve into an HDF5 file: scripts/import_surface FILE [options]."""
 
 import sys

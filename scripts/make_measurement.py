@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Write a line scan and a master curve as instruments would: made here, not measured.
 
 The line is rough like asphalt, with a tilt and a few samples missing. The master curve is that of a fractional Zener solid, the rubber of

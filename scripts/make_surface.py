@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Write a self-affine random surface, periodic in x and y, as heights in an HDF5 file."""
 
 import argparse

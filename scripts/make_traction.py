@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Write the tractions of a cylinder in partial slip (Cattaneo, Mindlin; K. L. Johnson, Contact Mechanics, 1985, 7.2) as samples."""
 
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Draw a figure: scripts/plot FILE.h5 ... [--x NAME] [--y NAME ...] [--data TABLE] [--output FIGURE]."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Compute the tables of docs/profiles.md from the inputs: scripts/tables [PROGRAM]."""
 
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 #SBATCH --job-name=adfric
 #SBATCH --ntasks=1
 #SBATCH --cpus-per-task=4

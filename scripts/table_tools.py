@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Run inputs with changes, and print tables of the documents."""
 
 import re

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The models that the program knows: the only place that has all their names.
 module adfric
    use adfric_base_error, only: error_t, set_error, input_failure

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every module, type, component, procedure and argument of src/ and drivers/ has a comment: a line `!>` stands before it.
 
 A function of C in an interface needs none, since it stands where the C code has it; its arguments do.

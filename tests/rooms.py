@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The rooms (folders) of src/ and who may use whom: dependencies point one way, and a module is named by its path."""
 
 import re

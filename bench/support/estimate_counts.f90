@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> How often an estimate of an error is right, and how far above the error it is.
 module estimate_counts
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* GSL's solver types are variables, which Fortran cannot import from a library. */
 #include <gsl/gsl_multiroots.h>
 

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> GSL's hybrid solver without derivatives (gsl_multiroot_fsolver_hybrids), for comparison only.
 module gsl_multiroot
    use, intrinsic :: iso_c_binding, only: c_ptr, c_funptr, c_int, c_size_t, c_double, c_funloc, c_loc, c_f_pointer, c_null_ptr, &

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Estimated and true errors of `wavy_sliding` on heights: sums of waves through samples and rows.
 !>
 !> Lengths and stresses are in units in which the period and the relaxed stiffness are 1.

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What every benchmark prints about itself, and what it makes of repeated timings.
 module measure
    use, intrinsic :: iso_fortran_env, only: compiler_version

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Estimated and true errors of the area of waves on a half-space.
 module periodic_estimates
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Maugis's theory as one first writes it: Newton's method in m = c/a on J 2.12 at a given radius, in double precision.
 !> For comparison only.
 module plain_dugdale

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The edge equations of a strip as one first writes them down: unknown phases of the edges, one condition
 !> at the end of each zone. For comparison only; the solver's own form is in `adfric_wavy_edges`.
 module plain_edges

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Maugis's theory in quadruple precision, for comparison only: J 2.12-2.14 in m = c/a with X = 1, evaluated at
 !> y = ln mu, mu = sqrt(m^2 - 1). Radius, load and approach are found by bisection and then by Newton's method.
 module quad_dugdale

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A strip in quadruple precision, for comparison only: the edge equations of `plain_edges` by Newton's method, from an answer in
 !> double precision, and the forces of these edges from integrals written out. Foundations with Te/Ts = 1 are not covered.
 module quad_strips

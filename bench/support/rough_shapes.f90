@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random self-affine surfaces: white noise whose waves are weighed.
 module rough_shapes
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Estimated and true errors of waves and rough surfaces that slide over a viscoelastic half-space.
 module sliding_estimates
    use adfric_base_kinds, only: dp

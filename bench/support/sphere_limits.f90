@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The limit theories of a sphere beside Maugis's: their errors, and the bounds by which `auto` chooses.
 module sphere_limits
    use, intrinsic :: iso_fortran_env, only: output_unit

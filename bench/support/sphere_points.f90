@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Contacts of a sphere with their answers in quadruple precision, for other programs to be compared with.
 module sphere_points
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Times of contacts of a sphere by Maugis's theory, and the numbers that are held.
 module sphere_timing
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random strips of each regime with their answers, and what another method's answer is worth.
 module strip_cases
    use adfric_base_kinds, only: dp

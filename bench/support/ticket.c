@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Time of a ticket: all processes but the first draw numbers from a counter that the first one keeps. */
 
 #include <mpi.h>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One period of a strip followed in equal steps of time, and the forces that its steps add up to: what a
 !> general simulation would do. Backward differences, of first order. For comparison only.
 module time_march

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random strips over the whole range of parameters, the same for the same seed.
 module trial_strips
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Completion of adfric in bash: commands, options, topics of help, inputs and results files.
 
 # Topics of `adfric help`: the program itself lists them, one a line.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Moments, power spectra, distribution and seam of heights."""
 
 from dataclasses import dataclass

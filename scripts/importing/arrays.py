@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Surfaces in arrays without a word about their axes, as numpy and HDF5 files have them: shape (ny, nx), x runs fastest."""
 
 import zipfile

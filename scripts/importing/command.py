@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The command: the order of the steps, and what is shown."""
 
 import os

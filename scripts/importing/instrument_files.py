@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Surfaces in files of instruments, as SurfaceTopography reads them.
 
 Where its readers complete what a file does not say, they are not believed: the unit of heights in a text file, the period, and

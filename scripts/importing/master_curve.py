@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Master curves: storage and loss modulus over the frequency at a reference temperature."""
 
 import re

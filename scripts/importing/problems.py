@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What can be wrong; each problem is shown in one line, and says the exit status."""
 
 

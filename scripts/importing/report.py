@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The short table of what was read, and the same as attributes of the file."""
 
 import datetime

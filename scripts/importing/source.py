@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Heights as a file has them, and the same in metres."""
 
 from dataclasses import dataclass, field

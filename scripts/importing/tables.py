@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tables of numbers in text files: separators, heads of columns, comments.
 
 What could be read in two ways is refused: decimal commas are taken where semicolons separate, and nowhere else.

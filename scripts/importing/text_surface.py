@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Surfaces in tables: two columns are a line (x, z), three a map (x, y, z), more a map of heights, one a line of heights."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What is done to heights before they are written: a part is cut out, tilt removed, gaps filled, neighbours averaged."""
 
 import dataclasses

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Units in which files have their numbers.
 
 A conversion is one multiplication or division by an exact power of ten, so that the same measurement, written in other units,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """HDF5 files with axes and units, and how files appear: whole or not at all, and never in the place of another by accident."""
 
 import io

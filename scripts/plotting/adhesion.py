@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of periodic surfaces that adhere to the half-space."""
 
 import numpy as np

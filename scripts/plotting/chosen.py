@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of what the user has chosen: several files together, any result against any other, and points of a table.
 
 Several files have a colour each, and dashes for their curves. Where all have the same curves, those of the same other swept values, a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Results against a swept variable, one curve for each value of the others."""
 
 from dataclasses import dataclass

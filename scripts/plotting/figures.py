@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Which figure a run has.
 
 The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2011, and, in `sphere`, Johnson 1997.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Jumps of surfaces that adhere: where a curve leaps from one branch to another there is no state in between."""
 
 import numpy as np

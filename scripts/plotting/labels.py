@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Words, symbols and units beside the axes and curves."""
 
 import math

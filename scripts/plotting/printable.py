@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Text from outside as it may be shown on a terminal, as src/base/printable.f90 does."""
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A results file, read into arrays that know their axes and units."""
 
 import copy

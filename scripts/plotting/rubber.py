@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of `wavy_sliding` on rough lines, and of materials with a temperature."""
 
 import numpy as np

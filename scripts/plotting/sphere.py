@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of the sphere, in the manner of J: K. L. Johnson, Proc. R. Soc. Lond. A 453 (1997) 163."""
 
 import numpy as np

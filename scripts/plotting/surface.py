@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Stresses on one period of the surface."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Small results files made here, and the plot script run on them."""
 
 import contextlib

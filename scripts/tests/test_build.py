@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The script that builds the program, and what CMake says of compilers and warnings."""
 
 import os

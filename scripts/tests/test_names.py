@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Names of files that a terminal would obey are shown, not obeyed."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The plot script on small files made here: the figures that follow from what was swept."""
 
 import subprocess

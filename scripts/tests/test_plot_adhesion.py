@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The plot script on small files made here: jumps, tension on maps, pull-off and stickiness of surfaces that adhere."""
 
 import unittest

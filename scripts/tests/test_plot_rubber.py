@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of rough lines and of temperatures on small files made here."""
 
 import unittest

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The library as a Fortran program sees it: a simulation is a model whose variables are set by name, which is solved at any number
 !> of points, and which is asked for its results by name.
 !>

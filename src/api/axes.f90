@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The axes of a simulation: what is swept, alone or together.
 module adfric_api_axes
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a solved simulation gives back by name.
 module adfric_api_results
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Solve the points of a simulation by the threads that the caller wants, and leave OpenMP as it was.
 module adfric_api_solution
    use omp_lib, only: omp_get_active_level, omp_get_max_active_levels, omp_get_max_threads, omp_set_num_threads

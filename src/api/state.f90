@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a simulation is made of, and what its parts have to do with each other.
 module adfric_api_state
    use adfric, only: known_models, new_model

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Mathematical constants.
 module adfric_base_constants
    use adfric_base_kinds, only: dp

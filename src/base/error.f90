@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Errors of input, files and library calls.
 !>
 !> A procedure that can fail has `type(error_t), allocatable, intent(out) :: error` as its last

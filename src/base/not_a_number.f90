@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The mark of a result without a value.
 module adfric_base_not_a_number
    use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_quiet_nan

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Text from outside as it may be shown: names of files, titles, values.
 !>
 !> A terminal obeys some characters instead of showing them: controls move, clear and colour, marks of direction turn the words

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A list of everything that is wrong with an input, so that the user sees all of it at once.
 module adfric_base_problems
    implicit none (type, external)

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Small words about text: letters, names, blank-separated lists, and numbers as a person writes them.
 module adfric_base_text
    use adfric_base_kinds, only: dp, i8

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Units as people write them: `nm`, `MPa`, `N/m^2`, `mJ m-2`.
 !>
 !> A unit is a power of ten of SI units, so that a number is converted by one multiplication or division with an exact power of

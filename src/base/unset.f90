@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The mark of a value that the user has not given.
 !>
 !> A quiet NaN would trap under -ffpe-trap=invalid, so the largest number stands for `not given`.

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Lists of words separated by blanks.
 module adfric_base_words
    implicit none (type, external)

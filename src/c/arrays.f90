@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The results of a case as C sees them: arrays with names, units and dimensions, in the form that the results file has, and what
 !> the file says of the run as a whole. The numbers are those that the solution has left in memory; none of them is copied.
 module adfric_c_arrays

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is said of results as a whole, as the attributes of a results file do.
 module adfric_c_attributes
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_loc, c_null_char, c_null_ptr, c_ptr

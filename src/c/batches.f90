@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the batches of adfric.h refuse as a whole.
 module adfric_c_batches
    use, intrinsic :: iso_c_binding, only: c_double, c_int64_t

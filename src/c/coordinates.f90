@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is swept, as dimensions and as arrays along them. A dimension has the name of its variable, or a name of its own where
 !> several variables change along it.
 module adfric_c_coordinates

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the C interface keeps between calls: which handles are open, the last message of each thread, texts that are given out, and
    the tables of the models. */
 

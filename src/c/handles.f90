@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The handles of the C interface: numbers that stand for objects, checked whenever they are used.
 module adfric_c_handles
    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_ptr

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> How a call that solves is watched and stopped from C.
 module adfric_c_listener
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_procpointer, c_funptr, c_int, c_int64_t, c_null_ptr, c_ptr

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The functions of adfric.h that say which models there are, and what they have.
 module adfric_c_models
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_int32_t, c_loc, c_ptr

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The functions of adfric.h for one periodic rough surface.
 module adfric_c_periodic
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int32_t, c_int64_t

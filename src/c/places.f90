@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Places in lists, which C counts from 0.
 module adfric_c_places
    use, intrinsic :: iso_c_binding, only: c_int32_t

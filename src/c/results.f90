@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The functions of adfric.h that solve a case, and that give out and close results.
 module adfric_c_results
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_funptr, c_int, c_int32_t, c_int64_t, c_loc, c_ptr

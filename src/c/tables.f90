@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The tables of a model as C sees them. They are made once, and stay until the program ends.
 module adfric_c_tables
    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value

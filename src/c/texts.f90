@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Texts between C and Fortran, and how a call says what has become of it.
 module adfric_c_texts
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_null_ptr, c_ptr, c_size_t

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The functions of adfric.h that set and sweep the variables of a case.
 module adfric_c_values
    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_int32_t, c_int64_t, c_ptr

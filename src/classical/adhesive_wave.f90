@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> An elastic half-plane on a rigid wave z = D (1 - cos 2 pi x/l) that attracts it by a constant stress sigma0 where the gap is at
 !> most h0 (Dugdale): the equations of the zones.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The curve of equilibria of an adhesive wave (`adhesive_wave`) with all its events.
 !>
 !> For each c between 0 and 1/2 there is one state: contact if the right side of (2) exceeds eta at y = infinity,

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Where the adhered branch of an adhesive wave (`adhesive_wave`) ends, under a load and at a penetration, and what a loop of approach
 !> and parting loses.
 !>

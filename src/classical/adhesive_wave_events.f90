@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> An adhesive wave with all events of its curve of equilibria (`adhesive_wave_curve`, which says why there are no others): here those
 !> of the penetration.
 module adfric_classical_adhesive_wave_events

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The folds of the load of an adhesive wave (`adhesive_wave`): the least load of a partial contact, and the largest one, beyond
 !> which the wave snaps into saturation.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Three integrals over a cohesive zone beside the contact on a wave (`adhesive_wave`): with T = tan gamma, tan phi = m T,
 !>
 !>     K = int_0^phi artanh(tan f/T) df

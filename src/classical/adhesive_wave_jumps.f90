@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What an adhesive wave (`adhesive_wave`) loses in the jumps of one closed loop: from out of reach to full contact, or to the state at
 !> which the approach turns, and back, at held penetrations. A turn in partial contact leaves out both jumps of saturation. Elsewhere the loop is reversible, so the integral of P d delta around it is the sum of the losses.
 module adfric_classical_adhesive_wave_jumps

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The states of an adhesive wave (`adhesive_wave`) under a load, on each branch.
 !>
 !> With labels (the cohesive width c) held, a load has one state, and its gap at the edge exceeds eta where P < P(c). More

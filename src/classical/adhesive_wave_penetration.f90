@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The states of an adhesive wave (`adhesive_wave`) at a penetration, on each branch.
 !>
 !> `approach`: no contact up to delta = -eta, where the wave jumps in, for just beyond, delta falls along the curve at any stress; then

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One point of `wave_1d` with adhesion, from the values of a namelist to results and profiles.
 module adfric_classical_adhesive_wave_point
    use adfric_base_kinds, only: dp

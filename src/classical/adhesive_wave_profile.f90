@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Pressure and gap along an adhesive wave (`adhesive_wave`), psi = pi x.
 !>
 !> With tau(psi)^2 = tan^2 psi - tan^2 alpha over 1 + tan^2 alpha, which is sin(psi - alpha) sin(psi + alpha)/cos^2 psi and tan^2 phi at

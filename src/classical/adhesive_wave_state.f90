@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A state of an adhesive wave (`adhesive_wave`) with its energies.
 module adfric_classical_adhesive_wave_state
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A rigid wave z = D (1 - cos 2 pi x/l) that adheres to an elastic half-plane (`adhesive_wave`), in SI units.
 module adfric_classical_adhesive_wave_units
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Point force on an elastic half-space (Boussinesq: along the normal, Cerruti: along the surface).
 !>
 !> z points into the solid; the normal force N presses along +z, T pulls along +x. Tension is positive. Source: K. L. Johnson,

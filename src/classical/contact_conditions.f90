@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The conditions of contact (Hertz, Signorini, Moreau): gap g >= 0, pressure p >= 0, g p = 0.
 module adfric_classical_contact_conditions
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the models of given loads share: the same numbers at one place as results, and along two axes as maps.
 module adfric_classical_field_model
    use adfric_base_kinds, only: dp

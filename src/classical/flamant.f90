@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Line load on an elastic half-plane in plane strain (Flamant; Y, K. L. Johnson, Contact Mechanics, 1985, 2.2 and 2.3).
 !>
 !> y points into the solid, x along its boundary. The load N [N/m] presses along +y, T [N/m] pulls along +x. Tension is

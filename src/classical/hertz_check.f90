@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What an input of the model `hertz` may not say, and what its values mean.
 module adfric_classical_hertz_check
    use adfric_base_kinds, only: dp

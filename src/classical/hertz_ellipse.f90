@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Hertz's contact of two surfaces whose gap is z = A x^2 + B y^2, 0 < A <= B (Johnson, Contact Mechanics, 1985, 4.2).
 !>
 !> The ellipse of contact has the half-axes a >= b, the pressure p = p0 sqrt(1 - x^2/a^2 - y^2/b^2), p0 = 3 P/(2 pi a b). With

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Hertz's contact of parallel cylinders, per length: a = sqrt(4 P R/(pi E*)), p0 = 2 P/(pi a) (Johnson, Contact Mechanics, 1985,
 !> 4.2). The approach of a half-plane is undefined: delta = a^2/R is that of the point contact.
 module adfric_classical_hertz_line

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `hertz`: smooth elastic bodies in contact along a line, on a circle or on an ellipse, without friction; or a rigid
 !> cylinder that slides over a viscoelastic half-plane (Hunter).
 module adfric_classical_hertz_model

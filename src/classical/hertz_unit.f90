@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Hertz's contacts of half-width a = 1 m and largest pressure p0 = 1 Pa: all others of their shape are these in other units.
 !>
 !> What does not depend on load, modulus and size is found here, once for the neighbouring points of a sweep that share it: the

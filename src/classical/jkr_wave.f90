@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The limit of an adhesive wave (`adhesive_wave`) for a short range at a held surface energy w (K. L. Johnson, Int. J. Solids Struct. 32
 !> (1995) 423): the pressure is singular at the edge of contact, and only alpha^2 = 2 w l/(pi^2 E* D^2) counts.
 !>

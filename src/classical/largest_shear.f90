@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Largest shear stress on the axis under a contact.
 module adfric_classical_largest_shear
    use adfric_base_kinds, only: dp

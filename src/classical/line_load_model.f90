@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `line_load`: a line load on an elastic half-plane, plane strain (Flamant).
 module adfric_classical_line_load_model
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the classical models of the half-space share: profiles along axes that the user sets, and rows of the contact modulus.
 module adfric_classical_model
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the models of given tractions on a half-plane share: the solid, the place of the results, and the stresses there.
 module adfric_classical_plane_load
    use adfric_base_kinds, only: dp

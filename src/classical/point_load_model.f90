@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `point_load`: a point force on an elastic half-space (Boussinesq, Cerruti).
 module adfric_classical_point_load_model
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `rigid_punch`: a rigid punch on an elastic half-plane, without friction, plane strain.
 module adfric_classical_punch_model
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Profiles of rigid punches, and the closed form of the wedge, whose tip is no case for collocation.
 module adfric_classical_punch_profiles
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A rigid punch on its contact: the pressure under it, the surface beside it, and the gap.
 module adfric_classical_punch_state
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Stresses in a half-plane under the pressure of a rigid punch.
 !>
 !> y points into the solid, tension is positive. With lengths in the half-width a, t = x + i y and Cauchy's integral W of the

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A rigid punch pressed on an elastic half-plane without friction, plane strain (Y; Johnson, Contact Mechanics, 1985, 2.8, 5.2).
 !>
 !> The profile z(x) >= 0 is even and rises from its tip. Inside the contact |x| < a the slopes of punch and surface agree,

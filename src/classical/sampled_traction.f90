@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Half-plane under tractions that are given at samples and linear between them (plane strain).
 !>
 !> Conventions as in `adfric_classical_flamant`: p presses along +y into the solid, q pulls along +x, tension is positive. With

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A rigid cylinder, or parabola h = -x^2/(2 R), that slides steadily to +x over a viscoelastic half-plane without friction (S. C.
 !> Hunter, J. Appl. Mech. 28, 611, 1961, has one relaxation time), in closed form for any relaxation spectrum.
 !>

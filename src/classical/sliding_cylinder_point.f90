@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One point of `hertz` over a viscoelastic half-plane, from the values of a namelist to results and profiles.
 module adfric_classical_sliding_cylinder_point
    use adfric_base_kinds, only: dp

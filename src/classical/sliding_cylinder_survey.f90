@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is found by going over the profiles of a sliding cylinder: the largest pressure, the work of the pressure, and how well the
 !> conditions of contact hold. Units and symbols as in `sliding_cylinder`.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A rigid cylinder that slides over a viscoelastic half-plane (`sliding_cylinder`), in SI units and in both directions.
 !>
 !> x = 0 is the lowest line of the cylinder, which moves to +x where the velocity is positive. The tangential force has the sign

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Means over the contact and over the gap of a wave, which the equations of sliding need of each relaxation or retardation length.
 !>
 !> Lengths in 1/k. The contact is -w < y < w and the gap w < y < 2 pi - w; s = sin(w/2), C = cos(w/2), R^2 = |cos y - cos w|/2. Then

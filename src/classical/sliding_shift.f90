@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the n arms of a solid do to a sliding contact whose width is given: a system of n linear equations in closed form.
 !>
 !> The displacement u and the pressure Pi that an elastic half-plane of the relaxed modulus would need for it are an elastic pair.

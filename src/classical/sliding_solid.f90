@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The viscoelastic solid as a body sees it that slides over it at a constant speed V: relaxation and retardation times become
 !> lengths.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A rigid wave h = D cos kx that slides steadily to +x over a viscoelastic half-plane without friction, in closed form for any
 !> relaxation spectrum.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One point of `wave_1d` over a viscoelastic half-plane, from the values of a namelist to results and profiles.
 module adfric_classical_sliding_wave_point
    use adfric_base_kinds, only: dp

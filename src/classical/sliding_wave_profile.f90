@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Pressure and gap of a wave that slides over a viscoelastic half-plane, at a place. Units and symbols as in `sliding_wave`; y =
 !> x - m.
 !>

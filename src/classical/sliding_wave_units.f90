@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A rigid wave that slides over a viscoelastic half-plane (`sliding_wave`), in SI units and in both directions.
 !>
 !> x = 0 is a crest, and the body moves to +x where the velocity is positive. The tangential stress T = -mean(p h_x) has the sign

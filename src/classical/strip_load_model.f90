@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `strip_load`: given tractions on a strip of an elastic half-plane, plane strain.
 module adfric_classical_strip_load_model
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Half-plane under tractions on the strip |x| < a: uniform, and as in Hertz's line contact (plane strain).
 !>
 !> Reduced: lengths in a, stresses in the traction p0 (pressure, along +y into the solid) or q0 (shear, along +x). Tension is

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `wave_1d`: a sinusoidal wave on an elastic half-plane (Westergaard), with or without adhesion, or sliding over a
 !> viscoelastic one.
 module adfric_classical_wave_model

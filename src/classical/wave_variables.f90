@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The namelist variables and results of the model `wave_1d`.
 module adfric_classical_wave_variables
    use adfric_base_kinds, only: dp

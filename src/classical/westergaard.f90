@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A sinusoidal wave z = D (1 - cos 2 pi x/l) pressed on an elastic half-plane without friction (Westergaard; Y; Johnson, Contact
 !> Mechanics, 1985, 13.2).
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Read the input of a command and make its model.
 module adfric_command_case
    use adfric, only: new_model, known_models

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> `adfric check`: read and validate an input, and say what it means.
 module adfric_command_check
    use adfric_base_unset, only: is_set

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the user of a run may not mean, at its first point or where a sweep ends.
 module adfric_command_doubts
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Times as people say them.
 module adfric_command_durations
    use adfric_base_kinds, only: dp

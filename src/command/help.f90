@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> `adfric help`: what the tables of the models say, in words.
 module adfric_command_help
    use adfric, only: new_model, known_models

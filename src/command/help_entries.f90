@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Entries of a page of help: what several models say in the same words stands there once, with the names of all of them.
 module adfric_command_help_entries
    use adfric_base_words, only: count_words, get_word, pad, has_word

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Lists of all models, groups, variables, results and units, from the tables of the models.
 module adfric_command_help_lists
    use adfric_base_words, only: pad

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a model has to say of the names in its tables: groups, variables, results, profiles, and the words that they may be.
 module adfric_command_help_names
    use adfric_base_unset, only: is_set

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Pages of `adfric help` that do not depend on the models.
 module adfric_command_help_pages
    use adfric_base_text, only: newline

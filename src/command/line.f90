@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The command line: `adfric COMMAND ARGUMENT ... OPTION ...`.
 module adfric_command_line
    use adfric_base_error, only: error_t, set_error, input_failure

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> `adfric merge`: put the parts of a run together.
 module adfric_command_merge
    use adfric_base_kinds, only: i8

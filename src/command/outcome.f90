@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a command leaves behind: what it has to say, and how it ended.
 !>
 !> Whatever it says comes through here, so that here, once for all, text from outside is made fit to be shown.

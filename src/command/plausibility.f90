@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What `adfric check` says of values far from those of any contact. It is a warning and changes nothing.
 module adfric_command_plausibility
    use adfric_base_kinds, only: dp

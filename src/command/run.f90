@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> `adfric run`: solve every point of an input and write the results file.
 module adfric_command_run
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure

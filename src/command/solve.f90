@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Solve what is left of a run, alone or together with other processes, and write it.
 module adfric_command_solve
    use hdf5, only: hid_t

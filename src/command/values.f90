@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Values of namelist variables as they stand in an input.
 module adfric_command_values
    use adfric_base_kinds, only: dp

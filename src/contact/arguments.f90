@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the procedures of this folder hold their arguments against, and how they say what has become of them.
 module adfric_contact_arguments
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Contact of a periodic rough surface with an elastic half-space, without friction and adhesion, with plain arrays.
 !>
 !> Heights, gaps, periods and penetrations are in any one unit of length; pressures are in units of the contact modulus E*. A map

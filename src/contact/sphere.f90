@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Adhesive contact of an elastic sphere with a plane by Maugis's theory with Dugdale's law, with plain numbers or arrays of them.
 !>
 !> All but the units are in the reduced variables of Johnson (1997, eq. 2.11): `get_sphere_units` says what one of each is in SI

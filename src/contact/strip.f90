@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A rigid wavy strip that slides on a viscoelastic foundation and adheres to it (Goryacheva, Makhovskaya 2011), with plain
 !> numbers or arrays of them.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Attributes of HDF5 files and datasets.
 module adfric_hdf5_attributes
    use, intrinsic :: iso_c_binding, only: c_char, c_loc, c_null_char, c_ptr

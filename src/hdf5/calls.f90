@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A chain of HDF5 calls that stops at the first one that fails, and knows why it failed.
 !>
 !> Every call leaves its status in `status`; `check` follows it. The next call is made only while

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Datasets of fixed size in HDF5 files: contiguous, laid out on the disk and filled when they are created.
 !>
 !> Shapes, starts and counts are in C order, the slowest dimension first, as h5py shows them; a shape of size 0 is

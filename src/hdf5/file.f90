@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> HDF5 files as a whole.
 module adfric_hdf5_file
    use, intrinsic :: iso_c_binding, only: c_size_t

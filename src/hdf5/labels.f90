@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Short texts beside the datasets of files that others have written: attributes of any of the kinds that texts come in.
 module adfric_hdf5_labels
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t

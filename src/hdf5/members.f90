@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What groups and datasets of HDF5 files that others have written have beside values: datasets within a group, and attributes that
 !> are numbers.
 module adfric_hdf5_members

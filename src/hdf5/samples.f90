@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Numbers from HDF5 files that others have written.
 module adfric_hdf5_samples
    use, intrinsic :: iso_c_binding, only: c_loc, c_ptr

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Have all values of a virtual dataset a source? HDF5 gives its fill value for those that have none, and says nothing.
 module adfric_hdf5_sources
    use, intrinsic :: iso_c_binding, only: c_int, c_int64_t

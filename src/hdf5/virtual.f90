@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Virtual datasets: they have a shape, and their values are in datasets of other files.
 module adfric_hdf5_virtual
    use, intrinsic :: iso_c_binding, only: c_loc

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Where the assignments of a namelist file stand: `variable = value` within the groups.
 module adfric_input_assignment_scan
    use adfric_base_problems, only: problems_t

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Numbers beside the datasets and groups that an input names, such as the distance of samples.
 module adfric_input_attributes
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite

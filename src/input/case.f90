@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The case: a value for every variable of the model.
 module adfric_input_case
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the model says of the values together: asked at the first point and at the ends of each sweep.
 module adfric_input_consistency
    use adfric_base_kinds, only: dp

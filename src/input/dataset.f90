@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A dataset of an HDF5 file that a variable names, as in 'FILE.h5:/path/of/dataset'.
 module adfric_input_dataset
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The values of all datasets, groups and lists that an input has: from their files to the model.
 module adfric_input_dataset_loading
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Lists of numbers that stand in an input, in place of the name of a dataset.
 module adfric_input_given_list
    use adfric_base_kinds, only: dp, i8

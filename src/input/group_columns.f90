@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Datasets of one dimension and equal length, side by side in a group of an HDF5 file, as in 'FILE.h5:/path/of/group'.
 module adfric_input_group_columns
    use adfric_base_constants, only: pi

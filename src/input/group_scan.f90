@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Where the groups of a namelist file stand.
 !>
 !> The run-time library skips in silence what it does not understand, so the file is first cut into

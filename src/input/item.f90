@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The values of an assignment one by one, as they are written.
 !>
 !> A flaw is a text that says what is wrong and what was given; empty, nothing is wrong.

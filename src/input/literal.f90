@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One value, from its text to what it means.
 !>
 !> What the run-time library would accept in silence (an overflow, `1+3` for 1000, any word that begins with t for true)

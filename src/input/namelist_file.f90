@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A namelist file in memory: its whole text, its groups and its assignments.
 module adfric_input_namelist_file
    use adfric_base_error, only: error_t, set_error, input_failure

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Lists of numbers.
 module adfric_input_number_list
    use adfric_base_kinds, only: dp, i8

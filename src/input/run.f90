@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A run as the user describes it, in two steps: which model is wanted, then its case and sweep.
 !>
 !> Between them the caller makes the model of that name, so that nothing here knows of any particular one.

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The text of a namelist file: comments, quotes and lines.
 !>
 !> Nothing here looks at a letter more than a fixed number of times for each time it is asked, so that reading takes a time in

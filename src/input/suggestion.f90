@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the user may have meant: the nearest of the words that are known.
 module adfric_input_suggestion
    use adfric_base_words, only: count_words, get_word

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The `&sweep` groups: which variables take which values.
 module adfric_input_sweep
    use adfric_base_kinds, only: dp, i8

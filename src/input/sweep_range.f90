@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The values of one `&sweep` group: a list, or a range from one end to the other.
 module adfric_input_sweep_range
    use adfric_base_kinds, only: dp, i8

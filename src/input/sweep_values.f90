@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The values of a sweep between two ends.
 module adfric_input_sweep_values
    use adfric_base_kinds, only: dp

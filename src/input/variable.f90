@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The values of a model's variables: read from their groups, and held against what the model's table allows.
 module adfric_input_variable
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The names that an input may use, and what to say of a name that is not among them.
 module adfric_input_vocabulary
    use adfric_base_problems, only: problems_t

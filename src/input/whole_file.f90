@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A file as a text, byte by byte: a regular file, or what has no known length, such as a pipe.
 module adfric_input_whole_file
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t, c_null_char

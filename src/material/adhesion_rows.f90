@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The adhesion of surfaces: a stress pulls where the gap is at most its range (Dugdale), and stress times range is the surface energy.
 !> Every model with the group `adhesion` has its rows from here, and says the same where they are wrong. Models of a half-space have
 !> all rows, one behind the other, and read them by `resolve_adhesion`; `wavy_sliding` has those of the stress, with rows of its own

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact modulus E* of elastic bodies, given as such or by the moduli of the bodies:
 !>
 !>    1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What an input gives of a relaxation spectrum beside single numbers: lists of arms, or a master curve.
 !>
 !> Every model with a spectrum has the rows of the arms in its table, one behind the other. What is a modulus is the model's: a

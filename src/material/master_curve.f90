@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A relaxation spectrum fitted to a master curve: storage and loss modulus over the frequency.
 !>
 !> Relaxation times are spaced evenly on a logarithmic scale, from a decade below 1/omega_max to a decade above 1/omega_min. The moduli

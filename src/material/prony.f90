@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The relaxation spectrum of a viscoelastic solid: a spring and N Maxwell arms in parallel.
 !>
 !> $$ M(s) = k_0 + \sum_i k_i \frac{s \tau_i}{1 + s \tau_i}, \qquad k_g = k_0 + \sum_i k_i, $$

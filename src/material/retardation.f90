@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The retardation spectrum of a viscoelastic solid: a spring and N Kelvin elements in series, which are the same column as the
 !> spring and the N Maxwell arms of its relaxation spectrum (B. Gross, Mathematical Structure of the Theories of Viscoelasticity,
 !> 1953).

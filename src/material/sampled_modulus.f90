@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The modulus that a viscoelastic solid shows to a history that is known at equal intervals and linear between them.
 !>
 !> An arm of modulus E_i and relaxation time t_i follows such a history of strains e_j exactly by

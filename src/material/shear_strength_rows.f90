@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction of what touches: the shear stress in the area of contact is tau0 + alpha p, p the pressure there, whatever the speed.
 !>
 !> With alpha = 0 it is Bowden and Tabor's: shear strength times real area. Over nominal area it is tau0 a + alpha P, a the share of the

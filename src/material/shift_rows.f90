@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The law by which temperature shifts relaxation times, as an input gives it. Every model with such a law has these rows in its
 !> table, one behind the other, and a row for the temperature among its operating conditions.
 module adfric_material_shift_rows

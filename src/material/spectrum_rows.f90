@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The viscoelastic material of a half-space or a layer as an input gives it: a relaxation spectrum of contact moduli E/(1 - nu^2),
 !> with nu constant, and the temperature that shifts its times. Every model with such a material has these rows in its table, one
 !> behind the other, and reads them here; what stands in lists and datasets it keeps in a `given_spectrum_t`.

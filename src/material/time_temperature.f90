@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> How temperature shifts all relaxation times of a solid by one factor a_T, with its moduli kept: tau_i(T) = a_T tau_i(T0).
 !>
 !> WLF (M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77, 3701, 1955):

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Checks that models share: values that are missing, that stand beside others which say the same, or that may not be swept.
 module adfric_model_check
    use adfric_base_kinds, only: dp

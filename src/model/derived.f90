@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Quantities that follow from the variables of an input, such as Maugis's parameter from radius, modulus and energy.
 module adfric_model_derived
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the program knows of a model: its namelist variables, its results, and how to solve points.
 !>
 !> A model declares its variables and results in tables. Input, help, sweeps and the results file are

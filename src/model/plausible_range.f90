@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What sizes quantities have in contacts that there are: values far outside are those of a slip in the units. Only a hint: what a
 !> variable may be stands in its table.
 module adfric_model_plausible_range

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A model whose points are solved one after the other. What is found at a point stays until the next one of its block: its
 !> profiles are taken from it, and the next point may begin from it.
 module adfric_model_pointwise

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Where a model hands over the profiles of a block, one point after the other, so that no more than those of one are kept.
 module adfric_model_profile_receiver
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Rows of the tables of models. They are written by keyword, so that a table says what each of its numbers is.
 module adfric_model_rows
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What has become of a point.
 module adfric_model_status
    implicit none (type, external)

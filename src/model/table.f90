@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The tables in which a model declares its variables, its results and its profiles.
 module adfric_model_table
    use adfric_base_kinds, only: dp

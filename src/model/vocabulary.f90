@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The names of a model's groups and variables, as lists of words.
 module adfric_model_vocabulary
    use adfric_base_words, only: has_word

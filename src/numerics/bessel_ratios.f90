@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Ratios of modified Bessel functions.
 !>
 !> GSL calls the error handler of the process, which ends it, where a function or a part of it would underflow or overflow. That

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The error of a mean of values that resemble their neighbours.
 module adfric_numerics_correlated_mean
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The integral of a function over a range at whose ends it may have roots or inverse roots, by the double exponential rule
 !> (H. Takahasi, M. Mori, Publ. RIMS Kyoto Univ. 9, 721, 1974).
 module adfric_numerics_double_exponential

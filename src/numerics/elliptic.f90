@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Elliptic integrals in Carlson's symmetric form: sums of them have terms of one sign where differences of
 !> Legendre's E and F lose digits.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Sums, products and quotients of two numbers as a pair: the rounded value and what the rounding left.
 !>
 !> The pair of a sum or a product is exact (T. J. Dekker, Numerische Mathematik 18, 224, 1971), that of a quotient is right to about

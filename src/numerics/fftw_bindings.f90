@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Bindings of FFTW 3 (M. Frigo, S. G. Johnson, Proc. IEEE 93, 2005, 216), double precision: transforms of one line of numbers.
 module adfric_numerics_fftw_bindings
    use, intrinsic :: iso_c_binding, only: c_double, c_double_complex, c_int, c_ptr, c_size_t

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What threads share that is found once: a few numbers that follow from other numbers, its key. The first thread that asks for a key
 !> finds its numbers, all others look them up, or wait for them while it does. Keys that differ are sought at the same time.
 !>

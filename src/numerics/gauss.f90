@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Gauss's rules of 16 and of 10 nodes on (-1, 1), exact for polynomials of degree 31 and 19.
 module adfric_numerics_gauss
    use adfric_base_kinds, only: dp

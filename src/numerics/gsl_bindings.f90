@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Bindings of the GNU Scientific Library. Its functions end the process where an argument is outside of their domain: only
 !> `adfric_numerics_elliptic` and `adfric_numerics_bessel_ratios` call them, which look at the arguments before.
 module adfric_numerics_gsl_bindings

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Differences of hyperbolic functions that keep their digits where the argument is small.
 module adfric_numerics_hyperbolic
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Jacobi's elliptic functions sn, cn, dn at equally spaced arguments between 0 and the quarter period K.
 !>
 !> No argument is given, nor K: the values at K are (1, 0, k'), those at half of an argument follow from those at the argument, and

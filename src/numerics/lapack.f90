@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Bindings of LAPACK.
 module adfric_numerics_lapack
    use adfric_base_kinds, only: dp

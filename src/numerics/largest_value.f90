@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The largest value of a function over a range at whose ends it may have roots: places that crowd at both ends as those of the
 !> double exponential rule do, and the golden section between the neighbours of each that is above them (J. Kiefer, Proc. AMS 4,
 !> 502, 1953): of two summits the higher one may have the lower of these places.

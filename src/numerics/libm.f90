@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Functions of the C mathematical library that Fortran lacks.
 module adfric_numerics_libm
    use, intrinsic :: iso_c_binding, only: c_double

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Linear least squares with unknowns that are not negative: the least |A x - b| over x >= 0.
 !>
 !> The method of active sets of C. L. Lawson and R. J. Hanson, Solving Least Squares Problems, 1974, chapter 23, on a triangle of

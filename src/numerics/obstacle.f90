@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Linear problems with an obstacle.
 module adfric_numerics_obstacle
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A family of nested rules on (-1, 1): Gauss's of 5 nodes, Kronrod's extension of it to 11, Patterson's of that to 23
 !> and 47 nodes, and below them the one of the midpoint. Each keeps all nodes of the one before.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The periodic cubic spline through equidistant values.
 !>
 !> With the distance of neighbours as unit, its slopes d obey d(k - 1) + 4 d(k) + d(k + 1) = 3 (h(k + 1) - h(k - 1)), cyclic in k.

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Functions of exponential integrators: what a relaxation over one step does to a polynomial.
 !>
 !> \( \varphi_k(z) = \int_0^1 e^{-z (1 - s)} s^{k-1}/(k-1)!\, ds \) and the moments \( \chi_j(z) = \int_0^1 e^{-z s} s^j ds \), z >= 0.

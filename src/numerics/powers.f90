@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Roots of numbers.
 module adfric_numerics_powers
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A root of one equation in one unknown, inside a bracket that is never left.
 module adfric_numerics_scalar_root
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan

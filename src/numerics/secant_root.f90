@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A root of one equation whose value rises and whose slope is not known, inside a bracket that is never left.
 module adfric_numerics_secant_root
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan

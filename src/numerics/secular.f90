@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The roots of a secular equation, by their distances from its poles.
 !>
 !> $$ \sum_i \frac{b_i}{x - a_i} = c, \qquad b_i > 0, \quad c > 0, \quad a_1 < a_2 < \dots < a_N. $$

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Multiplication of the modes of a periodic field by a symbol: transform, multiply, transform back.
 !>
 !> A general field of nx by ny samples goes through the real Fourier transform, modes `(nx/2 + 1, ny)`. A field that is even about

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A lock that one thread holds while it does what others wait for.
 module adfric_numerics_thread_lock
    use omp_lib, only: omp_destroy_lock, omp_init_lock, omp_lock_kind, omp_set_lock, omp_unset_lock

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Differences of angles, sines and cosines that keep their digits where the angle is small.
 module adfric_numerics_trigonometry
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A checksum of what stands in a results file for each block of points: results, states, counts and profiles. A block
 !> whose checksum is another one is damaged.
 module adfric_output_block_sums

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A row of points of a grid as boxes of the grid.
 module adfric_output_boxes
    use adfric_base_kinds, only: i8

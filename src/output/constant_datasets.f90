@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Scalar datasets with what has one value in a whole run.
 module adfric_output_constant_datasets
    use, intrinsic :: iso_fortran_env, only: int8

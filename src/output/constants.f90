@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What has one value in a whole run: the variables that are not swept, given or by default, and what follows from them.
 module adfric_output_constants
    use adfric_base_kinds, only: dp

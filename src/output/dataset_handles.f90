@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The datasets of an open results file as HDF5 knows them: created or found, with their spaces, and closed.
 !>
 !> Every dataset has its full size from the start and holds NaN, or the state -1, where nothing has been written yet.

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The values in the datasets of an open results file, written and read by rows of points.
 module adfric_output_datasets
    use, intrinsic :: iso_fortran_env, only: int8

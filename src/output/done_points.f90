@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a results file already has of a run.
 module adfric_output_done_points
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite

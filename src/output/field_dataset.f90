@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A new dataset of a results file with all that describes it.
 module adfric_output_field_dataset
    use hdf5, only: hid_t

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The creation of a results file with all that stands in it before the first result.
 module adfric_output_file_creation
    use adfric_base_error, only: error_t

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The states in the life of a results file; which step leads from one to the other is drawn in `results_file.f90`.
 module adfric_output_file_state
    use adfric_base_error, only: error_t, set_error, file_failure

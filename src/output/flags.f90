@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The words of an enumerated dataset, as attributes.
 module adfric_output_flags
    use, intrinsic :: iso_fortran_env, only: int8

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a results file says of its run as a whole.
 module adfric_output_heading
    use, intrinsic :: iso_fortran_env, only: compiler_version

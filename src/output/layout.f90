@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Which datasets a results file has, of what shape and size.
 module adfric_output_layout
    use adfric_base_error, only: error_t, set_error, input_failure

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Attributes of a results file that are known at the end of its run: how long it took, and means over its points.
 module adfric_output_means
    use hdf5, only: hid_t

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Put the files of the parts of a run together: the file that the run would have written as a whole.
 module adfric_output_merging
    use hdf5, only: hid_t

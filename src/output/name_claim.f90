@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The claim of a run on the name of a results file: other runs are kept away by a lock.
 module adfric_output_name_claim
    use adfric_base_error, only: error_t, set_error, file_failure

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Names of a results file, and whether it may be written.
 module adfric_output_names
    use adfric_base_error, only: error_t, set_error, file_failure

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The files of the parts of a run: do they belong together?
 module adfric_output_part_files
    use hdf5, only: hid_t

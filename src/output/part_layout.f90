@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the file of a part says of itself, so that the parts can be put together without the input and the model.
 module adfric_output_part_layout
    use hdf5, only: hid_t

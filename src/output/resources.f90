@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Is there room for a run?
 module adfric_output_resources
    use adfric_base_kinds, only: dp

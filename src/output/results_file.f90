@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The file with the results of a run, or of a part of it: its life.
 !>
 !> The file has other names beside the final one, NAME.h5: `.new` until it has all its datasets, then `.partial`, by which a

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Results that are written into an open file: by one process, or by several at the same time.
 !>
 !> A point's `status` is written only when its results are on the disk, so a file says truthfully what it has, whenever the

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The short table at the end of a run.
 module adfric_output_run_table
    use adfric_base_kinds, only: dp, i8

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The seal of a results file: a checksum of every byte that does not change any more once the file has been created.
 !>
 !> HDF5 believes what a file says of itself, and a file that has been damaged makes it crash, hang, or give other values. So the

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The states of points whose results are written but may not have reached the disk yet.
 !>
 !> A state says that a point is done; so it is written only when the point's results are on the disk.

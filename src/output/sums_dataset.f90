@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The dataset with the checksums of the blocks of a results file.
 module adfric_output_sums_dataset
    use hdf5, only: hid_t

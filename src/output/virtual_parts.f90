@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Which points of a run are in the files of its parts, as virtual datasets need it.
 module adfric_output_virtual_parts
    use hdf5, only: hid_t

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Adhesive contact of a periodic surface under a load, on one grid: the most or the least adhered of its states.
 !>
 !> With the shares t of the cells within the range of adhesion (`adfric_periodic_cohesion`) the contact has one solution G(t)

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Adhesive contact of a periodic surface whose mean gap changes slowly, on one grid.
 !>
 !> At a given mean gap there is no order of states as under a load (`adfric_periodic_adhesive_contact`): the mean couples all cells, and

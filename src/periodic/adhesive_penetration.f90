@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Adhesive contact of a periodic surface at a given penetration, on either branch.
 !>
 !> Under a load q each branch has one state (`adfric_periodic_adhesive_contact`), whose penetration D(q) rises with q: it is known where a

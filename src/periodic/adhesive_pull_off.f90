@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Pull-off of an adhesive periodic surface: the least mean pressure that a state of the branch carries.
 !>
 !> At a load a branch has a state or it has none, and it has one at every load above one where it has (`adfric_periodic_adhesive_contact`). So

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Adhesive contact of a periodic surface with an elastic half-space on nested grids: load to pressure, gap and area on either branch.
 !>
 !> Each grid has the state of the wanted branch (`adfric_periodic_adhesive_contact`), found from shares that are 1 or 0 everywhere; a coarser

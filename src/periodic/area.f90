@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Area of contact from a map of cells, and its error from coarser maps.
 !>
 !> Cells at the perimeter S_d are counted as a whole and so the area is too large by ((pi - 1 + ln 2)/24) S_d dx on average

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Adhesion of Maugis and Dugdale between periodic surfaces: a tension of constant size while the gap is not larger than a range.
 !>
 !> Between the middles of four neighbouring cells the gap is taken as linear in triangles, as the mean over both ways to cut the

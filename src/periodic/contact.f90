@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Frictionless contact without adhesion of a rigid periodic surface with an elastic half-space, or another solid, on one grid.
 !>
 !> Unknown is the gap. With the gap of the undeformed surfaces at first touch g0, the penetration delta, and the displacement

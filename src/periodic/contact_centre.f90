@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Where the contact of a wave stands: how far its middle lies from the crest at 0.
 !>
 !> The middle is that of the arc in which contact stands on the circle of one period: the phase of the first harmonic of the

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The surface of an elastic half-space: pressure over displacement is E* |k|/2 (K. L. Johnson, Contact Mechanics, 1985,
 !> section 13.2).
 module adfric_periodic_elastic_kernel

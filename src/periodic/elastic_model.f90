@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the models of a periodic surface on an elastic half-space share, with or without adhesion; a model says what its surface is.
 module adfric_periodic_elastic_model
    use adfric_base_kinds, only: dp

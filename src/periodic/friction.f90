@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a rough body that slides steadily over a viscoelastic solid is held back by, without friction at the surfaces: the pressure on
 !> its slopes.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The gap over a given open region, step by step.
 !>
 !> Where the surfaces are apart the pressure q + s + A g is zero (`adfric_periodic_contact`), where they touch the gap g

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The heights of a rough body as an input gives them: in the middles of equal cells that fill a period, from x = 0 and y = 0 on,
 !> positive towards the solid. The summits touch first.
 module adfric_periodic_given_heights

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Fields in the middles of the cells of nested grids.
 module adfric_periodic_grids
    use adfric_base_kinds, only: dp

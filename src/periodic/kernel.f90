@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a solid answers to pressure on its surface, wave by wave: the symbol of the periodic operator. A new kernel is a type that
 !> extends this one in a file of its own.
 module adfric_periodic_kernel

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The surface of an elastic layer on a rigid base: pressure over displacement is E* |k|/(2 F(Q)), Q = |k| H, H the thickness,
 !>
 !> $$ F = \frac{2 \sinh^2 Q}{\sinh 2Q + 2Q} \text{ (frictionless base)}, \qquad

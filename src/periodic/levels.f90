@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A cheap approximate inverse of the stiffness on the open cells: sums over grids of ever larger cells.
 !>
 !> A gap of the size of a grid's cells costs a pressure of the order of the mean stiffness of the waves that this grid has, so the sum

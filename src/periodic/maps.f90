@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Sums over maps, and multiples of maps, by all threads that there are for a point. Sums are taken row by row, then over the rows in
 !> their order, so that they have the same bits for any number of threads.
 module adfric_periodic_maps

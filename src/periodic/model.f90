@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the models of a periodic surface share; a model says what its surface and its solid are.
 module adfric_periodic_model
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The surface of a solid, an elastic or viscoelastic half-space or layer, under pressures periodic in x and y.
 !>
 !> The stiffness of a kernel (`adfric_periodic_kernel`) takes each wave of displacement to its pressure, and its inverse, the

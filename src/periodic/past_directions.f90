@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The last directions of steps under a sliding body, and the pressures that they make.
 !>
 !> Directions d_i are kept with their pressures w_i = A d_i in all cells and with these preconditioned, v_i = M w_i on the open cells, so

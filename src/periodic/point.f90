@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One contact of a periodic surface, in the units of its case: lengths in periods along x, pressures in E*.
 module adfric_periodic_point
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> When the open region is changed, and how: all wrong cells at once while that helps, and one by one when it does not.
 !>
 !> A change of all wrong cells is a step of Newton's method, and it need not wait until the gap of the present region is exact. How far

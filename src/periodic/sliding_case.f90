@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One point of `surface_sliding`: from the values of a namelist to the solid below the moving surface.
 module adfric_periodic_sliding_case
    use adfric_base_kinds, only: dp

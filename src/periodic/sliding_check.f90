@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is missing, contradictory or impossible in an input of `surface_sliding`.
 module adfric_periodic_sliding_check
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The surface of a viscoelastic solid over which a rough body slides steadily, in the frame of the body.
 !>
 !> The stiffness of a wave is that of the elastic solid of unit modulus times the complex modulus at the frequency with which the wave

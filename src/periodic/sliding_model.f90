@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `surface_sliding`: a rigid periodic surface, a wave or given heights, that slides steadily over a viscoelastic half-space
 !> or layer, without friction at the surfaces and without adhesion.
 !>

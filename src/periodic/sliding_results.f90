@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The results that `surface_sliding` has beside those of all models of a periodic surface, and the error of the friction.
 module adfric_periodic_sliding_results
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The namelist variables and results of the model `surface_sliding`, beside those that all models of a periodic surface share.
 module adfric_periodic_sliding_variables
    use adfric_base_kinds, only: dp

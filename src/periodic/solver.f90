@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Contact of a periodic surface, at rest or sliding steadily, with an elastic or viscoelastic half-space or layer: load or
 !> penetration to pressure, gap, area and the stress that holds the body back.
 !>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `surface_elastic`: a rigid periodic surface, given by its heights (`adfric_periodic_given_heights`), on an elastic
 !> half-space, without friction, with or without adhesion.
 module adfric_periodic_surface_model

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Linear interpolation from a grid to one of twice the cells in some directions, and its transpose, line by line.
 !>
 !> Cell I of the coarser grid covers the cells 2I - 1 and 2I of the finer one, of which the last may be missing. Values stand in the

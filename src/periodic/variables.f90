@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Rows of the tables that all models of a periodic surface share: tolerance, then those of the solid, what is held, and the maps; and
 !> those of the models on an elastic half-space, which may adhere.
 module adfric_periodic_variables

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The viscoelastic half-space or layer over which a rough surface slides, with what is known of it in closed form.
 !>
 !> The wave exp(ik.x) of displacements has the pressure E(-k.V) |k|/2F, with the complex modulus E(omega) and the factor F of the

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `wave_2d_elastic`: a rigid bi-sinusoidal wave on an elastic half-space, without friction, with or without adhesion.
 !>
 !> Full contact is reached at the mean pressure p* = 2 pi E* D/l (K. L. Johnson, J. A. Greenwood, J. G. Higginson, Int. J. Mech.

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Sinusoidal waves in the middles of cells.
 module adfric_periodic_wave_cells
    use adfric_base_kinds, only: dp

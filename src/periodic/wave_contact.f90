@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Full contact of a rigid wave that slides over a viscoelastic solid, in closed form: the displacement is the wave.
 !>
 !> A wave D cos(k.x) has the pressure q + D Re(A exp(ik.x)), with the stiffness A of its wave. Waves along x and y add up.

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the processes of a run must agree on: how it ends, which blocks are solved, what all of them found.
 module adfric_run_agreement
    use, intrinsic :: iso_fortran_env, only: int8

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A batch: results of neighbouring blocks that go to the sink together; and a store of batches.
 module adfric_run_batch
    use adfric_base_kinds, only: dp, i8

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Who says which blocks are solved next.
 module adfric_run_block_source
    use, intrinsic :: iso_fortran_env, only: int8

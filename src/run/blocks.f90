@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The blocks of a run: neighbouring points that are solved together, and how they are dealt out to the parts of a run.
 !>
 !> The size of a block depends on the model and the number of points alone, so that the results are the same whoever solves which

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Which case it is: runs of one hash have the same results, bit by bit.
 module adfric_run_case_hash
    use, intrinsic :: iso_fortran_env, only: compiler_version

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a run knows of the data of one of its variables: a dataset or a group that it names, or a list of numbers. The model has
 !> the values.
 module adfric_run_dataset

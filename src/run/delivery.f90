@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> How results get from the threads that solve into the sink.
 !>
 !> One more thread has nothing to do but that: while it writes and waits for the disk, the others go on. It sleeps as long

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A sink that keeps the results of a run in memory, for a caller that has no file.
 module adfric_run_memory_sink
    use adfric_base_error, only: error_t, set_error, file_failure

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The points of a sweep: the outer product of its axes, along each of which one or several variables change.
 module adfric_run_plan
    use adfric_base_kinds, only: dp, i8

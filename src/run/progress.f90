@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Who is told how far a sweep is, and may end it.
 module adfric_run_progress
    use adfric_base_kinds, only: i8

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A run: a model, the points that it solves, and what belongs to all of them.
 !>
 !> Whoever has a run and a sink solves it by two calls: `prepare` of its model, and `run_sweep` of the runner. What a run is

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Solve the blocks that a source gives, with all threads, and hand the results to a sink.
 !>
 !> Each thread takes a few neighbouring blocks, solves them one by one and leaves their results to one more thread, which

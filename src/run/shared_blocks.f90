@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Blocks that several processes solve together: each takes the next ones when it has time.
 !>
 !> All processes have the same list of blocks that are left and draw tickets for them from one counter; a ticket says how

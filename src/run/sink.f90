@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Where the results of a sweep go.
 module adfric_run_sink
    use adfric_base_kinds, only: dp, i8

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a run found, in a few numbers.
 module adfric_run_summary
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite

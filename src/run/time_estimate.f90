@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> How long a run will take on a machine that has nothing else to do, from a few of its points that are solved in another process
 !> for a fraction of a second.
 module adfric_run_time_estimate

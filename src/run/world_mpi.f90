@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The processes that solve a run together, by MPI. `world_serial.f90` holds the same module for programs without MPI.
 module adfric_run_world
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_ptr

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The processes that solve a run together: here only one. `world_mpi.f90` holds the same module for programs that are built
 !> with MPI; the build takes one of them.
 module adfric_run_world

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> How measured heights, which end where the measurement ended, become one period along x.
 !>
 !> Every row is closed by itself: it becomes a strip, which slides along x. The distance of samples stays as it is, so a period of

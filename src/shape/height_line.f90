@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Heights along one period of a line, as polynomials between equidistant places.
 !>
 !> The period is the unit of length. The surface slides to +x, so a column of the foundation meets it in the order of falling x:

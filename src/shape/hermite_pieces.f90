@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Polynomials in theta = 0..1 that have given heights and derivatives at both ends (Hermite's interpolation).
 module adfric_shape_hermite_pieces
    use adfric_base_kinds, only: dp

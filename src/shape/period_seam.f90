@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Does a map of heights go on where its period ends?
 !>
 !> The steps between neighbouring rows, the root mean square of the differences along them, are compared with the step across the

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> From measured heights to one period of a surface, row by row along x.
 module adfric_shape_periodic_heights
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Polynomials in theta = 0..1, as pieces of a line of heights are.
 module adfric_shape_polynomial
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Waves along x that are shorter than a bound, taken out of heights that are periodic along x.
 module adfric_shape_short_waves
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What of measured heights is tilt and not surface.
 module adfric_shape_trend
    use adfric_base_kinds, only: dp

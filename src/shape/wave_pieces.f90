@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Sums of waves as quintic pieces.
 module adfric_shape_wave_pieces
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One point of the model `sphere`: from the values of a namelist to reduced variables.
 module adfric_sphere_case
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is missing, contradictory or impossible in an input of the model `sphere`.
 module adfric_sphere_check
    use adfric_base_kinds, only: dp

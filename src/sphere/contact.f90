@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A contact of a sphere with a plane, and what every theory of it can do.
 !>
 !> Reduced variables of Johnson (2.11): radii in (3 pi w R^2/4E*)^(1/3), loads in pi w R, approach in

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The theory of Derjaguin, Muller and Toporov in Maugis's form: adhesion pulls from outside a contact that it does
 !> not deform. P = a^3 - 2 X, delta = a^2 (J 2.11, limit lambda -> 0).
 module adfric_sphere_dmt

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The curve of all states with contact in Maugis's theory, J 2.12-2.14, 4.8, 4.9, for every lambda and X.
 !>
 !> With a = c cos th, 0 < th < pi/2,

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Hertz's contact, no adhesion: P = a^3, delta = a^2 (J 2.1, 2.2). It is that of DMT without its force of adhesion.
 module adfric_sphere_hertz
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The share X of adhesion that friction leaves, J 4.5-4.7.
 !>
 !> Slip works against the strength over the range of adhesion: g = tau0 s/w, at most g0 = tau0 s0/w. Of that work the

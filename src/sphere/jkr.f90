@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The theory of Johnson, Kendall and Roberts: P = a^3 - sqrt(6 X a^3), delta = a^2 - (2/3) sqrt(6 X a)
 !> (J 2.11, 4.10, limit lambda -> infinity).
 module adfric_sphere_jkr

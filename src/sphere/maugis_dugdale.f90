@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Maugis's theory with Dugdale's constant stress of adhesion, for every lambda and X.
 !>
 !> Along its curve (see `dugdale_curve`) radius falls; load and approach fall to their least values and rise again

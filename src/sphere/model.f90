@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `sphere`: a smooth sphere on a plane, its adhesion and its friction (Johnson 1997).
 module adfric_sphere_model
    use adfric_base_kinds, only: dp

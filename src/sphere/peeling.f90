@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Static friction of a sphere that takes from adhesion what it needs to slip, sliding, and the events between them
 !> (J 4.1-4.9, fig. 9).
 !>

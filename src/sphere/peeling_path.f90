@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The way of a contact from rest to sliding, where friction takes from adhesion what it needs to slip, J 4.5-4.9.
 !>
 !> At rest g = 0 and gamma = 1. On the way, with what is held (load, approach or radius),

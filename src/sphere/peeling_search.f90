@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is looked for on the way from rest to sliding: its end, and states with a given angle, force or displacement.
 !>
 !> Along the way force and displacement rise and, with interaction, may fall again; where both happen the largest value

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One point of the sphere: the theory it needs, its contact, and its friction, in reduced variables.
 module adfric_sphere_point
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Pressure and gap around the axis of a contact, for every theory.
 !>
 !> Reduced variables (see `sphere_contact`): radii in (3 pi w R^2/4E*)^(1/3), gaps in (9 pi^2 w^2 R/16E*^2)^(1/3), the unit

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction before sliding, J 3.3-3.7: slip in an annulus e <= r <= b at the strength tau0, none within e.
 !>
 !> Everything depends on gamma = e/b, or on its angle th = arccos gamma, which keeps its digits where the annulus is

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> By how much JKR and DMT can differ from Maugis-Dugdale at one radius of contact: inequalities, not estimates.
 !>
 !> Adhesion pulls with p = X lambda c^2 (sin th cos th + th), where A c^2 + B c = 1 (see `dugdale_curve`). For X = 1 (other X by

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Which theory a point needs, and its contact.
 !>
 !> `auto` takes DMT or JKR where inequalities (see `theory_bounds`) prove that it is within the tolerance of

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The units of the reduced variables of a sphere (K. L. Johnson, Proc. R. Soc. Lond. A 453, 1997, 163, eq. 2.11).
 module adfric_sphere_units
    use adfric_base_kinds, only: dp

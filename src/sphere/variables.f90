@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The namelist variables and results of the model `sphere`.
 module adfric_sphere_variables
    use adfric_base_kinds, only: dp

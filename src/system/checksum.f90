@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A short number that tells things apart, whatever they consist of: FNV-1a with 64 bits (G. Fowler, L. C. Noll, K.-P. Vo,
 !> D. Eastlake, The FNV non-cryptographic hash algorithm).
 module adfric_system_checksum

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A second process that does a piece of work for this one and sends back numbers. It may take too long, run out of memory or die:
 !> this process goes on whatever becomes of it.
 !>

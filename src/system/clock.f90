@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The time that passes.
 module adfric_system_clock
    use adfric_base_kinds, only: dp, i8

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bytes of a file as they stand on the disk, but for holes in it that are passed over. */
 
 #define _GNU_SOURCE

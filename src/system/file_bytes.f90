@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Bytes of a file as they stand on the disk: their checksum, and where something stands among them. Holes, which rise and do
 !> not touch each other, are passed over; each has its first byte, from 0, and its number of bytes, shape `(2, n)`.
 module adfric_system_file_bytes

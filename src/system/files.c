@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What neither Fortran nor HDF5 says about files: kinds, locks, free space, and a move that overwrites nothing. */
 
 /* for sync_file_range of Linux; elsewhere it asks for nothing more than the others */

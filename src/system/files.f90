@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What neither Fortran nor HDF5 says about files, with the bindings of `files.c`.
 module adfric_system_files
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_int64_t, c_null_char, c_size_t

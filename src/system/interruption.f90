@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Has a run been asked to end, by SIGTERM (a batch system), SIGINT (Ctrl-C) or SIGHUP (its terminal is gone)? Another signal,
 !> more than a second later, ends it at once.
 module adfric_system_interruption

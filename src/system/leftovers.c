@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files that are of no use if the program ends now, and one whose results stay: noted by who makes them, so that they are
    known where nothing can be asked any more. */
 

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Files that are of no use if the program ends now, as where memory is exhausted; the main program removes them then.
 module adfric_system_leftovers
    use, intrinsic :: iso_c_binding, only: c_char, c_null_char

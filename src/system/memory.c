@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Memory that a process may still have. */
 
 #define _DEFAULT_SOURCE

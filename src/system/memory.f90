@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Memory that this process may still have.
 module adfric_system_memory
    use, intrinsic :: iso_c_binding, only: c_double, c_int

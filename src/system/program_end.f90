@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The end of a program with an exit status and without a word. `stop` says which floating-point exceptions were met, and
 !> its `quiet=` came with gfortran 12.
 module adfric_system_program_end

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A counting semaphore: threads sleep until another one wakes them. */
 
 #define _POSIX_C_SOURCE 200809L

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A counting semaphore: threads sleep until another one wakes them, where OpenMP would let them run in circles.
 module adfric_system_semaphore
    use, intrinsic :: iso_c_binding, only: c_ptr, c_long, c_null_ptr, c_associated

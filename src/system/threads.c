@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Can the threads of a run be started, and are their stacks large enough? */
 
 #define _GNU_SOURCE

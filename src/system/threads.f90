@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Can the threads of a run be started? OpenMP ends the program where they cannot, so it is tried before.
 module adfric_system_threads
    use, intrinsic :: iso_c_binding, only: c_double, c_int

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The law of adhesion of the strips of a wavy surface.
 !>
 !> Adhesion pulls with one stress \( \pi \) as long as the gap is within its range \( \delta \). The edge rule says what the

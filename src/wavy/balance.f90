@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Forces of one strip, its dissipation, and the balances that check both.
 !>
 !> Everything is in closed form. Friction is the integral of the tractions; dissipation that of the stress

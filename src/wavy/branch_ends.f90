@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Where a branch of strips across a 3-D surface ends, by Newton's method on the edges and the place together.
 !>
 !> At a fold the multiplier is 1 and the edge equations alone become singular; with the place as an unknown and the

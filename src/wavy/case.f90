@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One point of the model `wavy_sliding`: from the values of a namelist to reduced units.
 module adfric_wavy_case
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Displacement and pressure under one strip at any phase of its steady state.
 module adfric_wavy_column
    use adfric_base_kinds, only: dp

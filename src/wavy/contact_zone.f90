@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Functions of the contact zone that keep their digits for narrow contacts and for slow and fast sliding.
 module adfric_wavy_contact_zone
    use adfric_base_kinds, only: dp

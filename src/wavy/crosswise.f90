@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Sums the strips of a surface: one strip in 2-D; in 3-D an integral across the surface.
 !>
 !> The surface is symmetric about the crest line, so half a period is enough. Each panel of one regime is an interval of

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The equations of the edges of contact and adhesion of one strip, and their derivatives.
 !>
 !> With \( a = \lambda - s, b = \lambda + s \) the contact is (-a, b) and adhesion reaches to -a1 and b1. The four

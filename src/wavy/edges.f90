@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The edges of contact and adhesion of one strip, by Newton's method on all edge equations at once.
 module adfric_wavy_edges
    use adfric_base_kinds, only: dp

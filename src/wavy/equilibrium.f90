@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A wavy surface under a given penetration or a given load.
 !>
 !> Under load the penetration is sought on the chosen branch where the load rises with it. On the adhered branch

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction with GM's finite slope, tau = p sin(arctan f') (GM 13), by Gauss's rule.
 module adfric_wavy_finite_slope
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The viscoelastic foundation: a standard linear solid under a steadily moving surface.
 !>
 !> In the phase \( \xi = k x \) (GM 4), with lengths in any unit and stresses in that unit over K,

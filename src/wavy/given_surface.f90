@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What an input gives of a surface and its foundation beside single numbers: heights, waves, spectra.
 module adfric_wavy_given_surface
    use adfric_base_kinds, only: dp

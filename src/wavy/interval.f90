@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The integral over a stretch of one panel of a 3-D surface, by nested rules.
 !>
 !> A panel is mapped from -1..1 by \( \theta = \theta_0 + \Delta (3z - z^3)/2 \): near its ends forces go like half-integer

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The penetration that carries a load, on the branch of the surface: from above the largest, from below the smallest.
 !>
 !> Loading and unloading meet a state where the load passes the one that is sought, so a search must not pass one. From a

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Where the search for the state of a load begins.
 !>
 !> Two surfaces enclose the load of every state at every penetration: without adhesion it carries no less, and with adhesion in

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a surface carries at one penetration, beside the load that is sought, and what follows for other penetrations.
 !>
 !> With a fixed pattern of what adheres and what is free the displacement is a convex function of the penetration D, and a

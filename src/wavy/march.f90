@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The way of one column of the foundation under the surface, from event to event.
 !>
 !> In every zone the closed form of GM holds, and each zone can end only in one interval of the phase, where the

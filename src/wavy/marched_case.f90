@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One point of `wavy_sliding` on heights or with a spectrum: from the values of a namelist to rows that a column marches along.
 module adfric_wavy_marched_case
    use adfric_base_kinds, only: dp

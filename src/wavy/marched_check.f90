@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is missing, contradictory or impossible in an input of `wavy_sliding` on heights or with a spectrum.
 module adfric_wavy_marched_check
    use adfric_base_kinds, only: dp

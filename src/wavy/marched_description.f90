@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What `adfric check` says of heights and spectra, and of what the user may not mean.
 module adfric_wavy_marched_description
    use adfric_base_kinds, only: dp

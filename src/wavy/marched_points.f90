@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Points of `wavy_sliding` on heights or with a spectrum, one after the other.
 !>
 !> Rows and spectrum are found once for neighbouring points that share them, and so are the ways of the rows for points of one velocity and

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `wavy_sliding`: a rigid wavy surface sliding on a viscoelastic foundation (GM 2011).
 module adfric_wavy_model
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Where a regime of strips ends across a 3-D surface.
 !>
 !> Where adhesion begins to be lost, the margin of the range passes through zero; other branches end in a fold, or go on

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Panels across a 3-D surface: stretches of the crosswise phase \( \theta = k y \) in which all strips are in one regime.
 !>
 !> Where the regime changes, forces have kinks or jumps across the surface, and no quadrature rule gets past them.

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What two marched periods tell of all periods that start between them.
 !>
 !> A free column is known by its displacement w. Over a period w becomes T(w), and T increases. Its derivative is

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Intervals of the phase in which the drive of a strip is above or below a bound.
 module adfric_wavy_phases
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Pressure, shear stress, displacement and gap over one period of the surface.
 module adfric_wavy_profiles
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The pull-off load: the least load of the adhered branch. No state of any branch carries less, for of all states of a penetration
 !> that of the adhered branch has the smallest gap, and so the smallest mean displacement.
 !>

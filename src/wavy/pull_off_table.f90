@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The pull-off loads of all surfaces of a run: the first point of a surface has its pull-off load found, all others look it up.
 !>
 !> All threads use one table. What stands in it depends on the surface alone, so it does not matter who found it.

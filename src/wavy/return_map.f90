@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The return map of a strip: where the leading edge of adhesion is found a period after it was at a phase, and the phase
 !> to which it returns.
 module adfric_wavy_return_map

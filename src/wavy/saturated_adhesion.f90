@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Discrete contact with adhesion over the whole gap (GM 4.2), and discrete contact without adhesion.
 !>
 !> Contact ends where \( p = -\pi \) and starts where the gap closes. Both conditions are linear in the

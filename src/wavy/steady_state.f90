@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The steady state of one strip on the chosen branch.
 !>
 !> The state of a column after one period, as a function of its state before (the return map), increases: of

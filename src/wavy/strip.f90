@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One strip of the surface in reduced form, and what a steady state of it is.
 !>
 !> The strip has the profile \( F(\xi) = m + \cos \xi \): lengths are in units of half its

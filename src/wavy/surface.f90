@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The wavy surface as a set of strips, and what the strips add up to.
 !>
 !> Reduced units: lengths along the surface in periods l, heights in h, pressure in h/K.

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The shape of a wavy surface, and the strips of which it consists.
 !>
 !> Lengths are in units of the height h. The strip at distance y from the crest line has the share

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A caller who does not do what a procedure demands.
 program unmet_demand
    use, intrinsic :: iso_fortran_env, only: output_unit

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Batches of contacts: closed forms, round trips, and arguments that are not allowed. */
 
 #include "check.h"

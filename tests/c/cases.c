@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cases are set, solved and read from C. */
 
 #include "check.h"

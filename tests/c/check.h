@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the tests of adfric.h have in common: a test ends with the first line that is not as it should be. */
 
 #ifndef ADFRIC_TESTS_CHECK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 // adfric.h from C++: a case and results that close themselves, and errors as exceptions.
 
 #include <cmath>

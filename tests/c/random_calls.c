@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Calls that somebody might make by mistake, drawn by chance, from several threads at once: each gives back one of the statuses,
    with a text where it is not ADFRIC_OK, and nothing else happens. */
 

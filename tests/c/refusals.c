@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is refused, and in which words; nothing is changed by it. */
 
 #include "check.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Solve an input and print what was found, a line of words for each array and attribute, for tests/program/c_results.py. */
 
 #include <inttypes.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Several threads at once, and calls that are stopped. */
 
 #include <pthread.h>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 ! Adhesive contact of one wave on a grid, by labels and dense systems: half a period of cells, the tension S in the labelled ones.
 ! Nothing here knows of the closed form, and no path is followed.
 module brute_adhesion

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Half-plane under tractions linear between samples, by quadrature in quadruple precision: pieces are halved until Gauss's rule
 !> of 16 points is exact to its digits.
 module brute_tractions

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Cases of the half-space in other units: the same physics with numbers in other units of length and stress.
 module scaled_cases
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 ! Solids of tables, and modes of the pressure of a sliding wave.
 module sliding_cases
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Profiles of punches that are no polynomials.
 module trial_profiles
    use adfric_base_kinds, only: dp

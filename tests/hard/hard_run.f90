@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A hard case through the program: namelist in, results file out, with one thread and with three.
 module hard_run
    use adfric_base_kinds, only: dp, i8

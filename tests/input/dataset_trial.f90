@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A model that takes a dataset, and inputs that name one.
 module dataset_trial
    use adfric_base_error, only: error_t

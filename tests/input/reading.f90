@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Helpers of the input's tests: an input is written as one text with `|` for the end of a line.
 module reading
    use adfric_base_error, only: error_t

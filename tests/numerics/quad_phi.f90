@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Functions of exponential integrators in quadruple precision, by sums without cancellation.
 module quad_phi
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 ! Equations and functions for the tests of roots and integrals.
 module rising_equations
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Equations with known roots.
 module trial_equations
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Adhesive contact along a line of a few cells, without transforms: given shares, cells are opened and closed one by one (Murty), and
 !> shares are found anew until they rest. Shares are those of straight lines between the middles of the cells.
 module dense_adhesion

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Sliding contact on a few cells, without transforms: the solid's arms march along the rows of cells, and cells are opened and closed
 !> one by one, the first wrong one each time (Murty), which ends for matrices with positive principal minors.
 module dense_sliding

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Cases of the model `surface_sliding`.
 module periodic_sliding_cases
    use adfric_base_kinds, only: dp

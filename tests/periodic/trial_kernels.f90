@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Kernels for tests of the periodic operator: a solid twice as stiff, and one whose displacement lags behind.
 module trial_kernels
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The shipped inputs of rough surfaces that adhere, on fewer cells, and their figures."""
 
 import sys

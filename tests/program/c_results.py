@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the interface for C finds is what the results file of the same input has, name by name and bit by bit."""
 
 import os

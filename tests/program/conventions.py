@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Results files as other programs read them: the CF conventions by compliance-checker, units by pint-xarray.
 
 These packages stand in an environment of their own (scripts/setup tests), with whose Python this file starts itself again.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Partial files and parts with some bits changed: the run that goes on has the right results in the end, or refuses the file."""
 
 import random

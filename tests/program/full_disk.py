@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Disks that are full, become full or fail while a run writes: one clear line, nothing lost, and the same bits in the end."""
 
 import os

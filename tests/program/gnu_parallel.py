@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The lines of docs/clusters.md for GNU parallel: a task that is killed once, and the same lines again."""
 
 import os

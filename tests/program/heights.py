@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Heights, lists and master curves from files to results: what is refused, what check says, parts, and runs that go on."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Master curves: units, heads, temperature, and what is refused."""
 
 # first, since it starts the file again with the Python that has SurfaceTopography

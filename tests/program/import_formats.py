@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Measured surfaces in many formats: the same heights, units and axes come out of each."""
 
 # first, since it starts the file again with the Python that has SurfaceTopography

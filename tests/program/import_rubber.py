@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """From what instruments would write to friction: the shipped inputs that need imported data, and the commands in their heads."""
 
 # first, since it starts the file again with the Python that has SurfaceTopography

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Power spectra, moments and the distribution of imported heights against closed forms."""
 
 # first, since it starts the file again with the Python that has SurfaceTopography

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What an import does to heights, and how its files appear."""
 
 # first, since it starts the file again with the Python that has SurfaceTopography

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The command scripts/import_surface for tests, with the Python of its own environment, .venv_import."""
 
 import contextlib

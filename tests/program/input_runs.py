@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs of shipped inputs with some words changed, and of the made surfaces that they name."""
 
 import re

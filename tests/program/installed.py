@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What `cmake --install` puts into a prefix: it works wherever the prefix is, and programs outside the tree are built with it."""
 
 import os

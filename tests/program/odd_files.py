@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Files that are no common files: pipes, links, names with percent signs, outputs that are full, terminals that are gone."""
 
 import contextlib

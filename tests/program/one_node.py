@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A Slurm of its own for a test: one node, this machine, everything in one folder, on loopback."""
 
 import ctypes

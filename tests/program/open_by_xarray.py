@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The results of small runs, opened by xarray and drawn as a user does."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs of several processes by MPI: the same file as that of one process, to the bit, whatever ends them on the way."""
 
 import contextlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs that are killed, stopped or run out of room, and resumed: nothing is lost, and the results are the same bits."""
 
 import os

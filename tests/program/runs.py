@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Small runs of the program for tests, and their files compared bit by bit."""
 
 import os

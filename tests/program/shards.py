@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs in parts, and the parts put together: the same file as that of one run, to the bit."""
 
 import os

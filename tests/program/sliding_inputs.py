@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The shipped inputs of sliding that stand side by side: cells beside a closed form, and a thin layer beside the strips it stands for."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The job script under a Slurm of its own: tasks that are cancelled, told to end or killed, and submitted again."""
 
 import os

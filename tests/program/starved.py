@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Machines that have too little: memory, threads, stacks, files. A run ends with its results, or in one line, status 2 or 3 and
 nothing left behind."""
 

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a test file sees with `use funit`: the assertions of pFUnit that this runner knows.
 module funit
    use funit_exceptions, only: anyExceptions, SourceLocation, throw

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Assertions about a single condition: true, false, NaN, finite, failed, raised.
 module funit_conditions
    use, intrinsic :: iso_fortran_env, only: real32, real64

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Failures of the running test, and where they were raised.
 !>
 !> Test files call assertions without a handle, so the list of pending failures is a variable of this

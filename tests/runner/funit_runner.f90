@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Runs tests one after the other and prints what pFUnit prints.
 !>
 !> Options of a test program: `--verbose` names each test before it starts, `--filter TEXT` runs only

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What each relation between expected and actual values means, element by element.
 !>
 !> The assertions hand over arrays of any rank as flat lists with their shapes. An expected scalar

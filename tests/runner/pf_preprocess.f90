@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Translates a pFUnit test file into Fortran: pf_preprocess FILE.pf FILE.F90
 !>
 !> Exit status 1 and a line `FILE.pf:line: error: ...` if the file holds anything this runner does not know.

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Lexical rules of test files, as far as this runner has to know them.
 module pf_syntax
    implicit none (type, external)

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Translation of one pFUnit test file into Fortran, line by line.
 !>
 !> Known are @test, @before, @after and the assertions of module funit. Whatever else pFUnit would accept, or

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random datasets for models that take them from files.
 module search_data
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random cases of any model, drawn from its table of variables.
 !>
 !> Numbers are drawn about sizes that fit together: a length, a stress and a time are drawn first, and every variable lies within

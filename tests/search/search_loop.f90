@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The search itself: draw, solve, judge, and say what breaks.
 module search_loop
    use, intrinsic :: iso_fortran_env, only: error_unit

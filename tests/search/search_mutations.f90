@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Inputs that somebody has spoiled: letters, words and lines of a good input are deleted, doubled, exchanged and replaced.
 module search_mutations
    use random_dice, only: dice_t

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What must hold of any solved case, whatever the model.
 module search_rules
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan

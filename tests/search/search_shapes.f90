@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Inputs of any length that repeat one thing: what costs a reader time where it looks at anything more than a few times.
 module search_shapes
    implicit none (type, external)

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A drawn case as an input that `adfric run` repeats, to every digit.
 module search_text
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Dimensions of units as they stand in the tables of a model, in powers of Pa, m and s.
 module search_units
    use adfric_base_kinds, only: dp

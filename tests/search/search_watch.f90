@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is being solved, for the case that it never ends: a watch that rings, a trapped operation or a crash prints the case first.
 module search_watch
    use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_int, c_ptr, c_loc, c_size_t

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Feeds the translator (PREPROCESS) with test files it must refuse, in the folder SCRATCH, and looks for the line
 # and the reason it gives.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Runs a test program whose tests all pass (RIGHT) and one whose tests all fail (WRONG) and compares what they print
 # with what they should; FILES are the test files of the latter, separated by commas.
 
@@ -43,7 +44,7 @@ endif()
 
 # A few texts.
 foreach(text
-    "Failure\n in: \nwrong_suite.test_true\n  Location: \n[wrong.pf:13]\nAssertTrue failure\n"
+    "Failure\n in: \nwrong_suite.test_true\n  Location: \n[wrong.pf:14]\nAssertTrue failure\n"
     "the second element\n"
     "order\nArrays not conformable\n    Expected shape: [2,2]\n      Actual shape: [3,3]\n"
     "case 1\nAssertLessThan failure:\n          Left: <1>\n         Right: <0>\n"

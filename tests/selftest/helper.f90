@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Stands for code under test and helpers that test files share.
 module helper
    use, intrinsic :: iso_fortran_env, only: real64

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Cases of friction with adhesion.
 module friction_trials
    use adfric_base_kinds, only: dp

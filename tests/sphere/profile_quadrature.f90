@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Load and gap of a profile by quadrature of its pressure alone.
 module profile_quadrature
    use adfric_base_kinds, only: dp

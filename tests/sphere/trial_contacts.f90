@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Contacts of every theory with their profiles.
 module trial_contacts
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Is a state of an adhering surface one, and the one that was asked for? Pressure and shares from `plain_periodic`, branches from rounds
 !> alone, energies, and the order of states.
 module adhesion_judge

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random rough surfaces that adhere: heights, law, loads. E* is 1 and the period along x is 1.
 module adhesion_trials
    use adfric_base_kinds, only: dp

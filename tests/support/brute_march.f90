@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A column under the moving surface, followed in small steps of time: slow, of first order, and
 !> independent of every closed form of the solver. For tests and benchmarks only.
 module brute_march

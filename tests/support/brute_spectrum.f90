@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A column with any number of relaxation times under a sum of waves, followed in small steps of time: independent of every
 !> closed form of the solver. For tests and benchmarks only.
 !>

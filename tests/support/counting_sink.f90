@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A sink that keeps everything, and counts how often each point came; and one that fails.
 module counting_sink
    use, intrinsic :: iso_c_binding, only: c_int

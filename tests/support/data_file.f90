@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Write HDF5 files as a user's script would.
 module data_file
    use, intrinsic :: iso_c_binding, only: c_loc, c_null_char, c_ptr

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A model with lists, a group of columns and attributes, and inputs that give them.
 module data_trial
    use adfric_base_kinds, only: dp

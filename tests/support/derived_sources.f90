@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Whether the derived quantities of a model name all variables that they follow from.
 module derived_sources
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Surfaces for the march of any heights: rows from heights, a spectrum and adhesion, in the units of the march.
 module march_cases
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random cases for the march of any heights, and what a march in small steps says of its solutions.
 module march_judge
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Ask any model as the program does.
 module model_calls
    use adfric_base_kinds, only: dp

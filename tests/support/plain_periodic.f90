@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Stiffness of a half-space and shares of cells as one first writes them: sums over all waves, triangles cut by a line. E* is 1.
 module plain_periodic
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Parts of plans and runs for tests.
 module plan_parts
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random numbers that are the same on every machine.
 module random_dice
    use adfric_base_kinds, only: dp, i8

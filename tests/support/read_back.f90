@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Read a results file as any other program would. A failed call ends in a value that no test expects.
 module read_back
    use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int, c_int64_t, c_loc, c_long, c_null_char, c_ptr

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Reference tables: lines of comments, one header line, then comma-separated values.
 module reference_table
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> FFTW's memory, which can be refused. It stands before that of the library in every program that uses this module; the library's
 !> `fftw_free` takes it back.
 module refused_memory

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Run the program as a user does.
 module shell
    implicit none (type, external)

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A sink that takes its time, and watches how it is called.
 module slow_sink
    use, intrinsic :: iso_c_binding, only: c_int

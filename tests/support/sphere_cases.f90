@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Values of the model `sphere` as an input would give them.
 module sphere_cases
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan

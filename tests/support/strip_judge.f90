@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Judges the steady state of a strip with the brute march: is it one, and is there none before it on its branch?
 module strip_judge
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Takes the profiles of a block: counts them, keeps them where there is room, and stops when it is told to.
 module taken_profiles
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A model of the half-space with values that are set by name.
 module trial_case
    use adfric, only: new_model

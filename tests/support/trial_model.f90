@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A model for tests of what lies around a model: cheap, with every kind of variable, with a contradiction, and with
 !> results that can be said in advance.
 !>

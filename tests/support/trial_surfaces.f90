@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Periodic surfaces to press against a half-space, in units of the period: gaps at first touch.
 module trial_surfaces
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Values of the model `wavy_sliding` as an input would give them.
 module wavy_cases
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The load of a surface on a fine ladder of penetrations, each solved by itself, and the state of a load read off it: what a search
 !> is judged by.
 module load_scan

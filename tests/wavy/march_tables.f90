@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Cases of the tables of cosine sums.
 module march_tables
    use adfric_base_kinds, only: dp

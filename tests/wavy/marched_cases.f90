@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Cases of `wavy_sliding` on heights, cosines and spectra as an input would give them.
 module marched_cases
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Reference values in quadruple precision, in which nothing that is tested here cancels.
 module quad_precision
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Random strips, the same on every machine.
 module random_strips
    use adfric_base_kinds, only: dp, i8

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Strips in the units of the reference tables, l = h = K = 1, solved and summed.
 module unit_strips
    use adfric_base_kinds, only: dp

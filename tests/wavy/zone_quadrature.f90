@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Integrals over the profiles of a strip, zone by zone, from nothing but its edges and the profiles themselves.
 module zone_quadrature
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The smallest penetration at which the greatest state of a surface carries a load, after adhesion has taken hold.
 !>
 !> Steps of the lack over a slope P0' that holds up to where they lead pass no state. They are far too short where edges move, so

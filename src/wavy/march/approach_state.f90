@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The greatest steady state of a column under a period of heights, from above.
 !>
 !> The steps of `adfric_wavy_march_steady_column` need the response J0 of a state below. They pass nothing, but converge linearly where

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The rates at which gap and reach meet where a free column is attached or an attached one let go, for one state and for all between two.
 module adfric_wavy_march_edge_rates
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A measured surface as rows of heights, each a strip of its own, and its equilibrium under a penetration or a load.
 !>
 !> The load P under a penetration D obeys, on either branch, P(D) - P(D') <= (D - D') P0'(D) for D' < D, where P0' is its change while

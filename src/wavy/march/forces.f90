@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction, losses, areas and counts of a steady period.
 !>
 !> Friction is the integral of p df along the way. Losses are those of the arms: in open zones from the Kelvin elements, which lose what the

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The law of adhesion of a march, for a column with any number of relaxation times.
 !>
 !> As in `adfric_wavy_adhesion`, in units of the foundation of the march: stresses in k0 times the unit of length. States are ordered by

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> One period of a column on its way, zone by zone.
 !>
 !> The state of a column where the period begins is the lengths of its dashpots, less the shift while it is attached, and whether it

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Pressure, shear stress, displacement and gap along a row of a marched surface.
 module adfric_wavy_march_profiles
    use adfric_base_kinds, only: dp

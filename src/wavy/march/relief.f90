@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The heights of a surface as rows that a column marches along.
 !>
 !> Heights are in units of the peak-to-valley height of the surface, and count from its highest place. The way of a row begins where

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> How a period, its edges moving, answers a change of the state and of the penetration; and a proof that there is no other steady
 !> state between two.
 !>

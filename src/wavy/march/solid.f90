@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The viscoelastic foundation of a march: a column with any number of relaxation times, in reduced units.
 !>
 !> Stiffnesses are in units of the relaxed one \( k_0 \), times in units of that in which a period passes. A column is a spring 1 and arms

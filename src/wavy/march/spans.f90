@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> A period as spans in which small changes of the state and of the penetration pass, edges that move being one of them.
 !>
 !> See `adfric_wavy_march_response` for the equations.

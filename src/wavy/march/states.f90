@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Steady states of all rows of a surface under one penetration.
 module adfric_wavy_march_states
    use adfric_base_kinds, only: dp

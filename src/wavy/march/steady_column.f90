@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Steady states of a column under a period of heights.
 !>
 !> A period maps states to states and keeps their order, so there is a least steady state, `adhered`, and a greatest one, `approach`;

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> The way of a column along one period of heights, with what does not depend on the state of the column.
 !>
 !> In contact the arms are linear in the heights, so contact is endless contact and a disturbance that decays. Endless contact, its

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> What ends a zone, within one piece of the heights, and the first place where it does.
 !>
 !> The curve is a polynomial in theta and a sum of decays. A step towards its first zero uses a bound of its second derivative on the

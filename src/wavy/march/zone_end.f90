@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Where a zone of a march ends: blocks of pieces are passed by their bounds, and only pieces in which it may end are searched.
 module adfric_wavy_march_zone_end
    use adfric_base_kinds, only: dp

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Use adfric.h: Hertz's contact radius of a ball of 1 m under 4/3 N, E* = 1 Pa, is 1 m. */
 
 #include <adfric.h>

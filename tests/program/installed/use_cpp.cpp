@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 // Use adfric.h from C++: a name that is wrong is refused with one that may be meant.
 
 #include <adfric.h>

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Use a kernel of adfric::physics, which calls GSL: R_F(0, 1, 1) = pi/2.
 program use_physics
    use, intrinsic :: iso_fortran_env, only: real64

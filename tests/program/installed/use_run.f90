@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
 !> Use the part of adfric::run that calls HDF5: create a file and close it. The modules of HDF5 are not needed for that.
 program use_run
    use, intrinsic :: iso_fortran_env, only: int64
