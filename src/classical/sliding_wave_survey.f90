@@ -25,9 +25,9 @@ module adfric_classical_sliding_wave_survey
    integer, parameter :: n_places = 8
    !> Distance of the places of the sum, in the logarithm of the ratio of the ways to both edges. A layer e^(-s/a) leaves an error of
    !> e^(-pi^2/step).
-   real(dp), parameter :: step = 0.2_dp
-   !> Where the places end, in that logarithm, if the solid is elastic: the load beyond is 1e-18 of the whole.
-   real(dp), parameter :: last_place = 28
+   real(dp), parameter :: step = 0.3_dp
+   !> Where the places end, in that logarithm, if the solid is elastic: the load beyond is 1e-15 of the whole.
+   real(dp), parameter :: last_place = 24
 
    !> What is found.
    type :: wave_survey_t
