@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every source file names its licence: an SPDX identifier in its first line, or in the second where the first has a use (#!, #compdef).
+"""Every source file names its licence: an SPDX identifier in its first line, or in the second below #! and #compdef.
 
 Inputs, documents, tables of numbers and lists of packages carry none; README.md says that they have the same licence.
 """
@@ -70,8 +70,9 @@ class Licence(unittest.TestCase):
 
     def test_wrong(self):
         """No line, a line too low, another licence, and the wrong kind of comment."""
-        for name, text in (("src/base/a.f90", "!> A.\n"), ("tests/base/a.pf", f"! A.\n! {LICENCE}\n"), ("src/c/a.c", f"// {LICENCE}\n"),
-                           ("bench/a.py", "# SPDX-License-Identifier: MIT\n"), ("scripts/a", "#!/usr/bin/env bash\nset -e\n"), ("src/a.f90", "")):
+        for name, text in (("src/base/a.f90", "!> A.\n"), ("src/a.f90", ""), ("tests/base/a.pf", f"! A.\n! {LICENCE}\n"),
+                           ("src/c/a.c", f"// {LICENCE}\n"), ("bench/a.py", "# SPDX-License-Identifier: MIT\n"),
+                           ("scripts/a", "#!/usr/bin/env bash\nset -e\n")):
             self.assertEqual([name], [fault.split(":")[0] for fault in self.faults_with(name, text)], name)
 
 
