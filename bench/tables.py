@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of docs/accuracy.md, docs/periodic.md and docs/scenes.md from those of the benchmarks.
+"""Tables of docs/accuracy.md, docs/periodic.md, docs/python.md and docs/scenes.md from those of the benchmarks.
 
 usage: tables.py [FOLDER [--write]]
 
@@ -15,7 +15,7 @@ import sys
 from tools import read_table
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DOCUMENTS = [ROOT / "docs" / f"{name}.md" for name in ("accuracy", "periodic", "scenes")]
+DOCUMENTS = [ROOT / "docs" / f"{name}.md" for name in ("accuracy", "periodic", "python", "scenes")]
 
 
 def rows_of(folder, name, **wanted):
@@ -332,9 +332,15 @@ def adhesion_public(folder):
     return table(["surface", "cells", "p0/E*", "h0", "branch", "p/E*", "adfric: ms, error", *(f"{name}: ms, error, ratio" for name in solvers)], body)
 
 
+def python_calls(folder):
+    """What calls from Python cost."""
+    rows = read_table(folder / "python_calls.csv")[1]
+    return table(["", "microseconds, or ratio"], [[row["what"], f"{float(row['value']):.2g}"] for row in rows])
+
+
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, sliding_public, adhesion_cells, adhesion_public, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding)}
+    wave_2d_public, sliding_public, adhesion_cells, adhesion_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding)}
 
 
 def main():

@@ -5,15 +5,12 @@ import os
 import sys
 import warnings
 from contextlib import suppress
-from types import SimpleNamespace
 
 from plotting.printable import printable
 
 from .options import read_command_line
-from .problems import BadInput, FileFailure, first_line
+from .problems import BadInput, FileFailure
 
-# endings of text files that may be tables of positions
-TEXT = (".csv", ".xyz", ".txt", ".dat", ".asc")
 
 def main(arguments):
     """Import one file; return the exit status: 0, 2 for bad input or options, 3 for files that cannot be read or written."""
@@ -54,6 +51,7 @@ def import_file(given, arguments):
 def import_heights(given, arguments):
     """A surface: the lines to show, remarks, and the bytes of its file and picture."""
     from . import analysis, report, writing
+    from .reading import read_source, treat
     from .source import in_metres
 
     source = read_source(given.file, given.channel)
@@ -69,27 +67,6 @@ def import_heights(given, arguments):
     return report.surface_lines(given, source, surface, read, results), source.remarks, contents
 
 
-def treat(surface, given):
-    """The surface without gaps and tilt, and what was found on the way."""
-    from . import treatment
-
-    path = given.file
-    if given.transpose:
-        surface = treatment.transpose(surface, path)
-    if given.region:
-        surface = treatment.cut_out(surface, given.region, path)
-        # a part of a period is no period
-        surface.is_periodic = bool(given.periodic)
-    missing = treatment.missing_samples(surface, given.most_missing, path)
-    trend = treatment.choose_trend(surface, given.detrend, path)
-    read = SimpleNamespace(samples=surface.heights.size, missing=missing, trend=trend, lengths=surface.lengths)
-    surface, read.coefficients = treatment.remove_trend(surface, trend, path)
-    surface = treatment.average(treatment.fill_gaps(surface), given.average, path)
-    if surface.heights.data.min() == surface.heights.data.max():
-        raise BadInput(f"{path}: all heights are the same")
-    return surface, read
-
-
 def import_curve(given, arguments):
     """A master curve: the lines to show, no remarks, and the bytes of its file and picture."""
     from . import report
@@ -102,24 +79,3 @@ def import_curve(given, arguments):
 
         contents.append(draw_master_curve(curve, given.file.name))
     return report.curve_lines(given, curve), [], contents
-
-
-def read_source(path, channel):
-    """Heights as the file has them, by the reader that knows it best."""
-    from .arrays import read_numpy
-    from .instrument_files import has_instrument_head, read_instrument_file
-    from .tables import count_columns
-    from .text_surface import read_text_surface
-
-    ending = path.suffix.lower()
-    try:
-        if ending in (".npy", ".npz"):
-            return read_numpy(path, channel)
-        if ending in TEXT and not has_instrument_head(path):
-            columns = count_columns(path)
-            # other texts with a head of their own are left to the reader that knows such heads
-            if columns in (2, 3) or ending in (".csv", ".xyz"):
-                return read_text_surface(path)
-        return read_instrument_file(path, channel) or read_text_surface(path)
-    except OSError as problem:
-        raise FileFailure(f"{path}: cannot read: {problem.strerror or first_line(problem)}") from None

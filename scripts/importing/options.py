@@ -7,6 +7,7 @@ from pathlib import Path
 from plotting.command import Parser as PlainParser
 
 from .problems import BadInput
+from .reading import check_values
 
 # options of surfaces alone, and of master curves alone, with the value that says that they are not given
 OF_SURFACES = {"unit": None, "height_unit": None, "spacing": None, "channel": None, "transpose": False, "periodic": None,
@@ -76,10 +77,7 @@ def check_options(given):
         if getattr(given, name) != absent:
             raise BadInput(f"--{name.replace('_', '-')} is for {'surfaces' if given.master_curve else 'master curves'}, "
                            f"{'not beside' if given.master_curve else 'beside'} --master-curve")
-    if given.average < 1:
-        raise BadInput(f"--average: given {given.average}, allowed: 1 or more")
-    if not 0 <= given.most_missing < 1:
-        raise BadInput(f"--most-missing: given {given.most_missing:g}, allowed: 0 or more, below 1")
+    check_values(given)
     if not given.file.is_file():
         raise BadInput(f"{given.file}: " + ("this is no file" if given.file.exists() else "there is no such file"))
     given.output = given.output or Path(given.file.with_suffix(".h5").name)

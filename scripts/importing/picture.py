@@ -22,9 +22,9 @@ WIDEST = 4.0
 EDGE = 0.05
 
 
+@use_style()
 def draw_surface(surface, results, title):
     """Heights, power spectra and the distribution of heights: the bytes of a PNG file."""
-    use_style()
     is_line = surface.heights.ndim == 1
     if is_line:
         figure, panels = plt.subplot_mosaic([["heights", "heights"], ["spectrum", "distribution"]], figsize=(7.2, 5.2))
@@ -118,9 +118,9 @@ def bin_edges(middles):
     return np.append(middles - half, middles[-1] + half)
 
 
+@use_style()
 def draw_master_curve(curve, title):
     """Storage and loss modulus and their ratio over the angular frequency: the bytes of a PNG file."""
-    use_style()
     figure, (panel, ratio) = plt.subplots(1, 2, figsize=(7.6, 3.2))
     factor, unit = scale_of(np.append(curve.storage, curve.loss), "Pa")
     panel.plot(curve.omega, curve.storage * factor, "o-", color=COLOURS[2], markersize=3, label="storage $E'$")

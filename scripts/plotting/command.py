@@ -23,13 +23,12 @@ def main(arguments):
     given = read_command_line(arguments)
     figure_file = given.output or given.files[0].with_suffix(".png")
     try:
-        if figure_file.suffix.lower() not in FORMATS:
-            raise BadFile(f"{figure_file}: a figure is one of {', '.join(FORMATS)}")
+        check_format(figure_file)
         runs = [Results(path) for path in given.files]
         for source in [*given.files, *([given.data] if given.data else [])]:
             if figure_file.exists() and source.exists() and figure_file.samefile(source):
                 raise BadFile(f"{figure_file}: the figure would replace {'the table' if source == given.data else 'the results'}")
-        draw(runs, figure_file, given)
+        save_figure(make_figure(runs, given.x, given.y, given.data), figure_file)
     except NothingToDraw as problem:
         print(printable(f"plot: {problem}"), file=sys.stderr)
         return 3
@@ -60,20 +59,34 @@ def read_command_line(arguments):
     return parser.parse_args(arguments)
 
 
-def draw(runs, figure_file, given):
-    """Draw and save the figure of these results."""
+def make_figure(runs, x=None, y=None, data=None):
+    """The figure of results: of one run, or of several in one."""
     # imported here, since it takes a second that a bad file need not cost
     from .chosen import draw_chosen
     from .figures import choose_figure
-    from .style import plt, use_style
+    from .style import use_style
 
-    use_style()
-    if len(runs) > 1 or given.x or given.y or given.data:
-        figure, title = draw_chosen(runs, given.x, given.y, given.data)
-    else:
-        figure, title = choose_figure(runs[0])(runs[0]), runs[0].title
-    # a run without a title has that of its model
-    if title and title != runs[0].model:
-        figure.suptitle(title, fontsize="medium")
-    figure.savefig(figure_file)
-    plt.close(figure)
+    with use_style():
+        if len(runs) > 1 or x or y or data:
+            figure, title = draw_chosen(runs, x, y, data)
+        else:
+            figure, title = choose_figure(runs[0])(runs[0]), runs[0].title
+        # a run without a title has that of its model
+        if title and title != runs[0].model:
+            figure.suptitle(title, fontsize="medium")
+    return figure
+
+
+def save_figure(figure, figure_file):
+    """Save a figure."""
+    from .style import use_style
+
+    check_format(figure_file)
+    with use_style():
+        figure.savefig(figure_file)
+
+
+def check_format(figure_file):
+    """Can a figure be saved under this name?"""
+    if figure_file.suffix.lower() not in FORMATS:
+        raise BadFile(f"{figure_file}: a figure is one of {', '.join(FORMATS)}")

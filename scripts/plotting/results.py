@@ -43,12 +43,13 @@ class Results:
     profile_axes, profiles    the same for values on the surface; their shape is that of the sweep, then of the axes
     """
 
-    def __init__(self, path):
+    def __init__(self, path, image=None):
+        """Read a file; or its image in memory, which messages call by the path."""
         self.path = path
-        if not path.is_file():
+        if image is None and not path.is_file():
             raise BadFile(f"{path}: no such file")
         try:
-            with h5py.File(path, "r") as file:
+            with h5py.File(image or path, "r") as file:
                 self._read(file)
         except OSError as problem:
             if "unable to lock file" in str(problem):

@@ -1,10 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How figures look."""
 
-import matplotlib
-
-matplotlib.use("Agg")
-
 import matplotlib.pyplot as plt
 from matplotlib.colors import ListedColormap, LogNorm, Normalize, TwoSlopeNorm
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
@@ -21,7 +17,8 @@ FEW_DECADES = 100.0
 
 
 def use_style():
-    plt.rcParams.update({
+    """A context in which figures are made and saved; outside of it nothing changes."""
+    return plt.rc_context({
         "font.size": 9,
         "axes.linewidth": 0.7,
         "axes.spines.top": False,

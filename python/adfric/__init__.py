@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Adhesion and friction of real surfaces.
+
+>>> import adfric, numpy as np
+>>> tip = adfric.solve("sphere", radius=140e-9, contact_modulus=50e9, work_of_adhesion=0.2, adhesion_stress=5e9,
+...                    load=np.linspace(-1e-7, 2e-7, 301))
+>>> tip.contact_radius.plot()
+
+solve     a model at one point or many -> xarray.Dataset
+run       an input, as `adfric run` does -> xarray.Dataset
+open      a results file -> xarray.Dataset
+plot      figures of results
+models    the models, their variables and results
+read_surface  a measured surface -> xarray.DataArray
+Case      a model that is solved several times
+contacts  many single contacts, microseconds each
+"""
+
+from . import contacts
+from .cases import Case, run, solve
+from .errors import Error, FailedError, InputError, StoppedError
+from .figures import plot
+from .files import open_file as open  # noqa: A004
+from .library import library as _library
+from .surfaces import read_surface
+from .tables import Model, Result, Variable, models
+
+__version__ = _library.adfric_version().decode().split()[0]
+__all__ = ["Case", "Error", "FailedError", "InputError", "Model", "Result", "StoppedError", "Variable", "contacts", "models", "open",
+           "plot", "read_surface", "run", "solve"]

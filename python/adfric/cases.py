@@ -1,0 +1,297 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A case: a model whose variables are set by name, and its solution."""
+
+import contextlib
+import ctypes
+import keyword
+import os
+import signal
+import threading
+import weakref
+
+import numpy as np
+
+from . import library as _library
+from .errors import InputError, StoppedError
+from .library import library, text_for, text_of
+from .results import dataset_of
+from .tables import models
+from .values import (in_unit, is_logical, is_number, is_whole_number, number_of, numbers_of, single_of, whole_number_of)
+
+
+def solve(model, /, *, together=(), threads=0, progress=None, **variables):
+    """Solve a model at one point or many.
+
+    Parameters
+    ----------
+    model : str
+        Name of the model; `adfric.models()` has all of them.
+    together : sequence of str
+        Names of variables that are swept together, as a list of points. All other sweeps make the outer product of their values,
+        in the order in which they are given: the last one varies fastest.
+    threads : int
+        Number of threads; 0: as OMP_NUM_THREADS says, or all cores. The results do not depend on it.
+    progress : callable
+        Is called from time to time with the numbers of the points that are solved and of all points. What it raises ends the call.
+    **variables
+        Variables of the model by name, in SI units: numbers, words, True or False; an array of numbers sweeps a number. Several of
+        one group may be given as a dictionary by the name of the group, such as `friction={"shear_strength": 1e6}`, which is
+        needed where groups share a name. `lambda_` is lambda. Quantities of pint are converted. None: the default.
+
+    Returns
+    -------
+    xarray.Dataset
+        The results, axes, constants and attributes that the results file of the same case has, value by value. A point without
+        a value is NaN, and `status` says why.
+
+    Raises
+    ------
+    InputError
+        Something that was given is wrong.
+    FailedError
+        There is too little memory.
+
+    Examples
+    --------
+    >>> results = adfric.solve("sphere", radius=1e-6, contact_modulus=1e9, work_of_adhesion=0.05, adhesion_stress=1e7,
+    ...                        load=np.linspace(0, 1e-6, 101))
+    >>> results.contact_radius
+    """
+    with Case(model) as case:
+        case.set(**variables)
+        if together:
+            case.sweep_together(together)
+        return case.solve(threads=threads, progress=progress)
+
+
+def run(path, *, output=None, force=False, threads=0, progress=None):
+    """Run an input, as `adfric run` does.
+
+    Parameters
+    ----------
+    path : path
+        The input.
+    output : path
+        Results file to write, by the command; None: no file.
+    force : bool
+        May it take the place of a file?
+    threads, progress
+        As for `solve`; the command shows no progress.
+
+    Returns
+    -------
+    xarray.Dataset
+        The results.
+    """
+    if output is not None:
+        from .command import run_command
+
+        return run_command(path, output, force, threads)
+    with Case.read(path) as case:
+        return case.solve(threads=threads, progress=progress)
+
+
+class Case:
+    """A model whose variables are set by name, for those who solve it several times.
+
+    >>> with adfric.Case("sphere") as tip:
+    ...     tip.set(radius=1e-6, contact_modulus=1e9, work_of_adhesion=0.05, adhesion_stress=1e7)
+    ...     results = tip.solve()
+
+    After a call that fails a case is as it was before, but for a dataset that is refused, and for variables that the same call has
+    set before. A case is for one thread at a time.
+    """
+
+    def __init__(self, model):
+        """Open a case of a model; its variables have their defaults, or no value."""
+        self._open(library.adfric_open, text_for(model, "model"))
+
+    @classmethod
+    def read(cls, path):
+        """Open a case as an input describes it, with its sweeps and its datasets."""
+        return cls._opened(library.adfric_read, os.fsencode(path))
+
+    @classmethod
+    def read_text(cls, text):
+        """Open a case of the text of an input."""
+        return cls._opened(library.adfric_read_text, text_for(text, "text"))
+
+    @classmethod
+    def _opened(cls, function, argument):
+        self = cls.__new__(cls)
+        self._open(function, argument)
+        return self
+
+    def _open(self, function, argument):
+        handle = ctypes.c_int64()
+        function(argument, handle)
+        self._handle = handle.value
+        self._close = weakref.finalize(self, library.adfric_close_case, self._handle)
+        self._close.atexit = False
+        self._swept = {}
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self._close.alive:
+            self.close()
+
+    def __repr__(self):
+        return f"<adfric case of {self.model!r}>" if self._close.alive else "<adfric case, closed>"
+
+    def close(self):
+        """Close the case; its results stay as they are. A case is closed once."""
+        handle = self._open_handle()
+        self._close.detach()
+        library.adfric_close_case(handle)
+
+    def _open_handle(self):
+        """The handle, if the case is open."""
+        if not self._close.alive:
+            raise InputError("the case is closed")
+        return self._handle
+
+    @property
+    def model(self):
+        """Name of its model."""
+        name = ctypes.c_char_p()
+        library.adfric_model_of(self._open_handle(), name)
+        return text_of(name.value)
+
+    def set(self, **variables):
+        """Set variables by name, as `adfric.solve` does: a number ends the sweep of its variable, an array of numbers begins one."""
+        table = models()[self.model].variables
+        groups = {variable.group for variable in table.values()}
+        for name, value in variables.items():
+            # a word of Python has an underscore behind it
+            name = name[:-1] if name.endswith("_") and keyword.iskeyword(name[:-1]) else name
+            if isinstance(value, dict):
+                if name not in groups:
+                    raise InputError(f"{name}: no group of model {self.model}, allowed: {', '.join(sorted(groups))}")
+                for inner, part in value.items():
+                    self._set(f"{name}%{inner}", part, table)
+            else:
+                self._set(name, value, table)
+
+    def _set(self, name, value, table):
+        """Set a variable."""
+        handle, key = self._open_handle(), text_for(name, "name of a variable")
+        variable = table.get(name) or next((one for one in table.values() if f"{one.group}%{one.name}" == name), None)
+        value = single_of(in_unit(value, variable.unit if variable else "", name))
+        if value is None:
+            library.adfric_unset(handle, key)
+        elif is_logical(value):
+            library.adfric_set_logical(handle, key, bool(value))
+        elif isinstance(value, str):
+            library.adfric_set_word(handle, key, text_for(value, name))
+        elif is_whole_number(value) and variable is not None and variable.kind == "whole number":
+            library.adfric_set_integer(handle, key, whole_number_of(value, name))
+        elif is_number(value):
+            library.adfric_set_real(handle, key, number_of(value, name))
+        else:
+            self._set_numbers(handle, key, numbers_of(value, name), variable)
+
+    def _set_numbers(self, handle, key, values, variable):
+        """Set an array, or sweep a variable that is a number."""
+        name = key.decode("utf-8", "replace")
+        if variable is not None and variable.kind == "array":
+            if not 1 <= values.ndim <= 2:
+                raise InputError(f"{name}: given an array of {values.ndim} dimensions, allowed: 1 or 2")
+            shape = (ctypes.c_int64*values.ndim)(*values.shape)
+            library.adfric_set_array(handle, key, values.ndim, shape, values.ctypes.data)
+            return
+        if values.ndim != 1:
+            raise InputError(f"{name}: given an array of {values.ndim} dimensions, allowed: a number, or one dimension for a sweep")
+        if values.size == 0:
+            raise InputError(f"{name}: given no value, allowed: at least one")
+        library.adfric_sweep(handle, key, values.size, values.ctypes.data)
+        self._swept[name] = values
+
+    def sweep_together(self, names):
+        """Sweep variables that are swept already together, as a list of points; they have arrays of one length."""
+        if isinstance(names, str):
+            raise InputError(f"together: given {names!r}, allowed: a list of names")
+        missing = [name for name in names if name not in self._swept]
+        if missing:
+            raise InputError(f"together: no array was given for {', '.join(map(str, missing))}")
+        sizes = {self._swept[name].size for name in names}
+        if len(sizes) > 1:
+            raise InputError("together: " + ", ".join(f"{name} has {self._swept[name].size} values" for name in names)
+                             + ", allowed: one length")
+        handle, texts = self._open_handle(), [text_for(name, "name of a variable") for name in names]
+        values = np.ascontiguousarray([self._swept[name] for name in names])
+        library.adfric_sweep_together(handle, len(texts), (ctypes.c_char_p*len(texts))(*texts), values.shape[1], values.ctypes.data)
+
+    @property
+    def n_points(self):
+        """Number of its points."""
+        n = ctypes.c_int64()
+        library.adfric_point_count(self._open_handle(), n)
+        return n.value
+
+    def check(self):
+        """Check all values together, as `solve` does before it solves."""
+        library.adfric_check(self._open_handle())
+
+    def solve(self, *, threads=0, progress=None):
+        """Solve all points; see `adfric.solve`. Ctrl-C ends it as soon as the points that are being solved are done."""
+        if not is_whole_number(threads) or not 0 <= threads < 2**31:
+            raise InputError(f"threads: given {threads!r}, allowed: a whole number >= 0")
+        results = ctypes.c_int64()
+        with listener(progress) as (heard, raised):
+            try:
+                library.adfric_solve(self._open_handle(), threads, heard, None, results)
+            except StoppedError:
+                if not raised:
+                    raise
+            else:
+                # the thread that tells may not be the one that solves the last points
+                heard(None, self.n_points, self.n_points)
+        if raised:
+            if results.value:
+                library.adfric_close_results(results.value)
+            raise raised[0]
+        return dataset_of(results.value)
+
+
+@contextlib.contextmanager
+def listener(progress):
+    """A function that the library calls, and a list of what was raised meanwhile, which stops the call.
+
+    Nothing can be raised through the library. What the caller's function raises is kept, and so is what a handler of Ctrl-C does:
+    Python calls it between two of its own steps, that is while the library calls back.
+    """
+    raised = []
+
+    def hear(_, n_done, n_points):
+        try:
+            if progress is not None and not raised:
+                progress(n_done, n_points)
+        except BaseException as problem:
+            raised.append(problem)
+        return bool(raised)
+
+    with deferred_interrupt(raised):
+        yield _library.Progress(hear), raised
+
+
+@contextlib.contextmanager
+def deferred_interrupt(raised):
+    """Keep what the handler of Ctrl-C raises; only the main thread of Python has one."""
+    before = signal.getsignal(signal.SIGINT) if threading.current_thread() is threading.main_thread() else None
+    if not callable(before):
+        yield
+        return
+
+    def handle(number, frame):
+        try:
+            before(number, frame)
+        except BaseException as problem:
+            raised.append(problem)
+
+    signal.signal(signal.SIGINT, handle)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of results."""
+
+import io
+import os
+from pathlib import Path
+
+import xarray as xr
+
+from .errors import FailedError, InputError
+
+
+def plot(results, *, x=None, y=None, data=None, output=None):
+    """Draw the figure of results, or of several in one figure; needs matplotlib.
+
+    Parameters
+    ----------
+    results : xarray.Dataset, path, or a list of these
+        Results of `solve`, `run` or `open`, or results files.
+    x : str
+        Swept variable or result along the axis; default: the last one that is swept.
+    y : str or list of str
+        Results to draw, a panel for each. Without x and y what is drawn follows from what was swept.
+    data : path
+        Points to draw as well: a CSV file whose header has the names of x and of results, in SI units.
+    output : path
+        File to write, .png, .pdf or .svg; an existing one is replaced.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    try:
+        from .plotting.command import make_figure, save_figure
+        from .plotting.results import BadFile, Results
+    except ImportError as problem:
+        raise ImportError(f"adfric.plot needs matplotlib and h5py: {problem}") from None
+    several = results if isinstance(results, (list, tuple)) else [results]
+    try:
+        runs = [Results(Path(one)) if isinstance(one, (str, os.PathLike)) else results_of(one, Results) for one in several]
+        figure = make_figure(runs, x, [y] if isinstance(y, str) else y, None if data is None else Path(data))
+        if output is not None:
+            save_figure(figure, Path(output))
+    except BadFile as problem:
+        raise InputError(str(problem)) from None
+    except OSError as problem:
+        raise FailedError(f"{output}: cannot write: {problem.strerror or problem}") from None
+    return figure
+
+
+def results_of(dataset, kind):
+    """The results of a dataset, as the figures want them: from an image of its file."""
+    if not isinstance(dataset, xr.Dataset):
+        raise InputError(f"results: given {type(dataset).__name__}, allowed: a dataset or the path of a results file")
+    image = io.BytesIO()
+    dataset.to_netcdf(image, engine="h5netcdf")
+    image.seek(0)
+    return kind(Path("results"), image)

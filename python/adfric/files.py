@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results files."""
+
+import os
+
+import xarray as xr
+
+from .errors import FailedError, InputError
+
+
+def open_file(path):
+    """Open a results file.
+
+    Parameters
+    ----------
+    path : path
+        What `adfric run` has written. A file larger than the memory is for `xarray.open_dataset(path, engine="h5netcdf")`, which
+        reads what is asked for.
+
+    Returns
+    -------
+    xarray.Dataset
+        All of it, in memory; the file is closed.
+    """
+    name = os.fspath(path)
+    if not os.path.isfile(name):
+        raise FailedError(f"{name}: there is no such file")
+    try:
+        with xr.open_dataset(name, engine="h5netcdf") as results:
+            if not {"model", "adfric_version"} <= set(results.attrs):
+                raise InputError(f"{name}: not a results file of adfric")
+            return results.load()
+    except OSError as problem:
+        raise FailedError(f"{name}: cannot be read: {problem.strerror or 'not an HDF5 file, or a damaged one'}") from None
