@@ -26,7 +26,8 @@ def comment_of(path, first):
 
 def sources_of(root):
     """The source files, each with its first two lines and with the line that it needs."""
-    files = [root / "CMakeLists.txt", *(path for folder in FOLDERS for path in sorted((root / folder).rglob("*")))]
+    files = [root / "CMakeLists.txt", *root.glob("*.toml"),
+             *(path for folder in FOLDERS for path in sorted((root / folder).rglob("*")))]
     for path in files:
         if not path.is_file() or "__pycache__" in path.parts:
             continue

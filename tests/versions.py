@@ -28,14 +28,14 @@ def faults_of(root):
     latest = found_in(changes, rf"^## \[{VERSION}\]")
     planned = found_in(changes, rf"^## \[Unreleased\]\n+To become {VERSION}\.$")
     cited = root / "CITATION.cff"
-    given = found_in(root / "python/pyproject.toml", r"^version *= *\"([^\"]*)\"")
+    given = found_in(root / "pyproject.toml", r"^version *= *\"([^\"]*)\"")
     checks = (
         (version, "CMakeLists.txt: no version"),
         (latest == version if date else planned == version,
          f"CHANGELOG.md: {version} is neither the latest version with a date nor what `To become ...` says"),
         (found_in(cited, r"^version: (.*)$") == version, f"CITATION.cff: version is not {version}"),
         (found_in(cited, r"^date-released: (.*)$") == date, f"CITATION.cff: date-released is not {date}, as in CHANGELOG.md"),
-        (given in (None, version), f"python/pyproject.toml: version is not {version}"))
+        (given in (None, version), f"pyproject.toml: version is not {version}"))
     return [fault for is_right, fault in checks if not is_right]
 
 
@@ -54,8 +54,7 @@ class Versions(unittest.TestCase):
             (root / "CITATION.cff").write_text(f"cff-version: 1.2.0\n{cited}\n")
             (root / "CHANGELOG.md").write_text(f"# Changelog\n\n{changes}\n")
             if package:
-                (root / "python").mkdir()
-                (root / "python/pyproject.toml").write_text(f"[project]\n{package}\n")
+                (root / "pyproject.toml").write_text(f"[project]\n{package}\n")
             self.assertEqual(expected, tuple(fault.split(":")[0] for fault in faults_of(root)))
 
     def test_right(self):
@@ -77,7 +76,7 @@ class Versions(unittest.TestCase):
         self.check("version: 1.2.3", "## [Unreleased]\n\nTo become 1.3.0.", "CHANGELOG.md")
         self.check("version: 1.2.3\ndate-released: 2026-02-03", "## [1.3.0] - 2026-03-04\n\n## [1.2.3] - 2026-02-03",
                    "CHANGELOG.md")
-        self.check("version: 1.2.3", planned, "python/pyproject.toml", package='version = "1.2.2"')
+        self.check("version: 1.2.3", planned, "pyproject.toml", package='version = "1.2.2"')
 
 
 if __name__ == "__main__":

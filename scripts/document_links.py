@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Links of the documents: where they lead, and whether that is there."""
+
+import re
+from pathlib import Path
+
+# Documents that belong to the site, as patterns of files.
+DOCUMENTS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md", "bench/README.md")
+INLINE = re.compile(r"!?\[(?:[^\[\]]|\[[^\]]*\])*\]\(\s*<?([^)\s>]+)>?(?:\s+\"[^\"]*\")?\s*\)")
+DEFINED = re.compile(r"^\[[^\]]+\]:\s*<?(\S+?)>?\s*$")
+HTML = re.compile(r"<(?:a|img)\s[^>]*?\b(?:href|src)=\"([^\"]+)\"")
+HEADING = re.compile(r"^#{1,6}\s+(.*?)\s*#*$")
+
+
+def documents_of(root):
+    """All documents below a folder."""
+    return [path for pattern in DOCUMENTS for path in sorted(root.glob(pattern))]
+
+
+def lines_of(path):
+    """The lines of a document with their numbers, without those of code."""
+    fence = ""
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        mark = re.match(r" {0,3}(```+|~~~+)", line)
+        if fence:
+            if mark and mark[1].startswith(fence):
+                fence = ""
+        elif mark:
+            fence = mark[1]
+        elif not line.startswith("    "):
+            yield number, line
+
+
+def links_of(path):
+    """The links of a document with the numbers of their lines; what stands between backticks is no link."""
+    for number, line in lines_of(path):
+        words = re.sub(r"(`+)(?!`).*?(?<!`)\1(?!`)", "`", line)
+        for pattern in (INLINE, DEFINED, HTML):
+            for match in pattern.finditer(words):
+                yield number, match[1]
+
+
+def is_inside(link):
+    """Does a link stay in the documents?"""
+    return not re.match(r"[a-zA-Z][a-zA-Z0-9+.-]*:|//", link)
+
+
+def anchors_of(path):
+    """The names of the headings of a document, as links have them."""
+    anchors, counts = set(), {}
+    for _, line in lines_of(path):
+        anchors.update(re.findall(r"<a\s[^>]*?\b(?:id|name)=\"([^\"]+)\"", line))
+        if heading := HEADING.match(line):
+            text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading[1])
+            name = re.sub(r"[^\w\- ]", "", text.lower()).replace(" ", "-")
+            counts[name] = counts.get(name, 0) + 1
+            anchors.add(name if counts[name] == 1 else f"{name}-{counts[name] - 1}")
+    return anchors
+
+
+def fault_of_link(path, link, root):
+    """What is wrong with a link of a document; nothing if it leads somewhere."""
+    target, _, anchor = link.partition("#")
+    file = (path.parent / target).resolve() if target else path
+    if target.startswith("/") or not file.is_relative_to(root.resolve()):
+        return f"{link} leads out of the project"
+    if not file.exists():
+        return f"{link}: there is no {file.relative_to(root.resolve()).as_posix()}"
+    if anchor and (file.suffix != ".md" or anchor not in anchors_of(file)):
+        return f"{link}: there is no heading #{anchor}"
+    return ""
+
+
+def faults_of(root):
+    """Every link inside the documents that leads nowhere, and every document that is named and is not there, as FILE:LINE."""
+    faults = []
+    for path in documents_of(root):
+        place = path.relative_to(root).as_posix()
+        faults += [f"{place}:{number}: {fault}" for number, link in links_of(path) if is_inside(link)
+                   if (fault := fault_of_link(path, link, root))]
+        # versions that are gone may name what was there
+        if path.name != "CHANGELOG.md":
+            faults += [f"{place}:{number}: there is no {name}" for number, line in enumerate(path.read_text().splitlines(), 1)
+                       for name in re.findall(r"\bdocs/\w+\.md\b", line) if not Path(root, name).exists()]
+    return faults

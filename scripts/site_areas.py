@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The areas of the site, each with the titles of its pages and their files."""
+
+from document_links import documents_of
+
+# The first page that FORD makes.
+FORTRAN = "fortran/index.html"
+AREAS = {
+    "Use": {
+        "Overview": "README.md",
+        "Gallery": "docs/gallery.md",
+        "The input": "docs/namelist.md",
+        "The results file": "docs/file_format.md",
+        "Measured surfaces": "docs/import.md",
+        "Big scans": "docs/clusters.md",
+    },
+    "Models": {
+        "A wavy surface on a foundation": "docs/wavy.md",
+        "Rough lines and real materials": "docs/profiles.md",
+        "A sphere": "docs/sphere.md",
+        "The half-space": "docs/halfspace.md",
+        "Periodic surfaces": "docs/periodic.md",
+    },
+    "Library": {
+        "Fortran, C and C++": "docs/library.md",
+        "Python": "docs/python.md",
+        "Modules of Fortran": FORTRAN,
+    },
+    "Accuracy": {
+        "Speed against error": "docs/accuracy.md",
+        "What simple points save": "docs/scenes.md",
+        "How it scales": "docs/scaling.md",
+        "Hard cases": "docs/hard_cases.md",
+        "Benchmarks": "bench/README.md",
+    },
+    "Project": {
+        "Glossary": "docs/glossary.md",
+        "Contributing": "CONTRIBUTING.md",
+        "Changes": "CHANGELOG.md",
+    },
+}
+# Documents that are to come.
+PAGES_TO_COME = {"docs/gallery.md"}
+
+
+def missing_in_areas(root):
+    """Documents without an area, and pages of areas without a document."""
+    listed = [file for pages in AREAS.values() for file in pages.values()]
+    there = {path.relative_to(root).as_posix() for path in documents_of(root)}
+    return ([f"{file} stands in no area of scripts/site_areas.py" for file in sorted(there - set(listed))]
+            + [f"there is no {file}" for file in listed if file not in there | PAGES_TO_COME | {FORTRAN}]
+            + [f"{file} stands in two places" for file in sorted({file for file in listed if listed.count(file) > 1})])

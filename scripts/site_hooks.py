@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What MkDocs does otherwise for the site: an asterisk behind a word, as in `stress p* of`, begins no emphasis; links name files."""
+
+import re
+
+from markdown.extensions import Extension
+from markdown.inlinepatterns import AsteriskProcessor
+
+
+class EmphasisProcessor(AsteriskProcessor):
+    """Emphasis that begins neither behind a word or a bracket nor before a space."""
+
+    PATTERNS = [item._replace(pattern=re.compile(r"(?<![\w)\]])(?=\*+\S)" + item.pattern.pattern, item.pattern.flags))
+                for item in AsteriskProcessor.PATTERNS]
+
+
+class EmphasisExtension(Extension):
+    """Puts this emphasis in the place of the usual one."""
+
+    def extendMarkdown(self, md):
+        md.inlinePatterns.register(EmphasisProcessor(r"\*"), "em_strong", 60)
+
+
+def on_config(config):
+    """Called by MkDocs before it reads the documents."""
+    config.markdown_extensions.append(EmphasisExtension())
+    return config
+
+
+def on_post_page(output, **_):
+    """Called by MkDocs for each page: where a link leads to a folder it names the first page there, which needs no server then."""
+    return re.sub(r'href="(\./|(?:\.\./)*)\.(\.?)"', lambda link: f'href="{link[1]}{"../" if link[2] else ""}index.html"', output)
+
+
+def on_post_template(output_content, **_):
+    """Called by MkDocs for pages that belong to no document."""
+    return on_post_page(output_content)

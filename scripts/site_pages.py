@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Build the site: python scripts/site_pages.py FOLDER.
+
+The documents keep their places, so that their links hold in the site as they do in the repository. MkDocs makes pages of them; FORD
+makes those of the Fortran modules that other programs use, and stands below fortran/.
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import mkdocs
+import yaml
+from pygments.formatters import HtmlFormatter
+
+from document_links import documents_of, faults_of, is_inside, links_of
+from site_areas import AREAS, missing_in_areas
+
+ROOT = Path(__file__).resolve().parents[1]
+# The modules that a program of somebody else uses.
+PUBLIC_MODULES = ("adfric_api", "adfric_contact_sphere", "adfric_contact_strip", "adfric_contact_periodic")
+STYLE = """
+.wy-nav-content { max-width: 75em; }
+.rst-content pre code { font-size: 85%; line-height: 1.4; }
+.rst-content table { margin-bottom: 24px; }
+.rst-content table td, .rst-content table th { padding: 4px 8px !important; white-space: normal !important; }
+.rst-content table td, .rst-content table th { vertical-align: top !important; }
+.rst-content table th:empty { padding: 0 !important; border: 0; }
+.rst-content img { max-width: 100%; }
+"""
+
+
+def copy_documents(folder):
+    """Copy the documents, and the files of the project that they show or lead to."""
+    for path in documents_of(ROOT):
+        copy(path, folder)
+        for _, link in links_of(path):
+            file = (path.parent / link.partition("#")[0]).resolve()
+            if is_inside(link) and file.is_file() and file.suffix != ".md":
+                copy(file, folder)
+
+
+def copy(path, folder):
+    """Copy a file of the project to the same place below a folder."""
+    to = folder / path.relative_to(ROOT)
+    to.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(path, to)
+
+
+def source_of(module):
+    """The file of a module, or of its template."""
+    text = re.compile(rf"^module {module}$", re.MULTILINE)
+    return next(path for path in sorted((ROOT / "src").rglob("*.f90*")) if text.search(path.read_text()))
+
+
+def modules_with(module):
+    """A module, and those from which it passes names on."""
+    text = source_of(module).read_text().replace("&\n", "")
+    public = {name.strip() for names in re.findall(r"^ *public :: (.*)$", text, re.MULTILINE) for name in names.split(",")}
+    uses = re.findall(r"^ *use (adfric_\w+), only: (.*)$", text, re.MULTILINE)
+    return {module} | {other for other, names in uses if public & {name.strip(" &") for name in names.split(",")}}
+
+
+def write_fortran(folder, work):
+    """Write the pages of the public modules."""
+    sources = work / "sources"
+    sources.mkdir()
+    for module in sorted(set().union(*map(modules_with, PUBLIC_MODULES))):
+        path = source_of(module)
+        shutil.copyfile(path, sources / path.relative_to(ROOT / "src").as_posix().replace("/", "_"))
+    settings = {"project": "adfric for Fortran", "summary": "The modules that a program uses", "author": "the adfric authors",
+                "src_dir": sources, "output_dir": folder, "display": "public", "sort": "alpha", "preprocess": False,
+                "incl_src": False, "search": False, "quiet": True}
+    project = work / "fortran.md"
+    project.write_text("".join(["---\n", *(f"{key}: {value}\n" for key, value in settings.items()), "---\n\n"
+                                "The modules of [the library](../docs/library.html), as the comments of their sources say.\n"]))
+    run("ford", str(project))
+    keep_inside(folder)
+
+
+def keep_inside(folder):
+    """Have the pages of FORD read Bootstrap from the site, and not from a server; they have no formulas."""
+    for name in ("css/bootstrap.min.css", "js/bootstrap.bundle.min.js"):
+        shutil.copyfile(Path(mkdocs.__file__).parent / "themes/mkdocs" / name, folder / name)
+    for path in folder.rglob("*.html"):
+        up = "../" * (len(path.relative_to(folder).parts) - 1)
+        text = re.sub(r'<script src="https:[^"]*/MathJax.js.*?</script>', "", path.read_text(), flags=re.DOTALL)
+        text = re.sub(r'"https:[^"]*/((?:css|js)/bootstrap)', rf'"{up}\1', text)
+        path.write_text(re.sub(r'\s+integrity="[^"]*" crossorigin="\w+"', "", text))
+
+
+def write_pages(pages, folder, work):
+    """Write the pages of the documents, below the areas; what is not there yet is left out."""
+    nav = [{area: [{title: file} for title, file in files.items() if (pages / file).exists()]} for area, files in AREAS.items()]
+    (pages / "style.css").write_text(HtmlFormatter(style="friendly").get_style_defs(".codehilite") + STYLE)
+    settings = work / "mkdocs.yml"
+    settings.write_text(yaml.safe_dump({
+        "site_name": "adfric", "docs_dir": str(pages), "site_dir": str(folder), "use_directory_urls": False, "nav": nav,
+        "theme": {"name": "readthedocs", "highlightjs": False, "navigation_depth": 3, "include_homepage_in_sidebar": False},
+        "plugins": ["search"], "hooks": [str(ROOT / "scripts/site_hooks.py")], "extra_css": ["style.css"],
+        "markdown_extensions": [{"codehilite": {"guess_lang": False}}, {"toc": {"permalink": False}}],
+        "validation": {"omitted_files": "warn", "absolute_links": "warn", "unrecognized_links": "warn", "anchors": "warn"},
+    }, sort_keys=False))
+    run("mkdocs", "build", "--strict", "--quiet", "--clean", "--config-file", str(settings))
+
+
+def run(module, *arguments):
+    """Run a program of the environment; what it says is shown only if it fails."""
+    result = subprocess.run([sys.executable, "-m", module, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if result.returncode:
+        sys.exit(f"{result.stdout}site: {module} failed")
+
+
+def main(folder):
+    """Build the site in a folder."""
+    if faults := faults_of(ROOT) + missing_in_areas(ROOT):
+        sys.exit("\n".join(f"site: {fault}" for fault in faults))
+    with tempfile.TemporaryDirectory() as name:
+        work = Path(name)
+        pages = work / "pages"
+        copy_documents(pages)
+        write_fortran(pages / "fortran", work)
+        write_pages(pages, folder, work)
+    print(folder / "index.html")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]).resolve())
