@@ -8,6 +8,7 @@ FORTRAN = "fortran/index.html"
 AREAS = {
     "Use": {
         "Overview": "README.md",
+        "Tutorial": "docs/tutorial.md",
         "Gallery": "docs/gallery.md",
         "The input": "docs/namelist.md",
         "The results file": "docs/file_format.md",

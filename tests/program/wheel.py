@@ -15,7 +15,7 @@ from runs import main
 SOURCE = Path(os.environ["ADFRIC_SOURCE"])
 TOOLS = SOURCE/".venv_wheel/bin/python"
 # versions of what is installed, so that the test is the same tomorrow
-PINS = [word for name in ("requirements", "requirements_import", "requirements_tests")
+PINS = [word for name in ("requirements", "requirements_import", "requirements_tests", "requirements_tutorial")
         for word in ("--constraint", SOURCE/f"scripts/{name}.txt")]
 # libraries of the C library and of the compiler's run time, as PEP 600 lets a wheel use them
 OF_LINUX = re.compile(r"(linux-vdso|ld-linux[\w-]*|libc|libm|libmvec|libdl|libpthread|librt|libresolv|libgcc_s|libstdc\+\+|libz)\.so")
@@ -43,7 +43,7 @@ class Wheel(unittest.TestCase):
         run(sys.executable, "-m", "venv", cls.folder/"fresh")
         cls.bin = cls.folder/"fresh/bin"
         run(cls.bin/"python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--only-binary", ":all:", *PINS,
-            f"{cls.wheel}[plot,surfaces]", "pint-xarray")
+            f"{cls.wheel}[plot,surfaces]", "pint-xarray", "nbclient", "ipykernel")
         # nothing but this environment is found
         cls.alone = {"PATH": str(cls.bin), "HOME": str(cls.folder), "ADFRIC_SOURCE": str(SOURCE), "OMP_NUM_THREADS": "2",
                      "MPLBACKEND": "Agg", "PYTHONDONTWRITEBYTECODE": "1"}
@@ -52,6 +52,10 @@ class Wheel(unittest.TestCase):
         """All tests of the package, none of them skipped."""
         shown = run(self.bin/"python", "-m", "unittest", "discover", "-s", SOURCE/"tests/python", env=self.alone, cwd=self.folder)
         self.assertRegex(shown, r"\nOK\n$")
+
+    def test_tutorial(self):
+        """The notebook prints what docs/tutorial.md shows."""
+        run(self.bin/"python", SOURCE/"scripts/tutorial.py", env={key: self.alone[key] for key in ("PATH", "HOME", "OMP_NUM_THREADS")})
 
     def test_command(self):
         shown = run(self.bin/"adfric", "run", SOURCE/"inputs/hertz_axes.nml", env=self.alone, cwd=self.folder)
