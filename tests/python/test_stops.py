@@ -36,6 +36,16 @@ class Stops(unittest.TestCase):
             self.case.solve(progress=fail)
         xr.testing.assert_equal(before, self.case.solve())
 
+    def test_calls_meanwhile(self):
+        """What is told may call again, with cases of its own."""
+        def ask(*_):
+            asked.append(adfric.solve("sphere", **TIP, load=0.0).status.item())
+
+        asked = []
+        before = self.case.solve()
+        xr.testing.assert_equal(before, self.case.solve(progress=ask))
+        self.assertEqual({0}, set(asked))
+
     def test_interrupt(self):
         """The interrupt comes while the library solves; Python's handler is what it was before."""
         before = signal.getsignal(signal.SIGINT)

@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Make the gallery: scripts/gallery [--check].
+
+Every input is run, and docs/gallery.md shows its figure, with what the head of the input says of it. Results stay in build/gallery, and a
+figure keeps a digest of its inputs and of what draws it, so that nothing is run or drawn twice. --check tells, a line each, what is
+missing, out of date or superfluous, and runs nothing. Exit status: 0, 1 if --check has found something, 2 for a bad command line, 3 if a
+run or a figure fails.
+"""
+
+import argparse
+import hashlib
+import io
+import os
+import re
+import shlex
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from PIL import Image, PngImagePlugin
+
+ROOT = Path(__file__).resolve().parents[1]
+INPUTS, PAGE, FIGURES, WORK = ROOT / "inputs", ROOT / "docs/gallery.md", ROOT / "docs/gallery", ROOT / "build/gallery"
+# Width of a figure [pixels], colours, letters of a text.
+WIDTH, COLOURS = 760, 64
+MOST_LETTERS = 420
+KEY = "made-from"
+COMMAND = re.compile(r"scripts/((?:make_\w+|import_surface)\b[^\n]*)")
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A figure: its inputs, and the options of scripts/plot."""
+
+    inputs: tuple
+    options: str = ""
+
+    @property
+    def name(self):
+        """Its name, that of the first input."""
+        return self.inputs[0]
+
+    @property
+    def figure(self):
+        """Its file."""
+        return FIGURES / f"{self.name}.png"
+
+
+def one(*inputs, options=""):
+    """A figure of one input or several."""
+    return Entry(inputs, options)
+
+
+AREAS = {
+    "A wavy surface on a foundation": (
+        one("gm2011_fig4_reconciled"), one("gm2011_fig4_printed"), one("gm2011_fig5"), one("gm2011_fig6"), one("gm2011_fig7"),
+        one("gm2011_fig8"), one("edge_rule_fig5"), one("edge_rule_fig6"), one("edge_rule_front")),
+    "Rough lines and real materials": (
+        one("rubber_velocity"), one("rubber_master_curve"), one("line_scan"), one("rubber_map"),
+        one("edge_rules_continuous", "edge_rules_instantaneous", "edge_rules_front")),
+    "A sphere": (
+        one("johnson1997_fig3"), one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("johnson1997_fig6"), one("johnson1997_fig7"),
+        one("johnson1997_fig8"), one("johnson1997_fig9a"), one("johnson1997_fig9b"), one("johnson1997_fig11"),
+        one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr")),
+    "The half-space": (
+        one("hertz_axes"), one("hertz_ratio"), one("hertz_line_sliding"), one("rigid_punch"), one("punch_flat"), one("punch_cylinder"),
+        one("punch_wedge"), one("punch_stress"), one("line_load"), one("strip_load"), one("strip_load_maps"), one("strip_load_sampled"),
+        one("point_load")),
+    "Waves on a half-space": (
+        one("wave_1d"), one("wave_1d_pressure"),
+        one("wave_1d_adhesion", "wave_1d_adhesion_approach", options="--x penetration --y mean_pressure contact_fraction"),
+        one("wave_1d_adhesion_pressure"), one("wave_1d_pull_off"),
+        one("wave_1d_sliding", "wave_1d_sliding_cells", options="--y friction_coefficient contact_fraction contact_shift peak_pressure"),
+        one("wave_2d_elastic"), one("wave_2d_contact"), one("wave_2d_sliding"),
+        one("wave_2d_adhesion", "wave_2d_adhesion_approach"),
+        one("wave_2d_adhesion_penetration", "wave_2d_adhesion_penetration_approach", options="--y mean_pressure contact_fraction"),
+        one("wave_2d_pull_off")),
+    "Rough surfaces on a half-space": (
+        one("surface_elastic"), one("surface_adhesion_maps"), one("surface_stickiness"), one("surface_adhesion_friction"),
+        one("surface_sliding"),
+        one("surface_sliding_strips", "surface_sliding_layer", options="--y friction_coefficient contact_fraction penetration")),
+}
+# Columns of the overview: their widths [pixels] and figures.
+OVERVIEW = (
+    (560, (one("surface_adhesion_maps"),)),
+    (380, (one("gm2011_fig6"), one("johnson1997_fig5", "johnson1997_fig5_jkr"))),
+    (380, (one("surface_sliding", options="--y friction_coefficient"), one("pulloff_map_load"))))
+OVERVIEW_FILE = FIGURES / "overview.png"
+
+
+def all_entries():
+    """All figures."""
+    return [entry for entries in AREAS.values() for entry in entries]
+
+
+def digest_of(*parts):
+    """A digest of texts."""
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
+
+
+def text_of(name):
+    """The text of an input."""
+    return (INPUTS / f"{name}.nml").read_text()
+
+
+def digest_of_entry(entry):
+    """What an up-to-date figure was made from: its inputs, its options and what draws it."""
+    drawing = [path.read_text() for path in sorted((ROOT / "scripts/plotting").glob("*.py"))]
+    return digest_of(*map(text_of, entry.inputs), entry.options, *drawing)
+
+
+def digest_of_overview():
+    """The same of the overview."""
+    return digest_of(*(f"{width} {digest_of_entry(entry)}" for width, entries in OVERVIEW for entry in entries))
+
+
+def digest_in(path):
+    """What a figure was made from; empty if there is no figure."""
+    if not path.is_file():
+        return ""
+    with Image.open(path) as image:
+        return image.info.get(KEY, "")
+
+
+def head_of(name):
+    """What the head of an input says first: whole sentences, before any command, of about `MOST_LETTERS`."""
+    lines = []
+    for line in text_of(name).splitlines():
+        if not line.startswith("!"):
+            break
+        lines.append(line.removeprefix("!").strip())
+    text = " ".join(lines)
+    shown = text.partition("scripts/")[0]
+    # an initial of a name ends no sentence
+    ends = [match.end() for match in re.finditer(r"(?<=[a-z0-9)\]*])\.(?=\s|$)", shown)]
+    short = [end for end in ends if end <= MOST_LETTERS]
+    return shown[:max(short, default=min(ends))]
+
+
+def title_of(name):
+    """The title of an input."""
+    return re.search(r"title\s*=\s*'([^']*)'", text_of(name))[1]
+
+
+def commands_of(entry):
+    """The commands that make its data, as the heads of its inputs name them."""
+    found = []
+    for name in entry.inputs:
+        head = "\n".join(line for line in text_of(name).splitlines() if line.startswith("!"))
+        found += [command.strip().rstrip(".") for command in COMMAND.findall(head)]
+    return list(dict.fromkeys(found))
+
+
+def run(entry, name):
+    """Run an input in the folder of its entry, unless that was done already; the results file."""
+    folder = WORK / entry.name
+    # data and results may have one name
+    (folder / "results").mkdir(parents=True, exist_ok=True)
+    results, stamp = folder / f"results/{name}.h5", folder / f"results/{name}.made_from"
+    made_from = digest_of(text_of(name), *commands_of(entry))
+    if results.exists() and stamp.exists() and stamp.read_text() == made_from:
+        return results
+    for command in commands_of(entry):
+        call([ROOT / "scripts" / shlex.split(command)[0], *shlex.split(command)[1:], *(["--force"] if command.startswith("import") else [])],
+             folder)
+    print(f"gallery: {name}", flush=True)
+    call([ROOT / "build/release/adfric", "run", "--quiet", "--force", "--output", results, INPUTS / f"{name}.nml"], folder, (0, 1))
+    stamp.write_text(made_from)
+    return results
+
+
+def call(words, folder, allowed=(0,)):
+    """Run a command."""
+    done = subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True)
+    if done.returncode not in allowed:
+        print(f"gallery: {' '.join(map(str, words))}: {done.stdout}{done.stderr}", file=sys.stderr)
+        sys.exit(3)
+
+
+def draw(entry):
+    """Draw the figure of an entry; the file as scripts/plot writes it."""
+    results = [run(entry, name) for name in entry.inputs]
+    drawn = WORK / entry.name / f"figure_{digest_of(entry.options)}.png"
+    call([sys.executable, ROOT / "scripts/plot.py", *results, *shlex.split(entry.options), "--output", drawn], WORK / entry.name)
+    return Image.open(drawn).convert("RGB")
+
+
+def save(image, path, made_from):
+    """Save a figure in a small file that says from what it was made."""
+    notes = PngImagePlugin.PngInfo()
+    notes.add_text(KEY, made_from)
+    data = io.BytesIO()
+    image.quantize(COLOURS, dither=Image.Dither.NONE).save(data, "PNG", optimize=True, pnginfo=notes)
+    path.write_bytes(data.getvalue())
+
+
+def narrowed(image, width):
+    """A figure of this width, if it is wider."""
+    if image.width <= width:
+        return image
+    return image.resize((width, round(image.height * width / image.width)), Image.Resampling.LANCZOS)
+
+
+def draw_overview():
+    """The columns of the overview side by side, each in the middle of the height."""
+    columns = [[narrowed(draw(entry), width) for entry in entries] for width, entries in OVERVIEW]
+    heights = [sum(image.height for image in column) for column in columns]
+    overview = Image.new("RGB", (sum(width for width, _ in OVERVIEW), max(heights)), "white")
+    left = 0
+    for (width, _), column, height in zip(OVERVIEW, columns, heights):
+        top = (max(heights) - height) // 2
+        for image in column:
+            overview.paste(image, (left + (width - image.width) // 2, top))
+            top += image.height
+        left += width
+    return overview
+
+
+def page():
+    """The text of docs/gallery.md."""
+    lines = ["<!-- written by scripts/gallery -->", "", "# Gallery", "",
+             "Every input of `inputs/` with its figure, as `scripts/run inputs/NAME.nml` draws it, or with several inputs `scripts/plot`. The texts are those of",
+             "the inputs. `scripts/gallery` makes this page.", ""]
+    for area, entries in AREAS.items():
+        lines += [f"## {area}", ""]
+        for entry in entries:
+            links = ", ".join(f"[`{name}.nml`](../inputs/{name}.nml)" for name in entry.inputs)
+            lines += [f"### {title_of(entry.name)}", "", f"{links}: {plain(head_of(entry.name))}", "",
+                      f"![{title_of(entry.name)}](gallery/{entry.name}.png)", ""]
+            commands = [f"scripts/{command}" for command in commands_of(entry)]
+            commands += [f"scripts/run inputs/{name}.nml" for name in entry.inputs]
+            if len(entry.inputs) > 1:
+                commands.append(" ".join(["scripts/plot", *(output_of(name) for name in entry.inputs), entry.options]).strip())
+            lines += [*(f"    {command}" for command in commands), ""]
+    return "\n".join(lines)
+
+
+def plain(text):
+    """A text whose asterisks are no emphasis."""
+    return text.replace("*", r"\*")
+
+
+def output_of(name):
+    """The results file of an input."""
+    return re.search(r"output\s*=\s*'([^']*)'", text_of(name))[1]
+
+
+def faults():
+    """What is missing, out of date or superfluous."""
+    shown = [name for entry in all_entries() for name in entry.inputs]
+    there = {path.stem for path in INPUTS.glob("*.nml")}
+    yield from (f"inputs/{name}.nml is not shown" for name in sorted(there - set(shown)))
+    yield from (f"inputs/{name}.nml is shown, but does not exist" for name in sorted(set(shown) - there))
+    if not set(shown) <= there:
+        return
+    figures = {entry.figure: digest_of_entry(entry) for entry in all_entries()} | {OVERVIEW_FILE: digest_of_overview()}
+    for path, made_from in figures.items():
+        if digest_in(path) != made_from:
+            yield f"docs/gallery/{path.name} is {'out of date' if path.exists() else 'missing'}"
+    yield from (f"docs/gallery/{path.name} is superfluous" for path in sorted(set(FIGURES.glob("*")) - set(figures)))
+    if not PAGE.is_file() or PAGE.read_text() != page():
+        yield f"docs/gallery.md is {'out of date' if PAGE.exists() else 'missing'}"
+
+
+def make():
+    """Make what is not up to date."""
+    os.environ["MPLBACKEND"] = "Agg"
+    FIGURES.mkdir(exist_ok=True)
+    for entry in all_entries():
+        if digest_in(entry.figure) != digest_of_entry(entry):
+            save(narrowed(draw(entry), WIDTH), entry.figure, digest_of_entry(entry))
+    if digest_in(OVERVIEW_FILE) != digest_of_overview():
+        save(draw_overview(), OVERVIEW_FILE, digest_of_overview())
+    kept = {entry.figure for entry in all_entries()} | {OVERVIEW_FILE}
+    for path in set(FIGURES.glob("*")) - kept:
+        path.unlink()
+    PAGE.write_text(page())
+
+
+def main(arguments):
+    """Make or check the gallery; the exit status."""
+    parser = argparse.ArgumentParser(prog="scripts/gallery", description="Make docs/gallery.md: every input with its figure.")
+    parser.add_argument("--check", action="store_true", help="say what is not up to date, and make nothing")
+    if not parser.parse_args(arguments).check:
+        make()
+    found = list(faults())
+    for fault in found:
+        print(f"gallery: {fault}", file=sys.stderr)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
