@@ -49,7 +49,7 @@ enum {
    ADFRIC_BAD_ARGUMENT = -2   /**< of one contact: an argument is NaN or not allowed */
 };
 
-/** Version of the library, such as "0.1.0 (36f567f)". */
+/** Version of the library, such as "0.2.0 (36f567f)". */
 const char *adfric_version(void);
 
 /** What was wrong with the last call of this thread; empty if nothing was. Several problems have a line each. It stays as it is
