@@ -26,5 +26,6 @@ from .surfaces import read_surface
 from .tables import Model, Result, Variable, models
 
 __version__ = _library.adfric_version().decode().split()[0]
-__all__ = ["Case", "Error", "FailedError", "InputError", "Model", "Result", "StoppedError", "Variable", "contacts", "models", "open",
-           "plot", "read_surface", "run", "solve"]
+# but for open, which would take the place of Python's own
+__all__ = ["Case", "Error", "FailedError", "InputError", "Model", "Result", "StoppedError", "Variable", "contacts", "models", "plot",
+           "read_surface", "run", "solve"]

@@ -2,6 +2,7 @@
 """The models, with their variables and results, as the program knows them."""
 
 import ctypes
+import difflib
 import functools
 import inspect
 import keyword
@@ -99,7 +100,8 @@ class Models(Mapping):
 
     def __getitem__(self, name):
         if name not in self._names:
-            raise KeyError(name)
+            close = difflib.get_close_matches(str(name), self._names, 1)
+            raise KeyError(f"{name}; did you mean {close[0]!r}?" if close else name)
         return model_of(name)
 
     def __iter__(self):

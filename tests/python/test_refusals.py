@@ -34,7 +34,7 @@ class Refusals(InFolder):
         self.check_values(InputError, ("theory", "hertzz", "did you mean 'hertz'"), theory="hertzz")
         self.check_values(InputError, ("name of a variable", "without characters that are 0"), **{"load\0x": 1.0})
         self.check_values(InputError, ("theory", "without characters that are 0"), theory="jkr\0x")
-        with self.assertRaises(KeyError):
+        with self.assert_raises_text(KeyError, "did you mean 'sphere'"):
             adfric.models()["spheer"]
         for name in (3, None, b"sphere"):
             with self.assert_raises_text(InputError, "model", "a text"):
