@@ -1,0 +1,260 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> One point of the model `indenter`: from the values of a namelist to a shape and its curve in reduced variables.
+!>
+!> Units: a shape with a corner has L = b and H = k b or b^2/R, a sphere L = H = R, a flat face L = H = b. A power of r has no length
+!> of its own: L is then the radius of the fold at given load, n K C L^(n - 1/2) = (3/2) sqrt(2 pi w/E*), without adhesion the radius
+!> of contact, and H = K C L^n. Of a polynomial L is the least of its terms, and H the sum.
+module adfric_indenter_case
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: half_pi, two_pi
+   use adfric_base_unset, only: is_set
+   use adfric_indenter_contact, only: branch_stable
+   use adfric_indenter_corner_shape, only: corner_shape_t, new_corner_shape, flat_face, flat_cone, flat_paraboloid, rounded_punch, &
+      & rounded_cone
+   use adfric_indenter_curve, only: curve_t, control_load, control_approach, control_radius
+   use adfric_indenter_power_shape, only: power_shape_t, new_power_shape, depth_factor
+   use adfric_indenter_sphere_shape, only: sphere_shape_t
+   use adfric_indenter_variables
+   use adfric_material_contact_modulus, only: contact_modulus_of
+   implicit none (type, external)
+   private
+   public :: indenter_case_t, resolve_case, is_possible
+
+   !> Units and what is held must be between these powers of ten, or numbers have no room.
+   integer, parameter :: largest_unit = 70, largest_number = 30
+
+   !> A point in reduced variables.
+   type :: indenter_case_t
+      !> Its curve, with the shape.
+      type(curve_t) :: curve
+      !> One of `theory_...`.
+      integer :: theory = theory_none
+      !> Units L [m] of lengths in the plane and H [m] of heights, and E* [Pa].
+      real(dp) :: length_unit = 1, height_unit = 1, modulus = 1
+      !> What is held (`control_...`), and one of `branch_...`.
+      integer :: control = control_load, branch = branch_stable
+      !> Load, approach or unknown u that is held, reduced.
+      real(dp) :: given = 0
+      !> Does a given u lie beyond the corner?
+      logical :: is_beyond = .true.
+   contains
+      procedure :: force_unit
+   end type indenter_case_t
+
+contains
+
+   !> E* L H [N].
+   pure real(dp) function force_unit(self)
+      !> The case with its units.
+      class(indenter_case_t), intent(in) :: self
+
+      force_unit = self%modulus*self%length_unit*self%height_unit
+   end function force_unit
+
+   !> The point that the values describe; they have been checked.
+   pure subroutine resolve_case(values, self)
+      !> Values of the variables, in the order of `adfric_indenter_variables`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the point.
+      type(indenter_case_t), intent(out) :: self
+      real(dp) :: work
+
+      self%modulus = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+      work = 0
+      if (is_set(values(v_work_of_adhesion)) .and. nint(values(v_theory)) /= choose_none) work = values(v_work_of_adhesion)
+      if (work > 0) self%theory = theory_jkr
+      self%branch = nint(values(v_branch))
+      self%control = control_radius
+      if (is_set(values(v_load))) self%control = control_load
+      if (is_set(values(v_approach))) self%control = control_approach
+      select case (nint(values(v_kind)))
+      case (kind_cone, kind_paraboloid, kind_power, kind_polynomial)
+         call resolve_powers(values, work/self%modulus, self)
+      case (kind_sphere)
+         allocate (sphere_shape_t :: self%curve%shape)
+         self%length_unit = values(v_radius)
+         self%height_unit = values(v_radius)
+      case default
+         call resolve_corner(values, self)
+      end select
+      ! 2 pi W = 2 pi w L/(E* H^2)
+      self%curve%tension = sqrt(two_pi*(work/self%modulus)/self%height_unit*(self%length_unit/self%height_unit))
+      call resolve_given(values, self)
+   end subroutine resolve_case
+
+   !> k of a cone.
+   pure real(dp) function slope_of(values)
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+
+      slope_of = values(v_slope)
+      if (.not. is_set(slope_of)) slope_of = 1/tan(values(v_half_angle))
+   end function slope_of
+
+   !> A shape with a corner.
+   pure subroutine resolve_corner(values, self)
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      !> Receives shape and units.
+      type(indenter_case_t), intent(inout) :: self
+      type(corner_shape_t), allocatable :: shape
+      real(dp) :: b
+      integer :: kind
+
+      b = values(v_face_radius)
+      allocate (shape)
+      select case (nint(values(v_kind)))
+      case (kind_flat_cone)
+         kind = flat_cone
+         self%height_unit = slope_of(values)*b
+      case (kind_flat_paraboloid)
+         kind = flat_paraboloid
+         self%height_unit = b*(b/values(v_radius))
+      case (kind_rounded_punch)
+         kind = rounded_punch
+         self%height_unit = b*(b/values(v_radius))
+      case (kind_rounded_cone)
+         kind = rounded_cone
+         b = slope_of(values)*values(v_radius)
+         self%height_unit = slope_of(values)*b
+      case default
+         kind = flat_face
+         self%height_unit = b
+      end select
+      self%length_unit = b
+      call new_corner_shape(shape, kind)
+      call move_alloc(shape, self%curve%shape)
+   end subroutine resolve_corner
+
+   !> A sum of powers.
+   pure subroutine resolve_powers(values, length, self)
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      !> w/E* [m].
+      real(dp), intent(in) :: length
+      !> Receives shape and units.
+      type(indenter_case_t), intent(inout) :: self
+      type(power_shape_t), allocatable :: shape
+      real(dp), allocatable :: exponents(:), logarithms(:)
+      real(dp) :: unit, height
+
+      call get_terms(values, exponents, logarithms)
+      if (length > 0) then
+         unit = minval((log(1.5_dp) + log(two_pi*length)/2 - log(exponents) - logarithms)/(exponents - 0.5_dp))
+      else
+         unit = minval(radius_logarithm(values, self%modulus, exponents, logarithms))
+      end if
+      ! the sum of the heights, of which the largest is taken out
+      logarithms = logarithms + exponents*unit
+      height = maxval(logarithms)
+      height = height + log(sum(exp(logarithms - height)))
+      if (abs(unit) < largest_unit*log(10.0_dp)) self%length_unit = exp(unit)
+      if (abs(height) < largest_unit*log(10.0_dp)) self%height_unit = exp(height)
+      ! the unit of a height that is no number stays 0, which `is_possible` refuses
+      if (.not. (abs(unit) < largest_unit*log(10.0_dp) .and. abs(height) < largest_unit*log(10.0_dp))) self%height_unit = 0
+      allocate (shape)
+      call new_power_shape(shape, exponents, exp(logarithms - height))
+      call move_alloc(shape, self%curve%shape)
+   end subroutine resolve_powers
+
+   !> Exponents of the terms, and the logarithms of their K C.
+   pure subroutine get_terms(values, exponents, logarithms)
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      !> Receives the exponents; one or more.
+      real(dp), allocatable, intent(out) :: exponents(:)
+      !> Receives the logarithms of K C, C in [m^(1 - n)].
+      real(dp), allocatable, intent(out) :: logarithms(:)
+      integer :: k
+
+      select case (nint(values(v_kind)))
+      case (kind_cone)
+         exponents = [1.0_dp]
+         logarithms = [log(half_pi*slope_of(values))]
+      case (kind_paraboloid)
+         exponents = [2.0_dp]
+         logarithms = [-log(values(v_radius))]
+      case (kind_power)
+         exponents = [values(v_exponent)]
+         logarithms = [log(depth_factor(values(v_exponent))) + log(values(v_coefficient))]
+      case default
+         exponents = pack([(real(k, dp), k=1, 8)], values(v_coefficient_1:v_coefficient_8) > 0)
+         logarithms = log(pack(values(v_coefficient_1:v_coefficient_8), values(v_coefficient_1:v_coefficient_8) > 0))
+         logarithms = logarithms + log(depth_factor(exponents))
+      end select
+   end subroutine get_terms
+
+   !> Logarithm of the radius of contact of each term alone, without adhesion; that of a height of 1 where nothing is in contact.
+   pure function radius_logarithm(values, modulus, exponents, logarithms) result(radius)
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      !> E* [Pa].
+      real(dp), intent(in) :: modulus
+      !> Exponents n and logarithms of K C.
+      real(dp), intent(in) :: exponents(:), logarithms(:)
+      real(dp) :: radius(size(exponents))
+
+      radius = -logarithms/exponents
+      if (is_set(values(v_load))) then
+         if (values(v_load) > 0) radius = (log(values(v_load)/(2*modulus)) + log(1 + 1/exponents) - logarithms)/(exponents + 1)
+      else if (is_set(values(v_approach))) then
+         if (values(v_approach) > 0) radius = (log(values(v_approach)) - logarithms)/exponents
+      else
+         radius = log(values(v_contact_radius))
+      end if
+   end function radius_logarithm
+
+   !> What is held.
+   pure subroutine resolve_given(values, self)
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      !> In: with shape and units. Out: with what is held, too.
+      type(indenter_case_t), intent(inout) :: self
+      real(dp) :: radius
+
+      if (.not. self%height_unit > 0) return
+      if (self%control == control_load) then
+         self%given = values(v_load)/self%force_unit()
+      else if (self%control == control_approach) then
+         self%given = values(v_approach)/self%height_unit
+      else if (is_set(values(v_face_angle))) then
+         self%given = tan(values(v_face_angle))
+      else
+         radius = values(v_contact_radius)/self%length_unit
+         self%is_beyond = radius >= self%curve%shape%corner
+         self%given = radius
+         if (is_inside(self, radius)) self%given = self%curve%shape%unknown_of(radius)
+      end if
+   end subroutine resolve_given
+
+   !> Is a radius less than that of a sphere?
+   pure logical function is_inside(self, radius)
+      !> The case with its shape.
+      type(indenter_case_t), intent(in) :: self
+      !> Radius a of contact, reduced.
+      real(dp), intent(in) :: radius
+
+      is_inside = .true.
+      select type (shape => self%curve%shape)
+      type is (sphere_shape_t)
+         is_inside = radius < 1
+      end select
+   end function is_inside
+
+   !> Is there such a contact? A contact of given radius is not smaller than a face, and smaller than a sphere; and all has to be
+   !> within the numbers.
+   pure logical function is_possible(values, self)
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      !> The case that they describe.
+      type(indenter_case_t), intent(in) :: self
+      real(dp), parameter :: most = 10.0_dp**largest_unit
+
+      is_possible = self%height_unit > 1/most .and. self%height_unit < most .and. self%length_unit > 1/most &
+         & .and. self%length_unit < most .and. abs(self%given) < 10.0_dp**largest_number .and. self%curve%tension < most
+      if (.not. is_possible .or. .not. is_set(values(v_contact_radius))) return
+      is_possible = is_inside(self, values(v_contact_radius)/self%length_unit) &
+         & .and. (self%is_beyond .or. .not. self%curve%shape%has_face)
+   end function is_possible
+
+end module adfric_indenter_case

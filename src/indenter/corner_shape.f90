@@ -1,0 +1,277 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Shapes with a corner at r = b, in units b of length and of height k b or b^2/R: with v = sqrt(a^2 - b^2), phi = arctan(v/b) and
+!> b = 1, beyond the corner
+!>
+!>     flat_cone          f = r - 1          g = a phi             P1 = a^2 phi + v
+!>     flat_paraboloid    f = (r^2 - 1)/2    g = a v               P1 = 2 v (2 a^2 + 1)/3
+!>     rounded_punch      f = (r - 1)^2/2    g = a (v - phi)       P1 = a^2 (v - phi) + v^3/3
+!>     rounded_cone       f = r - 1/2        g = a phi + a/(a + v)   P1 = a^2 phi + (4/3) a^2/(a + v) + v/3
+!>
+!> Within the corner there is a flat face; the rounded cone has f = r^2/2, g = a^2, P1 = 4 a^3/3.
+!>
+!> sqrt(a) g'(a) of the flat cone and the flat paraboloid is infinite at the corner, falls to a least value and rises; that of the
+!> rounded punch rises from 0; that of the rounded cone rises up to the corner, falls to a least value, and rises.
+module adfric_indenter_corner_shape
+   use adfric_base_kinds, only: dp
+   use adfric_indenter_shape, only: shape_t, spot_t, piece_t
+   use adfric_numerics_panels, only: integrand_t, integrate
+   implicit none (type, external)
+   private
+   public :: corner_shape_t, new_corner_shape, flat_face, flat_cone, flat_paraboloid, rounded_punch, rounded_cone
+
+   !> The kinds; a flat face ends where it ends.
+   integer, parameter :: flat_face = 0, flat_cone = 1, flat_paraboloid = 2, rounded_punch = 3, rounded_cone = 4
+   !> v where sqrt(a) g'(a) is least: the roots of v^3 phi + v^2 = 2, of 6 v^4 + 3 v^2 = 2, and of
+   !> v [phi (a + v) + 2] (a + v) = 2.
+   real(dp), parameter :: least_of_cone = 1.0424561234141567_dp, least_of_paraboloid = 0.6157539034434908_dp, &
+      & least_of_rounded_cone = 0.4709827637930153_dp
+
+   !> A shape with a corner.
+   type, extends(shape_t) :: corner_shape_t
+      !> One of the kinds above.
+      integer :: kind = flat_cone
+   contains
+      procedure :: evaluate
+      procedure :: unknown_of
+      procedure :: get_end
+      procedure :: rise
+      procedure :: inner_rise
+      procedure :: energy
+   end type corner_shape_t
+
+   !> [g(a) - g(x)]^2 dx/dt, v = sinh(t).
+   type, extends(integrand_t) :: energy_integrand_t
+      !> The shape.
+      type(corner_shape_t) :: shape
+      !> g(a).
+      real(dp) :: depth = 0
+   contains
+      procedure :: value_at
+   end type energy_integrand_t
+
+contains
+
+   !> The shape of a kind.
+   pure subroutine new_corner_shape(self, kind)
+      !> Receives the shape.
+      type(corner_shape_t), intent(out) :: self
+      !> One of the kinds of this file.
+      integer, intent(in) :: kind
+      real(dp) :: least
+
+      self%corner = 1
+      self%kind = kind
+      self%has_face = kind /= rounded_cone
+      select case (kind)
+      case (flat_cone)
+         least = least_of_cone
+         self%onset = 0
+      case (flat_paraboloid)
+         least = least_of_paraboloid
+         self%onset = 0
+      case (rounded_cone)
+         least = least_of_rounded_cone
+      case (rounded_punch)
+         self%onset = 2
+         return
+      case default
+         self%n_pieces = 0
+         return
+      end select
+      self%n_pieces = 2
+      self%pieces(1)%high = least
+      self%pieces(2)%low = least
+      if (kind /= rounded_cone) return
+      self%n_pieces = 3
+      self%pieces(2:3) = self%pieces(1:2)
+      self%pieces(1) = piece_t(.false., 0.0_dp, 1.0_dp)
+   end subroutine new_corner_shape
+
+   !> See `shape_t`.
+   pure subroutine evaluate(self, u, is_beyond, spot)
+      !> The shape that is evaluated.
+      class(corner_shape_t), intent(in) :: self
+      !> v beyond the corner, a within it; >= 0.
+      real(dp), intent(in) :: u
+      !> Is u one of those beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> Receives what the shape is there.
+      type(spot_t), intent(out) :: spot
+
+      if (is_beyond) then
+         spot%beyond = u
+         spot%radius = hypot(1.0_dp, u)
+         spot%radius_slope = u/spot%radius
+         spot%radius_curve = 1/spot%radius**3
+         call evaluate_beyond(self%kind, u, spot%radius, spot)
+      else
+         spot%radius = u
+         if (self%kind == rounded_cone) then
+            spot%depth = u*u
+            spot%depth_slope = 2*u
+            spot%depth_curve = 2
+            spot%load = 4*u**3/3
+         end if
+      end if
+   end subroutine evaluate
+
+   !> g, its derivatives by v, and P1 beyond the corner.
+   pure subroutine evaluate_beyond(kind, v, a, spot)
+      !> One of the kinds of this file.
+      integer, intent(in) :: kind
+      !> v = sqrt(a^2 - 1), >= 0.
+      real(dp), intent(in) :: v
+      !> Radius a of contact.
+      real(dp), intent(in) :: a
+      !> Receives g, its derivatives and P1.
+      type(spot_t), intent(inout) :: spot
+      real(dp) :: phi, rest
+
+      select case (kind)
+      case (flat_cone)
+         phi = atan(v)
+         spot%depth = a*phi
+         spot%depth_slope = (phi*v + 1)/a
+         spot%depth_curve = phi/a**3
+         spot%load = a*a*phi + v
+      case (flat_paraboloid)
+         spot%depth = a*v
+         spot%depth_slope = (2*v*v + 1)/a
+         spot%depth_curve = v*(2*v*v + 3)/a**3
+         spot%load = 2*v*(2*a*a + 1)/3
+      case (rounded_punch)
+         rest = less_arctan(v)
+         spot%depth = a*rest
+         spot%depth_slope = v*(v + rest)/a
+         spot%depth_curve = (2*v*a*a + rest)/a**3
+         spot%load = a*a*rest + v**3/3
+      case (rounded_cone)
+         phi = atan(v)
+         spot%depth = a*phi + a/(a + v)
+         spot%depth_slope = v*(phi + 2/(a + v))/a
+         spot%depth_curve = phi/a**3 + 2 - v*(2*v*v + 3)/a**3
+         spot%load = a*a*phi + 4*a*(a/(a + v))/3 + v/3
+      end select
+   end subroutine evaluate_beyond
+
+   !> v - arctan(v), to its own round-off.
+   elemental real(dp) function less_arctan(v)
+      !> The number v, >= 0.
+      real(dp), intent(in) :: v
+      real(dp), parameter :: small = 0.3_dp
+      integer, parameter :: n_terms = 16
+      integer :: k
+
+      if (v > small) then
+         less_arctan = v - atan(v)
+         return
+      end if
+      less_arctan = 0
+      do k = n_terms, 1, -1
+         less_arctan = 1.0_dp/(2*k + 1) - v*v*less_arctan
+      end do
+      less_arctan = v**3*less_arctan
+   end function less_arctan
+
+   !> See `shape_t`.
+   elemental real(dp) function unknown_of(self, radius)
+      !> The shape with its corner.
+      class(corner_shape_t), intent(in) :: self
+      !> Radius a of contact, >= 0.
+      real(dp), intent(in) :: radius
+
+      unknown_of = radius
+      if (radius >= self%corner) unknown_of = sqrt((radius - self%corner)*(radius + self%corner))
+   end function unknown_of
+
+   !> See `shape_t`: sqrt(a) g' is above sqrt(a) phi, 2 v^(3/2) and v^(3/2).
+   pure real(dp) function get_end(self, target)
+      !> The shape with its kind.
+      class(corner_shape_t), intent(in) :: self
+      !> The number, > 0.
+      real(dp), intent(in) :: target
+      real(dp), parameter :: margin = 1.0_dp + 1.0e-6_dp
+
+      select case (self%kind)
+      case (flat_cone, rounded_cone)
+         ! phi >= pi/4
+         get_end = max(2.0_dp, margin*(1.28_dp*target)**2)
+      case (flat_paraboloid)
+         get_end = max(2.0_dp, margin*(target/2)**(2.0_dp/3))
+      case default
+         get_end = margin*target**(2.0_dp/3)
+      end select
+   end function get_end
+
+   !> See `shape_t`.
+   elemental real(dp) function rise(self, v)
+      !> The shape with its kind.
+      class(corner_shape_t), intent(in) :: self
+      !> v = sqrt(x^2 - 1), > 0.
+      real(dp), intent(in) :: v
+      real(dp) :: x
+
+      x = hypot(1.0_dp, v)
+      select case (self%kind)
+      case (flat_cone)
+         rise = (atan(v)*v + 1)/x
+      case (flat_paraboloid)
+         rise = (2*v*v + 1)/x
+      case (rounded_punch)
+         rise = v*(v + less_arctan(v))/x
+      case (rounded_cone)
+         rise = v*(atan(v) + 2/(x + v))/x
+      case default
+         rise = 0
+      end select
+   end function rise
+
+   !> See `shape_t`.
+   pure real(dp) function inner_rise(self)
+      !> The shape with its kind.
+      class(corner_shape_t), intent(in) :: self
+
+      inner_rise = 0
+      if (self%kind == rounded_cone) inner_rise = 2
+   end function inner_rise
+
+   !> See `shape_t`: what lies within the corner is a polynomial, and the rest an integral over t, v = sinh(t).
+   pure real(dp) function energy(self, u, is_beyond)
+      !> The shape that is evaluated.
+      class(corner_shape_t), intent(in) :: self
+      !> v beyond the corner, a within it; >= 0.
+      real(dp), intent(in) :: u
+      !> Is u one of those beyond the corner?
+      logical, intent(in) :: is_beyond
+      type(energy_integrand_t) :: integrand
+      type(spot_t) :: spot
+
+      if (.not. is_beyond) then
+         energy = 0
+         if (self%kind == rounded_cone) energy = 8*u**5/15
+         return
+      end if
+      call self%evaluate(u, .true., spot)
+      energy = spot%depth**2
+      if (self%kind == rounded_cone) energy = (spot%depth - 1)**2 + 4*(spot%depth - 1)/3 + 8.0_dp/15
+      integrand%shape%kind = self%kind
+      integrand%depth = spot%depth
+      energy = energy + integrate(integrand, 0.0_dp, asinh(u))
+   end function energy
+
+   !> See `integrand_t`.
+   pure real(dp) function value_at(self, place)
+      !> The integrand with its shape and g(a).
+      class(energy_integrand_t), intent(in) :: self
+      !> t > 0 of a radius inside the contact.
+      real(dp), intent(in) :: place
+      type(spot_t) :: spot
+      real(dp) :: v
+
+      v = sinh(place)
+      spot%radius = hypot(1.0_dp, v)
+      call evaluate_beyond(self%shape%kind, v, spot%radius, spot)
+      value_at = (self%depth - spot%depth)**2*v
+   end function value_at
+
+end module adfric_indenter_corner_shape

@@ -1,0 +1,410 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The curve of equilibrium of an indenter with adhesion, and where it is stable (JKR for any profile; D. Maugis, M. Barquins,
+!> J. Phys. D 11, 1978, 1989), reduced:
+!>
+!>     Dl = sqrt(2 pi W a),   delta = g(a) - Dl,   P = P1(a) - 2 a Dl
+!>
+!> A state is stable where a g' > q Dl, q = 3/2 under a given load and 1/2 at a given approach. In each piece of a shape
+!> sqrt(a) g'(a) rises or falls, so each piece has at most one fold, which is bracketed by its ends: no fold is missed.
+module adfric_indenter_curve
+   use adfric_base_kinds, only: dp
+   use adfric_indenter_shape, only: shape_t, spot_t, most_pieces
+   use adfric_numerics_scalar_root, only: equation_t, find_root
+   implicit none (type, external)
+   private
+   public :: curve_t, interval_t, find_intervals, find_held, is_stable_at
+   public :: control_load, control_approach, control_radius, most_intervals, endless
+
+   !> What is held.
+   integer, parameter :: control_load = 1, control_approach = 2, control_radius = 3
+   !> Most intervals of a curve: each piece has at most one fold.
+   integer, parameter :: most_intervals = 2*most_pieces
+   !> End of an interval that has none.
+   real(dp), parameter :: endless = huge(1.0_dp)
+
+   !> A curve of equilibrium.
+   type :: curve_t
+      !> The shape of the indenter.
+      class(shape_t), allocatable :: shape
+      !> sqrt(2 pi W), so that Dl = tension*sqrt(a); 0 without adhesion and in DMT.
+      real(dp) :: tension = 0
+      !> What adhesion outside the contact takes from the load (DMT); else 0.
+      real(dp) :: outer_pull = 0
+   contains
+      procedure :: get_state
+      procedure :: get_held
+   end type curve_t
+
+   !> A part of the curve where all states are stable, or all are unstable. Along it what is held rises, or falls.
+   type :: interval_t
+      !> Does it lie beyond the corner?
+      logical :: is_beyond = .true.
+      !> Are its states stable?
+      logical :: is_stable = .true.
+      !> Is its beginning, or its end, a fold?
+      logical :: begins_at_fold = .false., ends_at_fold = .false.
+      !> Range of the unknown u; `endless` without an end.
+      real(dp) :: low = 0, high = endless
+   end type interval_t
+
+   !> sqrt(a) g_u - q sqrt(2 pi W) a_u = 0.
+   type, extends(equation_t) :: fold_equation_t
+      !> The shape.
+      class(shape_t), allocatable :: shape
+      !> Does u lie beyond the corner?
+      logical :: is_beyond = .true.
+      !> q sqrt(2 pi W).
+      real(dp) :: target = 0
+   contains
+      procedure :: evaluate => evaluate_fold
+   end type fold_equation_t
+
+   !> Load or approach along an interval, less what is given. The unknown is ln(u - low), or u.
+   type, extends(equation_t) :: held_equation_t
+      !> The curve.
+      type(curve_t) :: curve
+      !> The interval.
+      type(interval_t) :: interval
+      !> What is held, `control_load` or `control_approach`.
+      integer :: control = control_load
+      !> What is given, and the value at the beginning of the interval.
+      real(dp) :: given = 0, first = 0
+      !> Is the logarithm of u - low the unknown, and is the logarithm of what exceeds the first value compared?
+      logical :: is_of_logarithm = .true., compares_logarithms = .true.
+   contains
+      procedure :: evaluate => evaluate_held
+   end type held_equation_t
+
+contains
+
+   !> Radius, load and approach at an unknown.
+   pure subroutine get_state(self, u, is_beyond, spot, load, approach)
+      !> The curve.
+      class(curve_t), intent(in) :: self
+      !> The unknown, >= 0.
+      real(dp), intent(in) :: u
+      !> Is u one of those beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> Receives what the shape is there.
+      type(spot_t), intent(out) :: spot
+      !> Receives the load P and the approach delta, reduced.
+      real(dp), intent(out) :: load, approach
+      real(dp) :: neck
+
+      call self%shape%evaluate(u, is_beyond, spot)
+      neck = self%tension*sqrt(spot%radius)
+      load = spot%load - 2*spot%radius*neck - self%outer_pull
+      approach = spot%depth - neck
+   end subroutine get_state
+
+   !> What is held, and its derivative by u.
+   pure subroutine get_held(self, control, u, is_beyond, held, slope)
+      !> The curve.
+      class(curve_t), intent(in) :: self
+      !> `control_load` or `control_approach`.
+      integer, intent(in) :: control
+      !> The unknown, >= 0.
+      real(dp), intent(in) :: u
+      !> Is u one of those beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> Load or approach, reduced.
+      real(dp), intent(out) :: held
+      !> Derivative by u; of no meaning at a radius of 0.
+      real(dp), intent(out) :: slope
+      type(spot_t) :: spot
+      real(dp) :: load, approach, root
+
+      call self%get_state(u, is_beyond, spot, load, approach)
+      root = sqrt(spot%radius)
+      if (control == control_load) then
+         held = load
+         slope = 2*root*(root*spot%depth_slope - 1.5_dp*self%tension*spot%radius_slope)
+      else
+         held = approach
+         slope = spot%depth_slope
+         if (root > 0) slope = slope - self%tension*spot%radius_slope/(2*root)
+      end if
+   end subroutine get_held
+
+   !> q of a control: a state is stable where a g' > q Dl.
+   elemental real(dp) function stability_factor(control) result(q)
+      !> What is held; a given radius counts as a given load.
+      integer, intent(in) :: control
+
+      q = merge(0.5_dp, 1.5_dp, control == control_approach)
+   end function stability_factor
+
+   !> Is the state at a spot stable?
+   pure logical function is_stable_at(curve, spot, control)
+      !> The curve.
+      type(curve_t), intent(in) :: curve
+      !> What the shape is at the state.
+      type(spot_t), intent(in) :: spot
+      !> What is held.
+      integer, intent(in) :: control
+      real(dp) :: target
+
+      target = stability_factor(control)*curve%tension
+      is_stable_at = .true.
+      if (.not. target > 0) return
+      if (spot%radius_slope > 0) then
+         is_stable_at = sqrt(spot%radius)*spot%depth_slope > target*spot%radius_slope
+      else
+         ! the corner: sqrt(a) g' is infinite, or what it is from within
+         is_stable_at = spot%depth_slope > 0 .or. curve%shape%inner_rise() > target
+      end if
+   end function is_stable_at
+
+   !> The stable and the unstable parts of the curve, from the smallest contacts to the largest.
+   pure subroutine find_intervals(curve, control, intervals, n, is_converged)
+      !> The curve.
+      type(curve_t), intent(in) :: curve
+      !> What is held.
+      integer, intent(in) :: control
+      !> Receives the intervals.
+      type(interval_t), intent(out) :: intervals(most_intervals)
+      !> Receives their number, at least 1.
+      integer, intent(out) :: n
+      !> Have all folds been found to round-off?
+      logical, intent(out) :: is_converged
+      real(dp) :: target
+      integer :: k
+
+      n = 0
+      is_converged = .true.
+      target = stability_factor(control)*curve%tension
+      do k = 1, curve%shape%n_pieces
+         call split_piece(curve, control, k, target, intervals, n, is_converged)
+      end do
+   end subroutine find_intervals
+
+   !> Add the intervals of a piece.
+   pure subroutine split_piece(curve, control, place, target, intervals, n, is_converged)
+      !> The curve.
+      type(curve_t), intent(in) :: curve
+      !> What is held.
+      integer, intent(in) :: control
+      !> Place of the piece in the shape.
+      integer, intent(in) :: place
+      !> q sqrt(2 pi W), which sqrt(a) g' is at a fold.
+      real(dp), intent(in) :: target
+      !> The intervals; those of the piece are added.
+      type(interval_t), intent(inout) :: intervals(:)
+      !> Number of intervals.
+      integer, intent(inout) :: n
+      !> Becomes false if a fold is not found to round-off.
+      logical, intent(inout) :: is_converged
+      type(spot_t) :: spot
+      real(dp) :: high, fold
+      logical :: is_stable, ends_stable, is_found
+
+      associate (piece => curve%shape%pieces(place))
+         call curve%shape%evaluate(piece%low, piece%is_beyond, spot)
+         is_stable = is_stable_at(curve, spot, control)
+         high = piece%high
+         ends_stable = .true.
+         if (high < endless) then
+            call curve%shape%evaluate(high, piece%is_beyond, spot)
+            ends_stable = is_stable_at(curve, spot, control)
+         end if
+         n = n + 1
+         intervals(n) = interval_t(piece%is_beyond, is_stable, .false., .false., piece%low, piece%high)
+         if (is_stable .eqv. ends_stable) return
+         if (.not. high < endless) high = max(2*piece%low, curve%shape%get_end(target))
+         call find_fold(curve%shape, piece%is_beyond, target, piece%low, high, ends_stable, fold, is_found)
+         is_converged = is_converged .and. is_found
+         intervals(n)%high = fold
+         intervals(n)%ends_at_fold = .true.
+         n = n + 1
+         intervals(n) = interval_t(piece%is_beyond, ends_stable, .true., .false., fold, piece%high)
+      end associate
+   end subroutine split_piece
+
+   !> The fold between two places of a piece.
+   pure subroutine find_fold(shape, is_beyond, target, low, high, rises, fold, is_converged)
+      !> The shape.
+      class(shape_t), intent(in) :: shape
+      !> Does the piece lie beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> q sqrt(2 pi W).
+      real(dp), intent(in) :: target
+      !> Ends of the bracket.
+      real(dp), intent(in) :: low, high
+      !> Does sqrt(a) g' rise along the piece?
+      logical, intent(in) :: rises
+      !> Receives the unknown u of the fold.
+      real(dp), intent(out) :: fold
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      real(dp), parameter :: near_end = 1.0_dp - 1.0e-6_dp
+      type(fold_equation_t) :: equation
+
+      allocate (equation%shape, source=shape)
+      equation%is_beyond = is_beyond
+      equation%target = target
+      ! that of a single power
+      fold = high*near_end
+      call find_root(equation, low, high, rises, fold, is_converged)
+   end subroutine find_fold
+
+   !> See `equation_t`.
+   pure subroutine evaluate_fold(self, x, value, slope)
+      !> The equation with its shape.
+      class(fold_equation_t), intent(in) :: self
+      !> The unknown u, > 0.
+      real(dp), intent(in) :: x
+      !> sqrt(a) g_u - q sqrt(2 pi W) a_u.
+      real(dp), intent(out) :: value
+      !> Derivative of the value by u.
+      real(dp), intent(out) :: slope
+      type(spot_t) :: spot
+      real(dp) :: root
+
+      call self%shape%evaluate(x, self%is_beyond, spot)
+      root = sqrt(spot%radius)
+      value = root*spot%depth_slope - self%target*spot%radius_slope
+      slope = root*spot%depth_curve + spot%depth_slope*spot%radius_slope/(2*root) - self%target*spot%radius_curve
+   end subroutine evaluate_fold
+
+   !> The state of an interval under which a load or an approach is held.
+   pure subroutine find_held(curve, control, interval, given, u, is_found, is_converged)
+      !> The curve.
+      type(curve_t), intent(in) :: curve
+      !> `control_load` or `control_approach`.
+      integer, intent(in) :: control
+      !> The interval.
+      type(interval_t), intent(in) :: interval
+      !> Load or approach that is given, reduced.
+      real(dp), intent(in) :: given
+      !> Receives the unknown of the state.
+      real(dp), intent(out) :: u
+      !> Is there such a state in the interval?
+      logical, intent(out) :: is_found
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      type(held_equation_t) :: equation
+      real(dp) :: first, last, slope
+
+      call curve%get_held(control, interval%low, interval%is_beyond, first, slope)
+      last = merge(endless, -endless, interval%is_stable)
+      if (interval%high < endless) call curve%get_held(control, interval%high, interval%is_beyond, last, slope)
+      is_found = given >= min(first, last) .and. given <= max(first, last)
+      is_converged = is_found
+      u = interval%low
+      if (.not. is_found .or. .not. abs(given - first) > 0) return
+      u = interval%high
+      if (.not. abs(given - last) > 0) return
+      equation = held_equation_t(curve=curve, interval=interval, control=control, given=given, first=first)
+      if (interval%is_stable) then
+         call find_rising(equation, u, is_converged)
+      else
+         call find_falling(equation, u, is_converged)
+      end if
+   end subroutine find_held
+
+   !> A stable state: what is held rises from its first value like a power of u - low, so its logarithm is almost linear in that of
+   !> u - low, and Newton's method comes to the root from anywhere.
+   pure subroutine find_rising(equation, u, is_converged)
+      !> The equation, for a stable interval.
+      type(held_equation_t), intent(in) :: equation
+      !> Receives the unknown of the state.
+      real(dp), intent(out) :: u
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      real(dp), parameter :: largest_step = 3.0_dp, margin = 0.05_dp
+      integer, parameter :: most_steps = 400
+      real(dp) :: low, high, x, value, slope, step
+      integer :: k
+
+      low = -endless
+      high = endless
+      x = log(max(1.0_dp, equation%interval%low))
+      if (equation%interval%high < endless) then
+         high = log(equation%interval%high - equation%interval%low)
+         x = min(x, high - margin)
+      end if
+      do k = 1, most_steps
+         call equation%evaluate(x, value, slope)
+         if (value < 0) low = x
+         if (.not. value < 0) high = x
+         if (low > -endless .and. high < endless) exit
+         step = largest_step
+         if (abs(value) < largest_step*slope) step = abs(value)/slope + margin
+         x = x - sign(step, value)
+      end do
+      is_converged = low > -endless .and. high < endless
+      if (is_converged) call find_root(equation, low, high, .true., x, is_converged)
+      u = equation%interval%low + exp(x)
+   end subroutine find_rising
+
+   !> An unstable state.
+   pure subroutine find_falling(equation, u, is_converged)
+      !> The equation, for an unstable interval.
+      type(held_equation_t), intent(inout) :: equation
+      !> Receives the unknown of the state.
+      real(dp), intent(out) :: u
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      ! logarithm of the smallest part of the interval where a state is sought
+      real(dp), parameter :: smallest = -300.0_dp
+      real(dp) :: high
+
+      equation%compares_logarithms = .false.
+      equation%is_of_logarithm = .not. equation%interval%low > 0
+      u = 0
+      if (equation%is_of_logarithm) then
+         high = log(equation%interval%high)
+         u = high - 1
+         call find_root(equation, high + smallest, high, .false., u, is_converged)
+         u = exp(u)
+      else
+         call find_root(equation, equation%interval%low, equation%interval%high, .false., u, is_converged)
+      end if
+   end subroutine find_falling
+
+   !> See `equation_t`.
+   pure subroutine evaluate_held(self, x, value, slope)
+      !> The equation with its curve.
+      class(held_equation_t), intent(in) :: self
+      !> The unknown ln(u - low), or u.
+      real(dp), intent(in) :: x
+      !> What is held less what is given, or the difference of the logarithms.
+      real(dp), intent(out) :: value
+      !> Derivative of the value by the unknown.
+      real(dp), intent(out) :: slope
+      real(dp) :: u, factor, held, excess
+
+      u = x
+      factor = 1
+      if (self%is_of_logarithm) then
+         factor = exp(x)
+         u = self%interval%low + factor
+      end if
+      call self%curve%get_held(self%control, u, self%interval%is_beyond, held, slope)
+      slope = slope*factor
+      value = held - self%given
+      if (.not. self%compares_logarithms) return
+      excess = max(held - self%first, tiny(held))
+      value = log_ratio(value, self%given - self%first, excess)
+      slope = slope/excess
+   end subroutine evaluate_held
+
+   !> ln(excess/rest) for excess = rest + difference, with the digits of the difference.
+   elemental real(dp) function log_ratio(difference, rest, excess)
+      !> What the excess has more than the rest.
+      real(dp), intent(in) :: difference
+      !> The rest, > 0.
+      real(dp), intent(in) :: rest
+      !> Their sum, > 0.
+      real(dp), intent(in) :: excess
+      real(dp) :: ratio
+
+      ratio = difference/(rest + excess)
+      if (abs(ratio) < 0.1_dp) then
+         log_ratio = 2*ratio*(1 + ratio**2*(1 + ratio**2*(0.6_dp + ratio**2*(3/7.0_dp + ratio**2/3)))/3)
+      else
+         log_ratio = log(excess/rest)
+      end if
+   end function log_ratio
+
+end module adfric_indenter_curve

@@ -1,0 +1,293 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The model `indenter`: an indenter of any axisymmetric shape on an elastic half-space, without adhesion or with it (JKR).
+module adfric_indenter_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
+   use adfric_indenter_check, only: check_indenter_values
+   use adfric_indenter_contact, only: contact_t, ends_t, find_contact, find_ends
+   use adfric_indenter_curve, only: curve_t, control_load, control_approach
+   use adfric_indenter_profiles, only: pressure_at, gap_at
+   use adfric_indenter_variables
+   use adfric_material_contact_modulus, only: derive_contact_modulus
+   use adfric_model_derived, only: derived_t
+   use adfric_model_pointwise, only: pointwise_model_t, point_state_t
+   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_model_table, only: profile_axis_t
+   implicit none (type, external)
+   private
+   public :: indenter_model_t, new_indenter_model
+
+   !> The model; its tables stand in `adfric_indenter_variables`.
+   type, extends(pointwise_model_t) :: indenter_model_t
+   contains
+      procedure :: check_values
+      procedure :: wants_profiles
+      procedure :: get_profile_axes
+      procedure :: solve_point
+      procedure :: fill_profiles
+      procedure :: derive_quantities
+      procedure :: unit_of
+   end type indenter_model_t
+
+   !> What a point leaves for its profiles.
+   type, extends(point_state_t) :: indenter_state_t
+      !> The point.
+      type(indenter_case_t) :: case
+      !> Its contact.
+      type(contact_t) :: contact
+   end type indenter_state_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_indenter_model(self)
+      !> Receives its names and its tables.
+      type(indenter_model_t), intent(out) :: self
+
+      self%name = 'indenter'
+      self%summary = 'an indenter of any axisymmetric shape on an elastic half-space, without adhesion or with it (JKR)'
+      self%references = 'I. N. Sneddon, Int. J. Eng. Sci. 3 (1965) 47; D. Maugis, M. Barquins, J. Phys. D 11 (1978) 1989'
+      self%variables = get_indenter_variables()
+      self%results = get_indenter_results()
+      self%profiles = get_indenter_profiles()
+      self%profile_axes = 'r'
+      allocate (self%counts(0))
+   end subroutine new_indenter_model
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      !> The model, whose table of variables is read.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call check_indenter_values(self%variables, values, is_swept, problems)
+   end subroutine check_values
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      !> The model; nothing of it is read here.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = values(v_profiles) > 0
+      associate (unused => self)
+      end associate
+   end function wants_profiles
+
+   !> See `model_t`.
+   subroutine get_profile_axes(self, values, axes)
+      !> The model, for the name of its axis.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the axis r.
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
+      integer :: n, k
+
+      allocate (axes(1))
+      axes(1)%name = self%profile_axes
+      axes(1)%unit = 'm'
+      axes(1)%long_name = 'distance from the axis'
+      n = nint(values(v_n_r))
+      allocate (axes(1)%coordinates(n), source=0.0_dp)
+      if (is_set(values(v_r_max))) axes(1)%coordinates = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
+   end subroutine get_profile_axes
+
+   !> See `pointwise_model_t`.
+   subroutine solve_point(self, values, state, results, error_estimate, status, counts)
+      !> The model; nothing of it is read here.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the contact, for the profiles; nothing is taken from the point before.
+      class(point_state_t), allocatable, intent(inout) :: state
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Relative error of radius, load and approach, the largest of them, estimated.
+      real(dp), intent(out) :: error_estimate
+      !> One of `status_...`.
+      integer, intent(out) :: status
+      !> This model counts nothing; size 0.
+      real(dp), intent(inout) :: counts(:)
+      type(indenter_state_t), allocatable :: found
+      type(ends_t) :: ends
+
+      allocate (found)
+      error_estimate = 0
+      status = status_no_equilibrium
+      call resolve_case(values, found%case)
+      if (.not. is_possible(values, found%case)) return
+      associate (case => found%case, contact => found%contact)
+         call find_ends(case%curve, case%control, ends)
+         call store_ends(case, ends, results)
+         call find_contact(case%curve, case%control, case%given, case%is_beyond, case%branch, contact)
+         if (.not. (contact%is_converged .and. ends%is_converged)) status = status_not_converged
+         if (.not. contact%is_found .or. status == status_not_converged) return
+         status = status_solved
+         error_estimate = estimate_error(case, contact, ends)
+         call store_contact(case, contact, values, results)
+      end associate
+      call move_alloc(found, state)
+      associate (unused => self, unused_counts => counts)
+      end associate
+   end subroutine solve_point
+
+   !> Where contacts end, in SI units.
+   pure subroutine store_ends(case, ends, results)
+      !> The point with its units.
+      type(indenter_case_t), intent(in) :: case
+      !> Where contacts end, reduced.
+      type(ends_t), intent(in) :: ends
+      !> Receives them; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+
+      results([r_pull_off_load, r_jump_inward_load, r_jump_outward_load]) = case%force_unit() &
+         & *[ends%pull_off_load, ends%jump_inward_load, ends%jump_outward_load]
+      results([r_pull_off_approach, r_jump_inward_approach, r_jump_outward_approach]) = case%height_unit &
+         & *[ends%pull_off_approach, ends%jump_inward_approach, ends%jump_outward_approach]
+   end subroutine store_ends
+
+   !> Results of a contact, in SI units. What was given comes back to the last digit.
+   pure subroutine store_contact(case, contact, values, results)
+      !> The point with its units.
+      type(indenter_case_t), intent(in) :: case
+      !> The contact, reduced.
+      type(contact_t), intent(in) :: contact
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the results; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      real(dp) :: radius
+
+      associate (a => contact%spot%radius)
+         radius = a*case%length_unit
+         if (is_set(values(v_contact_radius))) radius = values(v_contact_radius)
+         results(r_load) = contact%load*case%force_unit()
+         if (is_set(values(v_load))) results(r_load) = values(v_load)
+         results(r_approach) = contact%approach*case%height_unit
+         if (is_set(values(v_approach))) results(r_approach) = values(v_approach)
+         results(r_contact_radius) = radius
+         results(r_contact_area) = pi*radius**2
+         if (a > 0) results(r_mean_pressure) = contact%load/(pi*a**2)*case%modulus*(case%height_unit/case%length_unit)
+         results(r_contact_stiffness) = contact%stiffness*case%modulus*case%length_unit
+         results(r_elastic_energy) = elastic_energy(case%curve, contact)*case%force_unit()*case%height_unit
+         results(r_stable) = merge(1, 0, contact%is_stable)
+         results(r_theory_used) = case%theory
+      end associate
+   end subroutine store_contact
+
+   !> U = int [delta - g(x)]^2 dx from 0 to a, reduced.
+   pure real(dp) function elastic_energy(curve, contact) result(energy)
+      !> The curve with its shape.
+      type(curve_t), intent(in) :: curve
+      !> The contact.
+      type(contact_t), intent(in) :: contact
+
+      energy = curve%shape%energy(contact%u, contact%is_beyond)
+      energy = energy + contact%neck*(contact%neck*contact%spot%radius - contact%spot%load)
+   end function elastic_energy
+
+   !> Round-off of what is held moves the contact along the curve, at the end of stability by the root of round-off; load and approach
+   !> are differences. The largest relative error of radius, load and approach, the latter two against at least a tenth of pull-off.
+   pure real(dp) function estimate_error(case, contact, ends) result(error)
+      !> The point.
+      type(indenter_case_t), intent(in) :: case
+      !> Its contact.
+      type(contact_t), intent(in) :: contact
+      !> Where contacts end.
+      type(ends_t), intent(in) :: ends
+      real(dp), parameter :: round_off = 2*epsilon(1.0_dp), least_share = 0.1_dp
+      real(dp) :: terms(2), sizes(2), held, slopes(2), shift
+      integer :: k
+
+      error = round_off
+      associate (spot => contact%spot)
+         terms = [spot%load + 2*spot%radius*abs(contact%neck), spot%depth + abs(contact%neck)]
+         sizes = max(abs([contact%load, contact%approach]), least_share*abs([ends%pull_off_load, ends%pull_off_approach]))
+         do k = 1, 2
+            if (sizes(k) > 0) error = max(error, 2*round_off*terms(k)/sizes(k))
+            call case%curve%get_held(k, contact%u, contact%is_beyond, held, slopes(k))
+         end do
+         if (case%control > control_approach .or. .not. contact%u > 0 .or. case%curve%shape%n_pieces == 0) return
+         ! change of u that round-off of what is held makes
+         shift = sqrt(round_off)*contact%u
+         k = case%control
+         if (round_off*terms(k) < shift*abs(slopes(k))) shift = round_off*terms(k)/abs(slopes(k))
+         error = error + shift*spot%radius_slope/spot%radius
+         k = 3 - k
+         if (sizes(k) > 0) error = error + shift*abs(slopes(k))/sizes(k)
+      end associate
+   end function estimate_error
+
+   !> See `pointwise_model_t`: pressure and gap.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
+      !> The model; nothing of it is read here.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, of which none is needed; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> The contact of the point.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> The axis r.
+      type(profile_axis_t), intent(in) :: axes(:)
+      !> In: all NaN. Out: the profiles; shape `(n_r, 1, 2)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      real(dp) :: r
+      integer :: k
+
+      select type (state)
+      type is (indenter_state_t)
+         associate (case => state%case)
+            do k = 1, size(profiles, 1)
+               r = axes(1)%coordinates(k)/case%length_unit
+               profiles(k, 1, p_pressure) = pressure_at(case%curve%shape, state%contact, r)*case%modulus &
+                  & *(case%height_unit/case%length_unit)
+               profiles(k, 1, p_gap) = gap_at(case%curve%shape, state%contact, r)*case%height_unit
+            end do
+         end associate
+      end select
+      associate (unused => self, unused_too => values, unused_results => results)
+      end associate
+   end subroutine fill_profiles
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(derived)
+      !> The model, whose table of variables is read.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+
+      associate (first => v_contact_modulus, last => v_second_poisson_ratio)
+         derived = derive_contact_modulus(self%variables(first:last), values(first:last))
+      end associate
+   end function derive_quantities
+
+   !> See `model_t`: the coefficient of r^n has a unit that depends on n.
+   function unit_of(self, values, place) result(unit)
+      !> The model, whose table of variables is read.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+      character(12) :: power
+
+      unit = self%variables(place)%unit
+      if (place /= v_coefficient .or. .not. is_set(values(v_exponent))) return
+      write (power, '(f0.4)') 1 - values(v_exponent)
+      unit = 'm^('//trim(power)//')'
+   end function unit_of
+
+end module adfric_indenter_model

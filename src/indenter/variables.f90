@@ -1,0 +1,139 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The namelist variables, results and profiles of the model `indenter`.
+module adfric_indenter_variables
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: half_pi
+   use adfric_material_contact_modulus, only: set_modulus_rows
+   use adfric_model_rows, only: positive, number, any_number, above_zero, choice, switch, whole_number, result_row, &
+      & contact_profiles
+   use adfric_model_table, only: variable_t, result_t, profile_t
+   implicit none (type, external)
+   private
+   public :: get_indenter_variables, get_indenter_results, get_indenter_profiles
+
+   !> Places of the variables.
+   integer, parameter, public :: v_kind = 1, v_radius = 2, v_slope = 3, v_half_angle = 4, v_exponent = 5, v_coefficient = 6, &
+      & v_face_radius = 7, v_coefficient_1 = 8, v_coefficient_8 = 15, v_contact_modulus = 16, v_second_poisson_ratio = 20, &
+      & v_work_of_adhesion = 21, v_theory = 22, v_load = 23, v_approach = 24, v_contact_radius = 25, v_face_angle = 26, &
+      & v_branch = 27, v_profiles = 28, v_n_r = 29, v_r_max = 30
+   integer, parameter, public :: n_indenter_variables = 30
+
+   !> Places of the words in the choices.
+   integer, parameter, public :: kind_flat = 1, kind_cone = 2, kind_paraboloid = 3, kind_power = 4, kind_sphere = 5, &
+      & kind_flat_cone = 6, kind_flat_paraboloid = 7, kind_rounded_punch = 8, kind_rounded_cone = 9, kind_polynomial = 10
+   integer, parameter, public :: choose_auto = 1, choose_none = 2, choose_jkr = 3
+   !> Theories, as results.
+   integer, parameter, public :: theory_none = 0, theory_jkr = 1
+
+   !> Places of the results.
+   integer, parameter, public :: r_load = 1, r_approach = 2, r_contact_radius = 3, r_contact_area = 4, r_mean_pressure = 5, &
+      & r_contact_stiffness = 6, r_elastic_energy = 7, r_pull_off_load = 8, r_pull_off_approach = 9, r_jump_inward_load = 10, &
+      & r_jump_inward_approach = 11, r_jump_outward_load = 12, r_jump_outward_approach = 13, r_stable = 14, r_theory_used = 15
+   integer, parameter, public :: n_indenter_results = 15
+   !> Places of the profiles.
+   integer, parameter, public :: p_pressure = 1, p_gap = 2
+
+   !> Largest coefficient of a profile; those of small tips are large.
+   real(dp), parameter :: largest_coefficient = 1.0e200_dp
+
+contains
+
+   !> The table of variables.
+   function get_indenter_variables() result(v)
+      type(variable_t), allocatable :: v(:)
+
+      allocate (v(n_indenter_variables))
+      call set_shape_rows(v)
+      call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
+         & v(v_contact_modulus:v_second_poisson_ratio))
+      v(v_work_of_adhesion) = number(group='adhesion', name='work_of_adhesion', unit='J/m^2', &
+         & meaning='w; 0, or without it: no adhesion', lower=0.0_dp)
+      v(v_theory) = choice(group='model', name='theory', &
+         & meaning='of adhesion; auto: none without a work of adhesion, else jkr', choices='auto none jkr', default='auto')
+      v(v_load) = any_number(group='operating', name='load', unit='N', meaning='load, pressing positive')
+      v(v_approach) = any_number(group='operating', name='approach', unit='m', meaning='approach, instead of the load')
+      v(v_contact_radius) = positive(group='operating', name='contact_radius', unit='m', &
+         & meaning='radius a of contact, instead of the load')
+      v(v_face_angle) = any_number(group='operating', name='face_angle', unit='rad', &
+         & meaning='phi = arccos(b/a), instead of the load, where a is close to the radius b of a face', lower=0.0_dp, &
+         & upper=half_pi)
+      v(v_face_angle)%upper_open = .true.
+      v(v_branch) = choice(group='operating', name='branch', meaning='where several states carry a load or have an approach: ' &
+         & //'the largest stable one, the smallest stable one (inner), or the largest unstable one', &
+         & choices='stable inner unstable', default='stable')
+      v(v_profiles) = switch(group='output', name='profiles', meaning='write pressure and gap of every point', default=.false.)
+      v(v_n_r) = whole_number(group='output', name='n_r', meaning='samples of a profile', default=201, lower=2, upper=10000000)
+      v(v_r_max) = above_zero(group='output', name='r_max', unit='m', meaning='radius up to which profiles are written')
+   end function get_indenter_variables
+
+   !> The rows of the shape.
+   subroutine set_shape_rows(v)
+      !> The table of variables, whose first rows are set.
+      type(variable_t), intent(inout) :: v(:)
+      character(1) :: degree, power
+      integer :: i
+
+      v(v_kind) = choice(group='shape', name='kind', meaning='profile f(r)', choices='flat cone paraboloid power sphere ' &
+         & //'flat_cone flat_paraboloid rounded_punch rounded_cone polynomial')
+      v(v_radius) = positive(group='shape', name='radius', unit='m', &
+         & meaning='R of a paraboloid r^2/2R, a sphere, the edge of a rounded punch, or the tip of a rounded cone')
+      v(v_slope) = positive(group='shape', name='slope', unit='-', meaning='of a cone against the plane, f'' = slope')
+      v(v_half_angle) = any_number(group='shape', name='half_angle', unit='rad', &
+         & meaning='of a cone from its axis, instead of the slope cot(half_angle)', lower=0.0_dp, upper=half_pi)
+      v(v_half_angle)%lower_open = .true.
+      v(v_half_angle)%upper_open = .true.
+      v(v_exponent) = any_number(group='shape', name='exponent', unit='-', meaning='n of f = coefficient r^n', lower=0.0_dp, &
+         & upper=100.0_dp)
+      v(v_exponent)%lower_open = .true.
+      v(v_coefficient) = any_number(group='shape', name='coefficient', unit='m^(1-n)', meaning='C of f = C r^n', lower=0.0_dp, &
+         & upper=largest_coefficient)
+      v(v_coefficient)%lower_open = .true.
+      v(v_face_radius) = positive(group='shape', name='face_radius', unit='m', meaning='radius b of a flat face')
+      do i = 1, v_coefficient_8 - v_coefficient_1 + 1
+         write (degree, '(i1)') i
+         write (power, '(i1)') i - 1
+         associate (row => v(v_coefficient_1 + i - 1))
+            row = any_number(group='shape', name='coefficient_'//degree, unit='1/m^'//power, &
+               & meaning='C of C r^'//degree//' in a polynomial profile', default=0.0_dp, lower=0.0_dp, upper=largest_coefficient)
+            if (i == 1) row%unit = '-'
+            if (i == 2) row%unit = '1/m'
+         end associate
+      end do
+   end subroutine set_shape_rows
+
+   !> The table of results.
+   function get_indenter_results() result(r)
+      type(result_t), allocatable :: r(:)
+
+      allocate (r(n_indenter_results))
+      r(r_load) = result_row(name='load', unit='N', long_name='load', is_main=.true.)
+      r(r_approach) = result_row(name='approach', unit='m', long_name='approach of distant points', is_main=.true.)
+      r(r_contact_radius) = result_row(name='contact_radius', unit='m', long_name='radius a of contact', is_main=.true.)
+      r(r_contact_area) = result_row(name='contact_area', unit='m^2', long_name='area pi a^2 of contact')
+      r(r_mean_pressure) = result_row(name='mean_pressure', unit='Pa', long_name='load over area of contact')
+      r(r_contact_stiffness) = result_row(name='contact_stiffness', unit='N/m', &
+         & long_name='change of load with approach, along the states of contact')
+      r(r_elastic_energy) = result_row(name='elastic_energy', unit='J', long_name='elastic energy of the solids')
+      r(r_pull_off_load) = result_row(name='pull_off_load', unit='N', &
+         & long_name='load at which the contact separates in this control, the least one of all stable states', is_main=.true.)
+      r(r_pull_off_approach) = result_row(name='pull_off_approach', unit='m', &
+         & long_name='approach at which the contact separates in this control')
+      r(r_jump_inward_load) = result_row(name='jump_inward_load', unit='N', &
+         & long_name='load at which retraction makes the contact jump to a smaller one')
+      r(r_jump_inward_approach) = result_row(name='jump_inward_approach', unit='m', long_name='approach before that jump')
+      r(r_jump_outward_load) = result_row(name='jump_outward_load', unit='N', &
+         & long_name='load at which pressing makes the contact jump to a larger one')
+      r(r_jump_outward_approach) = result_row(name='jump_outward_approach', unit='m', long_name='approach before that jump')
+      r(r_stable) = result_row(name='stable', unit='-', long_name='is the state stable under the control that is given?', &
+         & flag_meanings='unstable stable')
+      r(r_theory_used) = result_row(name='theory_used', unit='-', long_name='theory that was used', flag_meanings='none jkr')
+   end function get_indenter_results
+
+   !> The table of profiles.
+   function get_indenter_profiles() result(p)
+      type(profile_t), allocatable :: p(:)
+
+      p = contact_profiles()
+   end function get_indenter_profiles
+
+end module adfric_indenter_variables
