@@ -19,6 +19,7 @@ AREAS = {
         "A wavy surface on a foundation": "docs/wavy.md",
         "Rough lines and real materials": "docs/profiles.md",
         "A sphere": "docs/sphere.md",
+        "Indenters of any shape": "docs/indenter.md",
         "The half-space": "docs/halfspace.md",
         "Periodic surfaces": "docs/periodic.md",
     },

@@ -20,7 +20,7 @@ module adfric
    public :: known_models, new_model
 
    !> Names of the models, separated by a blank.
-   character(*), parameter :: known_models = 'wavy_sliding sphere indenter hertz rigid_punch wave_1d wave_2d_elastic '// &
+   character(*), parameter :: known_models = 'wavy_sliding sphere hertz rigid_punch indenter wave_1d wave_2d_elastic '// &
       & 'surface_elastic surface_sliding line_load strip_load point_load'
 
 contains

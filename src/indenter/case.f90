@@ -37,6 +37,8 @@ module adfric_indenter_case
       real(dp) :: given = 0
       !> Does a given u lie beyond the corner?
       logical :: is_beyond = .true.
+      !> Radius of contact that is given, reduced; 0 if none is.
+      real(dp) :: radius = 0
    contains
       procedure :: force_unit
    end type indenter_case_t
@@ -77,6 +79,7 @@ contains
       case default
          call resolve_corner(values, self)
       end select
+      if (.not. self%height_unit > 0) return
       ! 2 pi W = 2 pi w L/(E* H^2)
       self%curve%tension = sqrt(two_pi*(work/self%modulus)/self%height_unit*(self%length_unit/self%height_unit))
       call resolve_given(values, self)
@@ -210,9 +213,7 @@ contains
       real(dp), intent(in) :: values(:)
       !> In: with shape and units. Out: with what is held, too.
       type(indenter_case_t), intent(inout) :: self
-      real(dp) :: radius
 
-      if (.not. self%height_unit > 0) return
       if (self%control == control_load) then
          self%given = values(v_load)/self%force_unit()
       else if (self%control == control_approach) then
@@ -220,10 +221,10 @@ contains
       else if (is_set(values(v_face_angle))) then
          self%given = tan(values(v_face_angle))
       else
-         radius = values(v_contact_radius)/self%length_unit
-         self%is_beyond = radius >= self%curve%shape%corner
-         self%given = radius
-         if (is_inside(self, radius)) self%given = self%curve%shape%unknown_of(radius)
+         self%radius = values(v_contact_radius)/self%length_unit
+         self%is_beyond = self%radius >= self%curve%shape%corner
+         self%given = self%radius
+         if (is_inside(self, self%radius)) self%given = self%curve%shape%unknown_of(self%radius)
       end if
    end subroutine resolve_given
 
@@ -253,7 +254,7 @@ contains
       is_possible = self%height_unit > 1/most .and. self%height_unit < most .and. self%length_unit > 1/most &
          & .and. self%length_unit < most .and. abs(self%given) < 10.0_dp**largest_number .and. self%curve%tension < most
       if (.not. is_possible .or. .not. is_set(values(v_contact_radius))) return
-      is_possible = is_inside(self, values(v_contact_radius)/self%length_unit) &
+      is_possible = is_inside(self, self%radius) &
          & .and. (self%is_beyond .or. .not. self%curve%shape%has_face)
    end function is_possible
 

@@ -130,6 +130,8 @@ contains
          call find_ends(case%curve, case%control, ends)
          call store_ends(case, ends, results)
          call find_contact(case%curve, case%control, case%given, case%is_beyond, case%branch, contact)
+         ! the way to u and back is not exact
+         if (case%radius > 0) contact%spot%radius = case%radius
          if (.not. (contact%is_converged .and. ends%is_converged)) status = status_not_converged
          if (.not. contact%is_found .or. status == status_not_converged) return
          status = status_solved
