@@ -4,6 +4,7 @@ module adfric_indenter_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_indenter_check, only: check_indenter_values
@@ -284,12 +285,10 @@ contains
       !> Place of the variable in `variables`.
       integer, intent(in) :: place
       character(:), allocatable :: unit
-      character(12) :: power
 
       unit = self%variables(place)%unit
       if (place /= v_coefficient .or. .not. is_set(values(v_exponent))) return
-      write (power, '(f0.4)') 1 - values(v_exponent)
-      unit = 'm^('//trim(power)//')'
+      unit = 'm^(1-'//show_number(values(v_exponent))//')'
    end function unit_of
 
 end module adfric_indenter_model

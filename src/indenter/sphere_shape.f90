@@ -14,6 +14,8 @@ module adfric_indenter_sphere_shape
 
    !> Below this s the load is a series.
    real(dp), parameter :: small = 0.3_dp
+   !> Beyond this u the rest of the sphere is round-off.
+   real(dp), parameter :: decayed = 24.0_dp
 
    !> A sphere of radius 1.
    type, extends(shape_t) :: sphere_shape_t
@@ -152,7 +154,7 @@ contains
       type(energy_integrand_t) :: integrand
 
       integrand%depth = u*tanh(u)
-      energy = integrate(integrand, 0.0_dp, u)
+      energy = integrate(integrand, 0.0_dp, min(u, decayed))
       associate (unused => self, unused_too => is_beyond)
       end associate
    end function energy

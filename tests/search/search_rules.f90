@@ -206,7 +206,8 @@ contains
       integer :: i, k
 
       other = drawn
-      is_valid = .true.
+      ! the unit of a coefficient of r^n would change from point to point
+      is_valid = model%variables(drawn%swept)%name /= 'exponent'
       do k = 1, size(other%values, 1)
          associate (v => model%variables(k))
             if (v%kind /= kind_real .or. .not. is_set(drawn%values(k, 1))) cycle

@@ -43,14 +43,22 @@ contains
       end do
    end function dimensions_of
 
-   !> Read a power `^2` or `^1/2`.
+   !> Read a power `^2` or `^1/2`, or `^(1-2.5)`; one with a letter, `^(1-n)`, is not known and counts as 0.
    pure subroutine read_power(unit, last, power)
       character(*), intent(in) :: unit
       !> In: before the `^`. Out: the end of the power.
       integer, intent(inout) :: last
       real(dp), intent(out) :: power
       integer, parameter :: zero = iachar('0')
+      integer :: close, status
 
+      if (unit(last + 2:last + 2) == '(') then
+         close = last + index(unit(last + 1:), ')')
+         read (unit(last + 5:close - 1), *, iostat=status) power
+         power = merge(1 - power, 0.0_dp, status == 0)
+         last = close
+         return
+      end if
       power = iachar(unit(last + 2:last + 2)) - zero
       last = last + 2
       if (len(unit) < last + 2) return
