@@ -63,6 +63,9 @@ AREAS = {
         one("johnson1997_fig3"), one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("johnson1997_fig6"), one("johnson1997_fig7"),
         one("johnson1997_fig8"), one("johnson1997_fig9a"), one("johnson1997_fig9b"), one("johnson1997_fig11"),
         one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr")),
+    "Indenters": (
+        one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_flat_cone"),
+        one("indenter_rounded_cone"), one("indenter_rounded_punch"), one("indenter_polynomial")),
     "The half-space": (
         one("hertz_axes"), one("hertz_ratio"), one("hertz_line_sliding"), one("rigid_punch"), one("punch_flat"), one("punch_cylinder"),
         one("punch_wedge"), one("punch_stress"), one("line_load"), one("strip_load"), one("strip_load_maps"), one("strip_load_sampled"),

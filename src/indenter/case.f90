@@ -242,6 +242,20 @@ contains
       end select
    end function is_inside
 
+   !> Is g at a given radius within the numbers?
+   pure logical function has_depth(self)
+      !> The case with its shape and the radius that is given.
+      type(indenter_case_t), intent(in) :: self
+      real(dp), parameter :: most = largest_unit*log(10.0_dp)
+
+      has_depth = self%radius > 10.0_dp**(-largest_unit)
+      if (.not. has_depth) return
+      select type (shape => self%curve%shape)
+      type is (power_shape_t)
+         has_depth = maxval(shape%exponents(:shape%n_terms))*abs(log(self%radius)) < most
+      end select
+   end function has_depth
+
    !> Is there such a contact? A contact of given radius is not smaller than a face, and smaller than a sphere; and all has to be
    !> within the numbers.
    pure logical function is_possible(values, self)
@@ -254,7 +268,7 @@ contains
       is_possible = self%height_unit > 1/most .and. self%height_unit < most .and. self%length_unit > 1/most &
          & .and. self%length_unit < most .and. abs(self%given) < 10.0_dp**largest_number .and. self%curve%tension < most
       if (.not. is_possible .or. .not. is_set(values(v_contact_radius))) return
-      is_possible = is_inside(self, self%radius) &
+      is_possible = has_depth(self) .and. is_inside(self, self%radius) &
          & .and. (self%is_beyond .or. .not. self%curve%shape%has_face)
    end function is_possible
 

@@ -13,6 +13,7 @@ module adfric_indenter_profiles
    use adfric_base_constants, only: pi, half_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_indenter_contact, only: contact_t
+   use adfric_indenter_power_shape, only: power_shape_t
    use adfric_indenter_shape, only: shape_t
    use adfric_indenter_sphere_shape, only: sphere_shape_t
    use adfric_numerics_panels, only: integrand_t, integrate
@@ -20,6 +21,8 @@ module adfric_indenter_profiles
    private
    public :: pressure_at, gap_at
 
+   !> Logarithm of a height beyond all numbers, with room for factors.
+   real(dp), parameter :: largest_logarithm = 400.0_dp
    !> Where a decaying exponential is round-off.
    real(dp), parameter :: decayed = 40.0_dp
    !> Ways along which dg/dv is integrated.
@@ -128,7 +131,7 @@ contains
       end select
    end function pressure_value
 
-   !> Gap at a distance from the axis; 0 in contact, NaN beside a sphere.
+   !> Gap at a distance from the axis; 0 in contact, NaN beside a sphere, and where it is beyond all numbers.
    pure real(dp) function gap_at(shape, contact, r) result(gap)
       !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
@@ -144,6 +147,8 @@ contains
          select type (shape)
          type is (sphere_shape_t)
             if (.not. r < 1) return
+         type is (power_shape_t)
+            if (maxval(shape%exponents(:shape%n_terms))*log(r) > largest_logarithm) return
          end select
          gap = 2/pi*(inner_opening(shape, contact, r) + outer_opening(shape, contact, r) &
             & + contact%neck*atan2(sqrt((r - a)*(r + a)), a))
