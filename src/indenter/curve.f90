@@ -21,6 +21,8 @@ module adfric_indenter_curve
    integer, parameter :: most_intervals = 2*most_pieces
    !> End of an interval that has none.
    real(dp), parameter :: endless = huge(1.0_dp)
+   !> Slopes of logarithms end at the inverse of this.
+   real(dp), parameter :: smallest_excess = 1.0e-300_dp
 
    !> A curve of equilibrium.
    type :: curve_t
@@ -386,7 +388,8 @@ contains
       if (.not. self%compares_logarithms) return
       excess = max(held - self%first, tiny(held))
       value = log_ratio(value, self%given - self%first, excess)
-      slope = slope/excess
+      ! next to the beginning of the interval the slope has no bound
+      slope = slope/max(excess, abs(slope)*smallest_excess)
    end subroutine evaluate_held
 
    !> ln(excess/rest) for excess = rest + difference, with the digits of the difference.
@@ -403,7 +406,8 @@ contains
       if (abs(ratio) < 0.1_dp) then
          log_ratio = 2*ratio*(1 + ratio**2*(1 + ratio**2*(0.6_dp + ratio**2*(3/7.0_dp + ratio**2/3)))/3)
       else
-         log_ratio = log(excess/rest)
+         ! the ratio itself may be too small for a number
+         log_ratio = log(excess) - log(rest)
       end if
    end function log_ratio
 

@@ -28,6 +28,8 @@ module search_rules
    real(dp), parameter :: balance_digits = 1.0e-9_dp
    !> Two ways to the same state end as near to each other as this, and their error estimates, admit.
    real(dp), parameter :: same_state = 1.0e-8_dp, estimates = 10.0_dp
+   !> Powers of two by which numbers are multiplied in other units are smaller than this.
+   real(dp), parameter :: largest_power = 900
    !> Main results that have no value somewhere, each with a reason in the documents.
    character(*), parameter :: may_be_missing = ' friction_coefficient friction_force approach centre_pressure '
 
@@ -212,6 +214,9 @@ contains
          associate (v => model%variables(k))
             if (v%kind /= kind_real .or. .not. is_set(drawn%values(k, 1))) cycle
             power = dot_product(powers, dimensions_of(unit_in_case(model, drawn%values(:, 1), k)))
+            ! no number holds the coefficient of a high power of r in all units
+            is_valid = is_valid .and. abs(power) < largest_power
+            if (.not. is_valid) return
             ! a default with a unit is a number like any other
             other%values(k, :) = other%values(k, :)*2.0_dp**power
             is_valid = is_valid .and. all(is_in_range(other%values(k, :), v))
