@@ -129,6 +129,8 @@ class Case:
         self._close = weakref.finalize(self, library.adfric_close_case, self._handle)
         self._close.atexit = False
         self._swept = {}
+        # units that were stated, by name
+        self._units = {}
 
     def __enter__(self):
         return self
@@ -178,7 +180,8 @@ class Case:
         """Set a variable."""
         handle, key = self._open_handle(), text_for(name, "name of a variable")
         variable = table.get(name) or next((one for one in table.values() if f"{one.group}%{one.name}" == name), None)
-        value = single_of(in_unit(value, variable.unit if variable else "", name))
+        value, unit = in_unit(value, variable.unit if variable else "", name)
+        value = single_of(value)
         if value is None:
             library.adfric_unset(handle, key)
         elif is_logical(value):
@@ -191,6 +194,7 @@ class Case:
             library.adfric_set_real(handle, key, number_of(value, name))
         else:
             self._set_numbers(handle, key, numbers_of(value, name), variable)
+        self._units[name] = unit
 
     def _set_numbers(self, handle, key, values, variable):
         """Set an array, or sweep a variable that is a number."""
@@ -252,7 +256,12 @@ class Case:
             if results.value:
                 library.adfric_close_results(results.value)
             raise raised[0]
-        return dataset_of(results.value)
+        found = dataset_of(results.value)
+        for name, unit in self._units.items():
+            # of a unit that depends on the case the results know which it is
+            if unit is not None and name in found and unit != found[name].attrs["units"]:
+                raise InputError(f"{name}: given in {unit}, allowed: {found[name].attrs['units']}")
+        return found
 
 
 @contextlib.contextmanager

@@ -11,19 +11,31 @@ LARGEST = 2**63
 
 
 def in_unit(value, unit, name):
-    """The value without its unit, which is that of the variable: quantities of pint are converted, arrays of xarray that state
-    another unit are refused."""
+    """The value without its unit, and the unit that it has now, None if it says none. Quantities of pint are converted to the unit of
+    the variable, arrays of xarray that state another unit are refused."""
     stated = getattr(value, "attrs", {}).get("units") if hasattr(value, "dims") else None
-    if stated is not None and unit and str(stated) != unit:
+    if stated is not None and unit and str(stated) not in alternatives_of(unit):
         raise InputError(f"{name}: given in {stated}, allowed: {unit}")
     # an array of xarray may have a quantity in it
     value = value.data if hasattr(value, "dims") and hasattr(value, "data") else value
     if hasattr(value, "to") and hasattr(value, "magnitude"):
+        return magnitude_of(value, unit, name)
+    return value, None if stated is None else str(stated)
+
+
+def magnitude_of(quantity, unit, name):
+    """The magnitude of a quantity of pint in a unit of a variable, and that unit."""
+    for one in alternatives_of(unit):
         try:
-            value = value.to("dimensionless" if unit in ("1", "-", "") else unit).magnitude
-        except Exception as problem:
-            raise InputError(f"{name}: {problem}") from None
-    return value
+            return quantity.to("dimensionless" if one in ("1", "-", "") else one).magnitude, one
+        except Exception:  # noqa: BLE001, S112: pint has many, and the message says what matters
+            continue
+    raise InputError(f"{name}: given in {quantity.units}, allowed: {unit or 'no unit'}")
+
+
+def alternatives_of(unit):
+    """The units that a variable may have: `N; N/m for line` is N or N/m, as the case is."""
+    return [part.partition(" for ")[0].strip() for part in unit.split(";")]
 
 
 def numbers_of(value, name):

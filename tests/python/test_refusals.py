@@ -56,6 +56,10 @@ class Refusals(InFolder):
         self.check_values(InputError, ("load", "numbers"), load=object())
         self.check_values(InputError, ("load", "masked"), load=np.ma.array([1.0, 2.0], mask=[True, False]))
         self.check_values(InputError, ("load", "given in kN, allowed: N"), load=xr.DataArray([1.0], attrs={"units": "kN"}))
+        load = xr.DataArray([1.0, 2.0], attrs={"units": "N/m"})
+        self.assertEqual(2, adfric.solve("hertz", kind="line", radius=0.01, contact_modulus=1e9, load=load).sizes["load"])
+        with self.assert_raises_text(InputError, "load: given in N/m, allowed: N$"):
+            adfric.solve("hertz", kind="circular", radius=0.01, contact_modulus=1e9, load=load)
         for value in ("large", True):
             self.check_values(InputError, ("radius",), radius=value)
         self.check_values(InputError, ("theory",), theory=1.0)

@@ -150,6 +150,13 @@ class Results(InFolder):
         np.testing.assert_allclose(found["load"], [0.0, 1e-7], rtol=4e-16)
         quantified = found.pint.quantify()
         self.assertAlmostEqual(found.contact_radius.values[1]*1e9, quantified.contact_radius[1].pint.to("nm").item().magnitude, 12)
+        line = {"kind": "line", "radius": 0.01, "contact_modulus": 1e9}
+        found = adfric.solve("hertz", **line, load=units.Quantity(2.0, "kN/m"))
+        xr.testing.assert_equal(found, adfric.solve("hertz", **line, load=2000.0))
+        with self.assert_raises_text(adfric.InputError, "load", "allowed: N; N/m for line"):
+            adfric.solve("hertz", **line, load=units.Quantity(2.0, "m"))
+        with self.assert_raises_text(adfric.InputError, "load: given in N, allowed: N/m"):
+            adfric.solve("hertz", **line, load=units.Quantity(2.0, "N"))
         with self.assert_raises_text(adfric.InputError, "radius", "second"):
             adfric.solve("sphere", **dict(TIP, radius=1.0*units.s), load=0.0)
 
