@@ -113,9 +113,9 @@ contains
       if (allocated(error)) return
       n = size(self%grids)
       allocate (states(n))
-      states(n)%shape = shape
+      allocate (states(n)%shape, source=shape)
       do k = n, 1, -1
-         if (k < n) states(k)%shape = coarsen(states(k + 1)%shape)
+         if (k < n) allocate (states(k)%shape, source=coarsen(states(k + 1)%shape))
          allocate (states(k)%cohesion)
          call new_cohesion(states(k)%cohesion, adhesion%stress, adhesion%range, self%grids(k)%operator%is_quarter)
          states(k)%mean_pressure = mean_pressure
