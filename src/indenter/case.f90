@@ -26,7 +26,7 @@ module adfric_indenter_case
    !> A point in reduced variables.
    type :: indenter_case_t
       !> Its curve, with the shape.
-      type(curve_t) :: curve
+      class(curve_t), allocatable :: curve
       !> One of `theory_...`.
       integer :: theory = theory_none
       !> Units L [m] of lengths in the plane and H [m] of heights, and E* [Pa].
@@ -61,6 +61,7 @@ contains
       type(indenter_case_t), intent(out) :: self
       real(dp) :: work
 
+      allocate (self%curve)
       self%modulus = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
       work = 0
       if (is_set(values(v_work_of_adhesion)) .and. nint(values(v_theory)) /= choose_none) work = values(v_work_of_adhesion)

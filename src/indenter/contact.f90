@@ -6,8 +6,8 @@
 module adfric_indenter_contact
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_indenter_curve, only: curve_t, interval_t, find_intervals, find_held, is_stable_at, most_intervals, &
-      & control_load, control_approach, control_radius
+   use adfric_indenter_curve, only: curve_t, state_t, interval_t, find_held, most_intervals, control_load, control_approach, &
+      & control_radius
    use adfric_indenter_shape, only: spot_t
    implicit none (type, external)
    private
@@ -32,6 +32,8 @@ module adfric_indenter_contact
       real(dp) :: load = 0, approach = 0
       !> g(a) - delta, the depth of the flat punch of radius a that adhesion adds: Dl of JKR; of a flat face -delta.
       real(dp) :: neck = 0
+      !> Radius c up to which adhesion acts.
+      real(dp) :: adhesion_radius = 0
       !> dP/ddelta along the curve.
       real(dp) :: stiffness = 0
    end type contact_t
@@ -53,7 +55,7 @@ contains
    !> The contact under what is held.
    pure subroutine find_contact(curve, control, given, is_beyond, branch, contact)
       !> The curve of the indenter.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: curve
       !> What is held, one of `control_...`.
       integer, intent(in) :: control
       !> Load, approach or unknown u that is given, reduced.
@@ -73,7 +75,7 @@ contains
          call set_contact(curve, control, given, is_beyond, contact)
          contact%is_found = .true.
       else
-         call find_intervals(curve, control, intervals, n, contact%is_converged)
+         call curve%find_intervals(control, intervals, n, contact%is_converged)
          do k = 1, n
             place = merge(k, n + 1 - k, branch == branch_inner)
             if (intervals(place)%is_stable .eqv. branch == branch_unstable) cycle
@@ -86,7 +88,7 @@ contains
    !> The contact within one interval, if it has what is held.
    pure subroutine try_interval(curve, control, given, interval, contact)
       !> The curve of the indenter.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: curve
       !> `control_load` or `control_approach`.
       integer, intent(in) :: control
       !> Load or approach that is given, reduced.
@@ -111,7 +113,7 @@ contains
    !> What follows from the unknown.
    pure subroutine set_contact(curve, control, u, is_beyond, contact)
       !> The curve of the indenter.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: curve
       !> What is held.
       integer, intent(in) :: control
       !> The unknown, >= 0.
@@ -120,28 +122,25 @@ contains
       logical, intent(in) :: is_beyond
       !> Receives radius, load, approach and stiffness.
       type(contact_t), intent(inout) :: contact
-      real(dp) :: gain, loss
+      type(state_t) :: state
 
       contact%u = u
       contact%is_beyond = is_beyond
-      call curve%get_state(u, is_beyond, contact%spot, contact%load, contact%approach)
-      contact%neck = curve%tension*sqrt(contact%spot%radius)
-      contact%is_stable = is_stable_at(curve, contact%spot, control)
-      ! dP/ddelta = 2 a (a g' - 3 Dl/2)/(a g' - Dl/2)
-      gain = contact%spot%radius*contact%spot%depth_slope
-      loss = contact%neck*contact%spot%radius_slope
-      contact%stiffness = 2*contact%spot%radius
-      if (abs(gain - loss/2) > 0) then
-         contact%stiffness = contact%stiffness*((gain - 1.5_dp*loss)/(gain - loss/2))
-      else if (loss > 0) then
-         contact%stiffness = not_a_number()
-      end if
+      call curve%get_state(u, is_beyond, state)
+      contact%spot = state%spot
+      contact%load = state%load
+      contact%approach = state%approach
+      contact%neck = state%neck
+      contact%stiffness = state%stiffness
+      contact%adhesion_radius = state%adhesion_radius
+      contact%is_stable = state%is_stable(merge(control_approach, control_load, control == control_approach))
+      contact%is_converged = contact%is_converged .and. state%is_converged
    end subroutine set_contact
 
    !> The contact of a flat face of radius 1: P = 2 delta, down to the load of Kendall.
    pure subroutine find_face_contact(curve, control, given, branch, contact)
       !> The curve of the indenter, which has no piece.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: curve
       !> `control_load` or `control_approach`.
       integer, intent(in) :: control
       !> Load or approach that is given, reduced.
@@ -152,6 +151,7 @@ contains
       type(contact_t), intent(out) :: contact
 
       contact%spot%radius = 1
+      contact%adhesion_radius = 1
       contact%load = given
       contact%approach = given/2
       if (control == control_approach) then
@@ -167,7 +167,7 @@ contains
    !> Where contacts end under what is held.
    pure subroutine find_ends(curve, control, ends)
       !> The curve of the indenter.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: curve
       !> What is held; a given radius counts as a given load.
       integer, intent(in) :: control
       !> Receives the ends.
@@ -183,7 +183,7 @@ contains
          return
       end if
       held_control = merge(control_approach, control_load, control == control_approach)
-      call find_intervals(curve, held_control, intervals, n, ends%is_converged)
+      call curve%find_intervals(held_control, intervals, n, ends%is_converged)
       least = huge(least)
       do k = 1, n
          if (.not. intervals(k)%is_stable) cycle
@@ -214,23 +214,25 @@ contains
    !> Load and approach of a state.
    pure subroutine get_end_state(curve, is_beyond, u, load, approach)
       !> The curve of the indenter.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: curve
       !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
       !> The unknown of the state.
       real(dp), intent(in) :: u
       !> Load P and approach delta, reduced.
       real(dp), intent(out) :: load, approach
-      type(spot_t) :: spot
+      type(state_t) :: state
 
-      call curve%get_state(u, is_beyond, spot, load, approach)
+      call curve%get_state(u, is_beyond, state)
+      load = state%load
+      approach = state%approach
    end subroutine get_end_state
 
    !> Jumps between stable parts: inward where a fold has another stable state, smaller and under the same load or approach;
    !> outward from the fold at the end of a stable part.
    pure subroutine find_jumps(curve, control, intervals, ends)
       !> The curve of the indenter.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: curve
       !> `control_load` or `control_approach`.
       integer, intent(in) :: control
       !> The intervals of the curve, from the smallest contacts to the largest.

@@ -60,6 +60,7 @@ contains
       real(dp) :: least
 
       self%corner = 1
+      self%reach = 1
       self%kind = kind
       self%has_face = kind /= rounded_cone
       select case (kind)
@@ -91,7 +92,7 @@ contains
    pure subroutine evaluate(self, u, is_beyond, spot)
       !> The shape that is evaluated.
       class(corner_shape_t), intent(in) :: self
-      !> v beyond the corner, a within it; >= 0.
+      !> v beyond the corner, within it a, or a/sqrt(1 - a^2) on a flat face; >= 0.
       real(dp), intent(in) :: u
       !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
@@ -104,14 +105,17 @@ contains
          spot%radius_slope = u/spot%radius
          spot%radius_curve = 1/spot%radius**3
          call evaluate_beyond(self%kind, u, spot%radius, spot)
-      else
+      else if (self%kind == rounded_cone) then
          spot%radius = u
-         if (self%kind == rounded_cone) then
-            spot%depth = u*u
-            spot%depth_slope = 2*u
-            spot%depth_curve = 2
-            spot%load = 4*u**3/3
-         end if
+         spot%depth = u*u
+         spot%depth_slope = 2*u
+         spot%depth_curve = 2
+         spot%load = 4*u**3/3
+      else
+         spot%beyond = 1/hypot(1.0_dp, u)
+         spot%radius = u*spot%beyond
+         spot%radius_slope = spot%beyond**3
+         spot%radius_curve = -3*u*spot%beyond**5
       end if
    end subroutine evaluate
 
@@ -181,7 +185,11 @@ contains
       real(dp), intent(in) :: radius
 
       unknown_of = radius
-      if (radius >= self%corner) unknown_of = sqrt((radius - self%corner)*(radius + self%corner))
+      if (radius >= self%corner) then
+         unknown_of = sqrt((radius - self%corner)*(radius + self%corner))
+      else if (self%has_face) then
+         unknown_of = radius/sqrt((self%corner - radius)*(self%corner + radius))
+      end if
    end function unknown_of
 
    !> See `shape_t`: sqrt(a) g' is above sqrt(a) phi, 2 v^(3/2) and v^(3/2).

@@ -8,21 +8,42 @@
 !> sqrt(a) g'(a) rises or falls, so each piece has at most one fold, which is bracketed by its ends: no fold is missed.
 module adfric_indenter_curve
    use adfric_base_kinds, only: dp
-   use adfric_indenter_shape, only: shape_t, spot_t, most_pieces
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_indenter_shape, only: shape_t, spot_t
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: curve_t, interval_t, find_intervals, find_held, is_stable_at
+   public :: curve_t, state_t, interval_t, find_held
    public :: control_load, control_approach, control_radius, most_intervals, endless
 
    !> What is held.
    integer, parameter :: control_load = 1, control_approach = 2, control_radius = 3
-   !> Most intervals of a curve: each piece has at most one fold.
-   integer, parameter :: most_intervals = 2*most_pieces
+   !> Most intervals of a curve; in JKR each piece has at most one fold, so there are six.
+   integer, parameter :: most_intervals = 16
    !> End of an interval that has none.
    real(dp), parameter :: endless = huge(1.0_dp)
    !> Slopes of logarithms end at the inverse of this.
    real(dp), parameter :: smallest_excess = 1.0e-300_dp
+
+   !> A state of the curve.
+   type :: state_t
+      !> What the shape is there.
+      type(spot_t) :: spot
+      !> Load P and approach delta.
+      real(dp) :: load = 0, approach = 0
+      !> Their derivatives by u.
+      real(dp) :: load_slope = 0, approach_slope = 0
+      !> dP/ddelta along the curve; NaN where the approach is least.
+      real(dp) :: stiffness = 0
+      !> g(a) - delta, the depth of the flat punch of radius a that adhesion adds.
+      real(dp) :: neck = 0
+      !> Radius c up to which adhesion acts.
+      real(dp) :: adhesion_radius = 0
+      !> Is the state stable under a given load, and at a given approach?
+      logical :: is_stable(2) = .true.
+      !> Was it found to round-off?
+      logical :: is_converged = .true.
+   end type state_t
 
    !> A curve of equilibrium.
    type :: curve_t
@@ -35,6 +56,7 @@ module adfric_indenter_curve
    contains
       procedure :: get_state
       procedure :: get_held
+      procedure :: find_intervals
    end type curve_t
 
    !> A part of the curve where all states are stable, or all are unstable. Along it what is held rises, or falls.
@@ -64,7 +86,7 @@ module adfric_indenter_curve
    !> Load or approach along an interval, less what is given. The unknown is ln(u - low), or u.
    type, extends(equation_t) :: held_equation_t
       !> The curve.
-      type(curve_t) :: curve
+      class(curve_t), allocatable :: curve
       !> The interval.
       type(interval_t) :: interval
       !> What is held, `control_load` or `control_approach`.
@@ -79,24 +101,40 @@ module adfric_indenter_curve
 
 contains
 
-   !> Radius, load and approach at an unknown.
-   pure subroutine get_state(self, u, is_beyond, spot, load, approach)
+   !> The state at an unknown.
+   pure subroutine get_state(self, u, is_beyond, state)
       !> The curve.
       class(curve_t), intent(in) :: self
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
       !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
-      !> Receives what the shape is there.
-      type(spot_t), intent(out) :: spot
-      !> Receives the load P and the approach delta, reduced.
-      real(dp), intent(out) :: load, approach
-      real(dp) :: neck
+      !> Receives the state, reduced.
+      type(state_t), intent(out) :: state
+      real(dp) :: root, gain, loss
 
-      call self%shape%evaluate(u, is_beyond, spot)
-      neck = self%tension*sqrt(spot%radius)
-      load = spot%load - 2*spot%radius*neck - self%outer_pull
-      approach = spot%depth - neck
+      associate (spot => state%spot)
+         call self%shape%evaluate(u, is_beyond, spot)
+         root = sqrt(spot%radius)
+         state%neck = self%tension*root
+         state%load = spot%load - 2*spot%radius*state%neck - self%outer_pull
+         state%approach = spot%depth - state%neck
+         state%adhesion_radius = spot%radius
+         state%load_slope = 2*root*(root*spot%depth_slope - 1.5_dp*self%tension*spot%radius_slope)
+         state%approach_slope = spot%depth_slope
+         if (root > 0) state%approach_slope = spot%depth_slope - self%tension*spot%radius_slope/(2*root)
+         ! dP/ddelta = 2 a (a g' - 3 Dl/2)/(a g' - Dl/2)
+         gain = spot%radius*spot%depth_slope
+         loss = state%neck*spot%radius_slope
+         state%stiffness = 2*spot%radius
+         if (abs(gain - loss/2) > 0) then
+            state%stiffness = state%stiffness*((gain - 1.5_dp*loss)/(gain - loss/2))
+         else if (loss > 0) then
+            state%stiffness = not_a_number()
+         end if
+         state%is_stable(control_load) = is_stable_at(self, spot, control_load)
+         state%is_stable(control_approach) = is_stable_at(self, spot, control_approach)
+      end associate
    end subroutine get_state
 
    !> What is held, and its derivative by u.
@@ -113,18 +151,15 @@ contains
       real(dp), intent(out) :: held
       !> Derivative by u; of no meaning at a radius of 0.
       real(dp), intent(out) :: slope
-      type(spot_t) :: spot
-      real(dp) :: load, approach, root
+      type(state_t) :: state
 
-      call self%get_state(u, is_beyond, spot, load, approach)
-      root = sqrt(spot%radius)
+      call self%get_state(u, is_beyond, state)
       if (control == control_load) then
-         held = load
-         slope = 2*root*(root*spot%depth_slope - 1.5_dp*self%tension*spot%radius_slope)
+         held = state%load
+         slope = state%load_slope
       else
-         held = approach
-         slope = spot%depth_slope
-         if (root > 0) slope = slope - self%tension*spot%radius_slope/(2*root)
+         held = state%approach
+         slope = state%approach_slope
       end if
    end subroutine get_held
 
@@ -139,7 +174,7 @@ contains
    !> Is the state at a spot stable?
    pure logical function is_stable_at(curve, spot, control)
       !> The curve.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: curve
       !> What the shape is at the state.
       type(spot_t), intent(in) :: spot
       !> What is held.
@@ -158,9 +193,9 @@ contains
    end function is_stable_at
 
    !> The stable and the unstable parts of the curve, from the smallest contacts to the largest.
-   pure subroutine find_intervals(curve, control, intervals, n, is_converged)
+   pure subroutine find_intervals(self, control, intervals, n, is_converged)
       !> The curve.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: self
       !> What is held.
       integer, intent(in) :: control
       !> Receives the intervals.
@@ -174,16 +209,16 @@ contains
 
       n = 0
       is_converged = .true.
-      target = stability_factor(control)*curve%tension
-      do k = 1, curve%shape%n_pieces
-         call split_piece(curve, control, k, target, intervals, n, is_converged)
+      target = stability_factor(control)*self%tension
+      do k = 1, self%shape%n_pieces
+         call split_piece(self, control, k, target, intervals, n, is_converged)
       end do
    end subroutine find_intervals
 
    !> Add the intervals of a piece.
    pure subroutine split_piece(curve, control, place, target, intervals, n, is_converged)
       !> The curve.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: curve
       !> What is held.
       integer, intent(in) :: control
       !> Place of the piece in the shape.
@@ -271,7 +306,7 @@ contains
    !> The state of an interval under which a load or an approach is held.
    pure subroutine find_held(curve, control, interval, given, u, is_found, is_converged)
       !> The curve.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: curve
       !> `control_load` or `control_approach`.
       integer, intent(in) :: control
       !> The interval.
@@ -296,7 +331,11 @@ contains
       if (.not. is_found .or. .not. abs(given - first) > 0) return
       u = interval%high
       if (.not. abs(given - last) > 0) return
-      equation = held_equation_t(curve=curve, interval=interval, control=control, given=given, first=first)
+      allocate (equation%curve, source=curve)
+      equation%interval = interval
+      equation%control = control
+      equation%given = given
+      equation%first = first
       if (interval%is_stable) then
          call find_rising(equation, u, is_converged)
       else

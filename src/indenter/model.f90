@@ -191,7 +191,7 @@ contains
    !> U = int [delta - g(x)]^2 dx from 0 to a, reduced.
    pure real(dp) function elastic_energy(curve, contact) result(energy)
       !> The curve with its shape.
-      type(curve_t), intent(in) :: curve
+      class(curve_t), intent(in) :: curve
       !> The contact.
       type(contact_t), intent(in) :: contact
 

@@ -7,7 +7,7 @@
 !> `case`, lengths in the plane of contact are in a unit L, heights in a unit H, and forces in E* L H (`case` has the units).
 !>
 !> A contact is not known by its radius a, which has no digits left where a contact has hardly left a flat face of radius b, but by
-!> u: beyond a corner b of the profile u = v = sqrt(a^2 - b^2), within it u = a. A shape without corner has b = 0, and v = a; a
+!> u: beyond a corner b of the profile u = v = sqrt(a^2 - b^2), within it u = a, on a flat face u = a/sqrt(b^2 - a^2). A shape without corner has b = 0, and v = a; a
 !> sphere has u = artanh(a/R).
 module adfric_indenter_shape
    use adfric_base_kinds, only: dp
@@ -22,7 +22,7 @@ module adfric_indenter_shape
    type :: spot_t
       !> Radius a of contact.
       real(dp) :: radius = 0
-      !> v = sqrt(a^2 - b^2); of no meaning within the corner.
+      !> v = sqrt(a^2 - b^2) beyond the corner; on a flat face sqrt(b^2 - a^2).
       real(dp) :: beyond = 0
       !> da/du, and its derivative by u.
       real(dp) :: radius_slope = 1, radius_curve = 0
@@ -48,6 +48,10 @@ module adfric_indenter_shape
       real(dp) :: corner = 0
       !> Is the profile flat up to the corner, so that no smaller contact is stable?
       logical :: has_face = .false.
+      !> dg/dv is analytic up to this |v| about 0; 0 if it is not even there.
+      real(dp) :: reach = 0
+      !> Radius where the profile ends, since it is vertical there.
+      real(dp) :: edge = huge(1.0_dp)
       !> dg/dv is like this power of v where v is small.
       real(dp) :: onset = 1
       !> Number of pieces; 0 for a face without an edge that rises, which is in contact all over.
