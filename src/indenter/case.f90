@@ -6,14 +6,15 @@
 !> of contact, and H = K C L^n. Of a polynomial L is the least of its terms, and H the sum.
 module adfric_indenter_case
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: half_pi, two_pi
+   use adfric_base_constants, only: pi, half_pi, two_pi
    use adfric_base_unset, only: is_set
    use adfric_indenter_contact, only: branch_stable
    use adfric_indenter_corner_shape, only: corner_shape_t, new_corner_shape, flat_face, flat_cone, flat_paraboloid, rounded_punch, &
       & rounded_cone
    use adfric_indenter_curve, only: curve_t, control_load, control_approach, control_radius
+   use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_power_shape, only: power_shape_t, new_power_shape, depth_factor
-   use adfric_indenter_sphere_shape, only: sphere_shape_t
+   use adfric_indenter_sphere_shape, only: sphere_shape_t, new_sphere_shape
    use adfric_indenter_variables
    use adfric_material_contact_modulus, only: contact_modulus_of
    implicit none (type, external)
@@ -59,13 +60,18 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives the point.
       type(indenter_case_t), intent(out) :: self
+      type(sphere_shape_t), allocatable :: sphere
       real(dp) :: work
 
-      allocate (self%curve)
+      self%theory = theory_of(values)
+      allocate (curve_t :: self%curve)
+      if (self%theory == theory_maugis_dugdale) then
+         deallocate (self%curve)
+         allocate (dugdale_curve_t :: self%curve)
+      end if
       self%modulus = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
       work = 0
-      if (is_set(values(v_work_of_adhesion)) .and. nint(values(v_theory)) /= choose_none) work = values(v_work_of_adhesion)
-      if (work > 0) self%theory = theory_jkr
+      if (self%theory /= theory_none) work = values(v_work_of_adhesion)
       self%branch = nint(values(v_branch))
       self%control = control_radius
       if (is_set(values(v_load))) self%control = control_load
@@ -74,17 +80,75 @@ contains
       case (kind_cone, kind_paraboloid, kind_power, kind_polynomial)
          call resolve_powers(values, work/self%modulus, self)
       case (kind_sphere)
-         allocate (sphere_shape_t :: self%curve%shape)
+         allocate (sphere)
+         call new_sphere_shape(sphere)
+         call move_alloc(sphere, self%curve%shape)
          self%length_unit = values(v_radius)
          self%height_unit = values(v_radius)
       case default
          call resolve_corner(values, self)
       end select
       if (.not. self%height_unit > 0) return
-      ! 2 pi W = 2 pi w L/(E* H^2)
-      self%curve%tension = sqrt(two_pi*(work/self%modulus)/self%height_unit*(self%length_unit/self%height_unit))
+      ! W = w L/(E* H^2)
+      work = (work/self%modulus)/self%height_unit*(self%length_unit/self%height_unit)
+      call resolve_adhesion(values, work, self%theory, self%modulus*(self%height_unit/self%length_unit), self%height_unit, &
+         & self%curve)
       call resolve_given(values, self)
    end subroutine resolve_case
+
+   !> The theory of a case: without adhesion none, and without a range JKR.
+   pure integer function theory_of(values) result(theory)
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+
+      theory = theory_none
+      if (.not. is_set(values(v_work_of_adhesion))) return
+      if (.not. values(v_work_of_adhesion) > 0 .or. nint(values(v_theory)) == choose_none) return
+      theory = theory_jkr
+      if (nint(values(v_theory)) == choose_auto) then
+         if (any(is_set(values(v_adhesion_stress:v_lambda)))) theory = theory_maugis_dugdale
+      else
+         theory = nint(values(v_theory)) - choose_none
+      end if
+   end function theory_of
+
+   !> Adhesion of a curve.
+   pure subroutine resolve_adhesion(values, work, theory, stress_unit, height_unit, curve)
+      !> Values of the variables.
+      real(dp), intent(in) :: values(:)
+      !> W, the reduced work of adhesion.
+      real(dp), intent(in) :: work
+      !> One of `theory_...`.
+      integer, intent(in) :: theory
+      !> Units of stresses [Pa] and heights [m].
+      real(dp), intent(in) :: stress_unit, height_unit
+      !> Receives its adhesion.
+      class(curve_t), intent(inout) :: curve
+      real(dp) :: n, exponent
+
+      curve%tension = sqrt(two_pi*work)
+      ! P = P1 - 2 pi w R, reduced: g = x^2 = x^2/R
+      if (theory == theory_dmt) then
+         curve%tension = 0
+         curve%outer_pull = two_pi*work
+      end if
+      select type (curve)
+      type is (dugdale_curve_t)
+         if (is_set(values(v_adhesion_stress))) then
+            curve%stress = values(v_adhesion_stress)/stress_unit
+         else if (is_set(values(v_adhesion_range))) then
+            curve%stress = work/(values(v_adhesion_range)/height_unit)
+         else
+            ! lambda = (3/2) sigma0 a0/(E* D), D = a0^n in these units, 2 pi W a0 = (8/3) D^2
+            exponent = 2
+            if (nint(values(v_kind)) == kind_cone) exponent = 1
+            if (nint(values(v_kind)) == kind_power) exponent = values(v_exponent)
+            n = (0.75_dp*pi*work)**((exponent - 1)/(2*exponent - 1))
+            curve%stress = 2*values(v_lambda)/3*n
+         end if
+         curve%range = work/curve%stress
+      end select
+   end subroutine resolve_adhesion
 
    !> k of a cone.
    pure real(dp) function slope_of(values)
@@ -270,7 +334,8 @@ contains
          & .and. self%length_unit < most .and. abs(self%given) < 10.0_dp**largest_number .and. self%curve%tension < most
       if (.not. is_possible .or. .not. is_set(values(v_contact_radius))) return
       is_possible = has_depth(self) .and. is_inside(self, self%radius) &
-         & .and. (self%is_beyond .or. .not. self%curve%shape%has_face)
+         & .and. (self%is_beyond .or. .not. self%curve%shape%has_face &
+         & .or. self%theory == theory_maugis_dugdale)
    end function is_possible
 
 end module adfric_indenter_case

@@ -92,15 +92,42 @@ contains
 
       has_adhesion = .false.
       if (is_set(values(v_work_of_adhesion))) has_adhesion = values(v_work_of_adhesion) > 0
-      if (nint(values(v_theory)) == choose_jkr) then
+      call require_one(variables, values, [v_adhesion_stress, v_adhesion_range, v_lambda], &
+         & nint(values(v_theory)) == choose_maugis_dugdale, problems)
+      if (nint(values(v_theory)) >= choose_jkr .or. any(is_set(values(v_adhesion_stress:v_lambda)))) then
          call require(variables, values, [v_work_of_adhesion], problems)
+         if (is_set(values(v_work_of_adhesion)) .and. nint(values(v_theory)) > choose_jkr .and. .not. has_adhesion) &
+            & call problems%add('adhesion', 'work_of_adhesion', 'is 0, and this theory needs adhesion')
       else if (nint(values(v_theory)) == choose_none .and. has_adhesion) then
          call problems%add('adhesion', 'work_of_adhesion', 'has no meaning for theory = ''none''')
       end if
+      if (is_set(values(v_kind))) call check_theory(values, problems)
       if (.not. (has_adhesion .and. is_set(values(v_kind)) .and. is_set(values(v_exponent)))) return
       if (nint(values(v_kind)) == kind_power .and. values(v_exponent) < least_exponent) call problems%add('shape', 'exponent', &
          & 'is too small for adhesion: at 1/2 and below no state is stable; allowed with adhesion: a number >= 0.51 [-]')
    end subroutine check_adhesion
+
+   !> What belongs to some kinds alone: DMT and lambda.
+   subroutine check_theory(values, problems)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      logical :: is_square, has_range
+      integer :: kind
+
+      kind = nint(values(v_kind))
+      is_square = kind == kind_paraboloid
+      if (kind == kind_power .and. is_set(values(v_exponent))) is_square = .not. abs(values(v_exponent) - 2) > 0
+      if (nint(values(v_theory)) == choose_dmt .and. .not. is_square) call problems%add('model', 'theory', &
+         & 'is ''dmt'', which only r^2 has: the pull of a long range on other profiles depends on its stress')
+      if (is_set(values(v_lambda)) .and. .not. any(kind == [kind_cone, kind_paraboloid, kind_power])) &
+         & call problems%add('adhesion', 'lambda', 'has a meaning only for a cone, a paraboloid and a power; give adhesion_stress')
+      has_range = nint(values(v_theory)) == choose_maugis_dugdale .or. (nint(values(v_theory)) == choose_auto &
+         & .and. any(is_set(values(v_adhesion_stress:v_lambda))))
+      if (kind == kind_power .and. has_range .and. values(v_exponent) < 1) call problems%add('shape', 'exponent', &
+         & 'is too small for adhesion of a range; allowed with it: a number >= 1 [-]')
+   end subroutine check_theory
 
    !> What is held.
    subroutine check_operation(variables, values, problems)

@@ -5,9 +5,12 @@
 !> may only be a jump to a smaller contact. A flat face without an edge that rises is a case of its own: the whole face is in contact.
 module adfric_indenter_contact
    use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi, half_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_indenter_curve, only: curve_t, state_t, interval_t, find_held, most_intervals, control_load, control_approach, &
       & control_radius
+   use adfric_indenter_dugdale_curve, only: dugdale_curve_t
+   use adfric_indenter_dugdale_folds, only: find_edge_angle
    use adfric_indenter_shape, only: spot_t
    implicit none (type, external)
    private
@@ -32,8 +35,8 @@ module adfric_indenter_contact
       real(dp) :: load = 0, approach = 0
       !> g(a) - delta, the depth of the flat punch of radius a that adhesion adds: Dl of JKR; of a flat face -delta.
       real(dp) :: neck = 0
-      !> Radius c up to which adhesion acts.
-      real(dp) :: adhesion_radius = 0
+      !> Radius c up to which adhesion acts, and its stress there; 0 where it acts in the contact alone.
+      real(dp) :: adhesion_radius = 0, stress = 0
       !> dP/ddelta along the curve.
       real(dp) :: stiffness = 0
    end type contact_t
@@ -82,6 +85,7 @@ contains
             call try_interval(curve, control, given, intervals(place), contact)
             if (contact%is_found) return
          end do
+         if (control == control_approach .and. branch /= branch_unstable) call try_disc(curve, given, contact)
       end if
    end subroutine find_contact
 
@@ -110,6 +114,22 @@ contains
       if (control == control_approach) contact%approach = given
    end subroutine try_interval
 
+   !> The state without touch, if there is one.
+   pure subroutine try_disc(curve, approach, contact)
+      !> The curve of the indenter.
+      class(curve_t), intent(in) :: curve
+      !> Approach that is given, reduced.
+      real(dp), intent(in) :: approach
+      !> Receives the state, with `is_found`.
+      type(contact_t), intent(inout) :: contact
+      type(state_t) :: state
+
+      call curve%find_disc(approach, state, contact%is_found)
+      if (.not. contact%is_found) return
+      contact%is_beyond = .false.
+      call take_state(state, control_approach, contact)
+   end subroutine try_disc
+
    !> What follows from the unknown.
    pure subroutine set_contact(curve, control, u, is_beyond, contact)
       !> The curve of the indenter.
@@ -127,17 +147,30 @@ contains
       contact%u = u
       contact%is_beyond = is_beyond
       call curve%get_state(u, is_beyond, state)
+      call take_state(state, control, contact)
+   end subroutine set_contact
+
+   !> Take a state over.
+   pure subroutine take_state(state, control, contact)
+      !> The state.
+      type(state_t), intent(in) :: state
+      !> What is held.
+      integer, intent(in) :: control
+      !> Receives radii, load, approach and stiffness.
+      type(contact_t), intent(inout) :: contact
+
       contact%spot = state%spot
       contact%load = state%load
       contact%approach = state%approach
       contact%neck = state%neck
       contact%stiffness = state%stiffness
       contact%adhesion_radius = state%adhesion_radius
+      contact%stress = state%stress
       contact%is_stable = state%is_stable(merge(control_approach, control_load, control == control_approach))
       contact%is_converged = contact%is_converged .and. state%is_converged
-   end subroutine set_contact
+   end subroutine take_state
 
-   !> The contact of a flat face of radius 1: P = 2 delta, down to the load of Kendall.
+   !> The contact of a flat face of radius 1: P = 2 delta, down to the load of Kendall, or by Dugdale's law.
    pure subroutine find_face_contact(curve, control, given, branch, contact)
       !> The curve of the indenter, which has no piece.
       class(curve_t), intent(in) :: curve
@@ -150,6 +183,12 @@ contains
       !> Receives the contact.
       type(contact_t), intent(out) :: contact
 
+      select type (curve)
+      type is (dugdale_curve_t)
+         call find_dugdale_face(curve, control, given, contact)
+         contact%is_found = contact%is_found .and. branch /= branch_unstable
+         return
+      end select
       contact%spot%radius = 1
       contact%adhesion_radius = 1
       contact%load = given
@@ -164,6 +203,101 @@ contains
       contact%is_found = branch /= branch_unstable .and. contact%approach >= -curve%tension
    end subroutine find_face_contact
 
+   !> A flat face by Dugdale's law: under tension a zone of adhesion a < r < 1 opens at its edge, P = -2 S (th + sin(th) cos(th)),
+   !> delta = -2 S sin(th), a = cos(th), until the gap at the edge is the range of adhesion, or until nothing touches. At given
+   !> approach a face that does not touch goes on until its edge is out of range.
+   pure subroutine find_dugdale_face(curve, control, given, contact)
+      !> The curve of the face.
+      type(dugdale_curve_t), intent(in) :: curve
+      !> `control_load` or `control_approach`.
+      integer, intent(in) :: control
+      !> Load or approach that is given, reduced.
+      real(dp), intent(in) :: given
+      !> Receives the contact.
+      type(contact_t), intent(inout) :: contact
+      real(dp) :: last, th
+      logical :: is_found
+
+      contact%is_stable = .true.
+      contact%adhesion_radius = 1
+      contact%spot%radius = 1
+      contact%is_found = .true.
+      if (given >= 0) then
+         contact%approach = given/merge(2, 1, control == control_load)
+         contact%load = 2*contact%approach
+         contact%neck = -contact%approach
+         contact%stiffness = 2
+         return
+      end if
+      last = last_angle(curve)
+      contact%stress = curve%stress
+      if (control == control_load) then
+         call find_face_angle(-given/(2*curve%stress), last, th, is_found)
+      else
+         is_found = -given <= 2*curve%stress*sin(last)
+         th = last
+         if (is_found) th = asin(min(1.0_dp, -given/(2*curve%stress)))
+         if (.not. is_found .and. last >= half_pi) is_found = given >= detached_approach(curve)
+      end if
+      contact%is_found = is_found
+      contact%load = -2*curve%stress*(th + sin(th)*cos(th))
+      contact%approach = -2*curve%stress*sin(th)
+      contact%spot%radius = cos(th)
+      if (th >= half_pi) contact%spot%radius = 0
+      contact%neck = 2*curve%stress*sin(th)
+      contact%stiffness = 2*contact%spot%radius
+      contact%is_beyond = .false.
+      if (control == control_load) contact%load = given
+      if (control == control_approach) contact%approach = given
+   end subroutine find_dugdale_face
+
+   !> The angle at which a flat face lets go under load: k(th) = pi h/(4 S), pi/2 if the whole face pulls.
+   pure real(dp) function last_angle(curve)
+      !> The curve of the face.
+      type(dugdale_curve_t), intent(in) :: curve
+
+      call find_edge_angle(pi*curve%range/(4*curve%stress), last_angle)
+      if (.not. last_angle > 0) last_angle = half_pi
+   end function last_angle
+
+   !> The approach at which the edge of a face that does not touch is out of range.
+   pure real(dp) function detached_approach(curve)
+      !> The curve of the face.
+      type(dugdale_curve_t), intent(in) :: curve
+
+      detached_approach = -4*curve%stress/pi - curve%range
+   end function detached_approach
+
+   !> The angle where th + sin(th) cos(th) has a value.
+   pure subroutine find_face_angle(value, last, th, is_found)
+      !> The value, > 0.
+      real(dp), intent(in) :: value
+      !> The largest angle.
+      real(dp), intent(in) :: last
+      !> Receives the angle.
+      real(dp), intent(out) :: th
+      !> Is there one up to the largest?
+      logical, intent(out) :: is_found
+      integer, parameter :: most_steps = 100
+      real(dp) :: low, high, rest
+      integer :: k
+
+      th = last
+      is_found = value <= last + sin(last)*cos(last)
+      if (.not. is_found .or. .not. value < last + sin(last)*cos(last)) return
+      low = 0
+      high = last
+      th = min(value/2, last)
+      do k = 1, most_steps
+         rest = value - th - sin(th)*cos(th)
+         if (rest > 0) low = th
+         if (.not. rest > 0) high = th
+         if (high - low <= 2*epsilon(th)*high .or. .not. abs(rest) > 2*epsilon(rest)*value) return
+         th = th + rest/(2*cos(th)**2)
+         if (.not. (th > low .and. th < high)) th = low + (high - low)/2
+      end do
+   end subroutine find_face_angle
+
    !> Where contacts end under what is held.
    pure subroutine find_ends(curve, control, ends)
       !> The curve of the indenter.
@@ -173,13 +307,23 @@ contains
       !> Receives the ends.
       type(ends_t), intent(out) :: ends
       type(interval_t) :: intervals(most_intervals)
+      type(state_t) :: disc
       real(dp) :: least, held, load, approach
       integer :: n, k, held_control
+      logical :: is_disc
 
       call clear_ends(ends)
       if (curve%shape%n_pieces == 0) then
          ends%pull_off_load = -2*curve%tension
          ends%pull_off_approach = -curve%tension
+         select type (curve)
+         type is (dugdale_curve_t)
+            associate (th => last_angle(curve))
+               ends%pull_off_load = -2*curve%stress*(th + sin(th)*cos(th))
+               ends%pull_off_approach = -2*curve%stress*sin(th)
+               if (control == control_approach .and. th >= half_pi) ends%pull_off_approach = detached_approach(curve)
+            end associate
+         end select
          return
       end if
       held_control = merge(control_approach, control_load, control == control_approach)
@@ -195,6 +339,13 @@ contains
             ends%pull_off_approach = approach
          end if
       end do
+      if (held_control == control_approach) then
+         call curve%get_disc_end(disc, is_disc)
+         if (is_disc .and. disc%approach < least) then
+            ends%pull_off_load = disc%load
+            ends%pull_off_approach = disc%approach
+         end if
+      end if
       call find_jumps(curve, held_control, intervals(:n), ends)
    end subroutine find_ends
 

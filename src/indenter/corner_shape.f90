@@ -37,6 +37,8 @@ module adfric_indenter_corner_shape
       procedure :: rise
       procedure :: inner_rise
       procedure :: energy
+      procedure :: get_profile
+      procedure :: radius_of_height
    end type corner_shape_t
 
    !> [g(a) - g(x)]^2 dx/dt, v = sinh(t).
@@ -281,5 +283,51 @@ contains
       call evaluate_beyond(self%shape%kind, v, spot%radius, spot)
       value_at = (self%depth - spot%depth)**2*v
    end function value_at
+
+   !> See `shape_t`.
+   pure subroutine get_profile(self, r, height, slope)
+      !> The shape with its kind.
+      class(corner_shape_t), intent(in) :: self
+      !> Distance from the axis, >= 0.
+      real(dp), intent(in) :: r
+      !> f and f'.
+      real(dp), intent(out) :: height, slope
+
+      height = 0
+      slope = 0
+      if (self%kind == rounded_cone .and. r < 1) then
+         height = r**2/2
+         slope = r
+      else if (r > 1) then
+         slope = 1
+         if (self%kind == flat_paraboloid) slope = r
+         if (self%kind == rounded_punch) slope = r - 1
+         height = r - 1
+         if (self%kind == flat_paraboloid) height = (r - 1)*(r + 1)/2
+         if (self%kind == rounded_punch) height = (r - 1)**2/2
+         if (self%kind == rounded_cone) height = r - 0.5_dp
+      end if
+   end subroutine get_profile
+
+   !> See `shape_t`.
+   pure real(dp) function radius_of_height(self, height)
+      !> The shape with its kind.
+      class(corner_shape_t), intent(in) :: self
+      !> The height, > 0.
+      real(dp), intent(in) :: height
+
+      select case (self%kind)
+      case (flat_cone)
+         radius_of_height = 1 + height
+      case (flat_paraboloid)
+         radius_of_height = sqrt(1 + 2*height)
+      case (rounded_punch)
+         radius_of_height = 1 + sqrt(2*height)
+      case (rounded_cone)
+         radius_of_height = max(sqrt(2*min(height, 0.5_dp)), height + 0.5_dp)
+      case default
+         radius_of_height = 1
+      end select
+   end function radius_of_height
 
 end module adfric_indenter_corner_shape

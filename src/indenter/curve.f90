@@ -37,8 +37,8 @@ module adfric_indenter_curve
       real(dp) :: stiffness = 0
       !> g(a) - delta, the depth of the flat punch of radius a that adhesion adds.
       real(dp) :: neck = 0
-      !> Radius c up to which adhesion acts.
-      real(dp) :: adhesion_radius = 0
+      !> Radius c up to which adhesion acts, and its stress there; 0 where it acts in the contact alone.
+      real(dp) :: adhesion_radius = 0, stress = 0
       !> Is the state stable under a given load, and at a given approach?
       logical :: is_stable(2) = .true.
       !> Was it found to round-off?
@@ -57,6 +57,8 @@ module adfric_indenter_curve
       procedure :: get_state
       procedure :: get_held
       procedure :: find_intervals
+      procedure :: find_disc
+      procedure :: get_disc_end
    end type curve_t
 
    !> A part of the curve where all states are stable, or all are unstable. Along it what is held rises, or falls.
@@ -162,6 +164,38 @@ contains
          slope = state%approach_slope
       end if
    end subroutine get_held
+
+   !> The stable state without touch at a given approach: a theory without range has none.
+   pure subroutine find_disc(self, approach, state, is_found)
+      !> The curve.
+      class(curve_t), intent(in) :: self
+      !> The approach, reduced.
+      real(dp), intent(in) :: approach
+      !> Receives the state.
+      type(state_t), intent(out) :: state
+      !> Is there such a state?
+      logical, intent(out) :: is_found
+
+      is_found = .false.
+      associate (unused => self, unused_too => approach)
+      end associate
+      state%is_stable = .false.
+   end subroutine find_disc
+
+   !> The stable state without touch of the least approach.
+   pure subroutine get_disc_end(self, state, is_found)
+      !> The curve.
+      class(curve_t), intent(in) :: self
+      !> Receives the state.
+      type(state_t), intent(out) :: state
+      !> Is there such a state?
+      logical, intent(out) :: is_found
+
+      is_found = .false.
+      associate (unused => self)
+      end associate
+      state%is_stable = .false.
+   end subroutine get_disc_end
 
    !> q of a control: a state is stable where a g' > q Dl.
    elemental real(dp) function stability_factor(control) result(q)

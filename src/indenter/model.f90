@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The model `indenter`: an indenter of any axisymmetric shape on an elastic half-space, without adhesion or with it (JKR).
+!> The model `indenter`: an indenter of any axisymmetric shape on an elastic half-space, without adhesion or with it (JKR, Maugis-Dugdale).
 module adfric_indenter_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
@@ -49,7 +49,7 @@ contains
       type(indenter_model_t), intent(out) :: self
 
       self%name = 'indenter'
-      self%summary = 'an indenter of any axisymmetric shape on an elastic half-space, without adhesion or with it (JKR)'
+      self%summary = 'an indenter of any axisymmetric shape on a half-space, without adhesion or with it (JKR, Maugis-Dugdale)'
       self%references = 'I. N. Sneddon, Int. J. Eng. Sci. 3 (1965) 47; D. Maugis, M. Barquins, J. Phys. D 11 (1978) 1989'
       self%variables = get_indenter_variables()
       self%results = get_indenter_results()
@@ -185,10 +185,11 @@ contains
          results(r_elastic_energy) = elastic_energy(case%curve, contact)*case%force_unit()*case%height_unit
          results(r_stable) = merge(1, 0, contact%is_stable)
          results(r_theory_used) = case%theory
+         if (case%theory /= theory_dmt) results(r_adhesion_radius) = contact%adhesion_radius*case%length_unit
       end associate
    end subroutine store_contact
 
-   !> U = int [delta - g(x)]^2 dx from 0 to a, reduced.
+   !> U = int [delta - g(x)]^2 dx from 0 to a, and of the stress beside the contact, reduced.
    pure real(dp) function elastic_energy(curve, contact) result(energy)
       !> The curve with its shape.
       class(curve_t), intent(in) :: curve
@@ -197,6 +198,11 @@ contains
 
       energy = curve%shape%energy(contact%u, contact%is_beyond)
       energy = energy + contact%neck*(contact%neck*contact%spot%radius - contact%spot%load)
+      if (.not. contact%stress > 0) return
+      ! int (2 S)^2 (c^2 - x^2) dx from a to c, with c - a = s^2/(c + a), s = neck/(2 S)
+      associate (a => contact%spot%radius, c => contact%adhesion_radius)
+         energy = energy + (contact%neck**2/(2*contact%stress*(c + a)))**2*(2*c + a)/3
+      end associate
    end function elastic_energy
 
    !> Round-off of what is held moves the contact along the curve, at the end of stability by the root of round-off; load and approach

@@ -26,6 +26,8 @@ module adfric_indenter_power_shape
       procedure :: rise
       procedure :: inner_rise
       procedure :: energy
+      procedure :: get_profile
+      procedure :: radius_of_height
    end type power_shape_t
 
 contains
@@ -184,5 +186,41 @@ contains
       associate (unused => is_beyond)
       end associate
    end function energy
+
+   !> See `shape_t`: the terms are those of g over K.
+   pure subroutine get_profile(self, r, height, slope)
+      !> The shape that is evaluated.
+      class(power_shape_t), intent(in) :: self
+      !> Distance from the axis, >= 0.
+      real(dp), intent(in) :: r
+      !> f and f'; the latter is of no meaning at 0.
+      real(dp), intent(out) :: height, slope
+      real(dp) :: term
+      integer :: k
+
+      height = 0
+      slope = 0
+      if (.not. r > 0) return
+      do k = 1, self%n_terms
+         term = self%factors(k)/depth_factor(self%exponents(k))*power(r, self%exponents(k))
+         height = height + term
+         slope = slope + self%exponents(k)*term/r
+      end do
+   end subroutine get_profile
+
+   !> See `shape_t`: where one of the terms has the height.
+   pure real(dp) function radius_of_height(self, height)
+      !> The shape that is asked.
+      class(power_shape_t), intent(in) :: self
+      !> The height, > 0.
+      real(dp), intent(in) :: height
+      integer :: k
+
+      radius_of_height = huge(height)
+      do k = 1, self%n_terms
+         radius_of_height = min(radius_of_height, &
+            & (height*depth_factor(self%exponents(k))/self%factors(k))**(1/self%exponents(k)))
+      end do
+   end function radius_of_height
 
 end module adfric_indenter_power_shape

@@ -71,11 +71,14 @@ contains
 
       pressure = 0
       associate (a => contact%spot%radius)
-         if (r > a) return
+         if (r >= a .and. contact%stress > 0 .and. r <= contact%adhesion_radius) pressure = -contact%stress
+         if (r >= a .and. contact%stress > 0 .or. r > a) return
          if (contact%is_beyond) pressure = outer_pressure(shape, contact, r)
          if (r < shape%corner) pressure = pressure + shape%inner_rise()/pi*sqrt(max(0.0_dp, min(a, shape%corner)**2 - r**2))
          if (.not. abs(contact%neck) > 0) return
-         if (r < a) then
+         if (contact%stress > 0) then
+            pressure = pressure - 2*contact%stress/pi*atan2(contact%neck/(2*contact%stress), sqrt((a - r)*(a + r)))
+         else if (r < a) then
             pressure = pressure - contact%neck/(pi*sqrt((a - r)*(a + r)))
          else
             pressure = not_a_number()

@@ -65,6 +65,8 @@ module adfric_indenter_shape
       procedure(rise_i), deferred :: rise
       procedure(inner_rise_i), deferred :: inner_rise
       procedure(energy_i), deferred :: energy
+      procedure(get_profile_i), deferred :: get_profile
+      procedure(radius_of_height_i), deferred :: radius_of_height
    end type shape_t
 
    abstract interface
@@ -120,6 +122,28 @@ module adfric_indenter_shape
          !> The shape that is evaluated.
          class(shape_t), intent(in) :: self
       end function inner_rise_i
+
+      !> The profile f(r) and its slope.
+      pure subroutine get_profile_i(self, r, height, slope)
+         import :: shape_t, dp
+         implicit none (type, external)
+         !> The shape that is evaluated.
+         class(shape_t), intent(in) :: self
+         !> Distance from the axis, >= 0.
+         real(dp), intent(in) :: r
+         !> f and f'.
+         real(dp), intent(out) :: height, slope
+      end subroutine get_profile_i
+
+      !> A radius where the profile is at least as high as a given height, and not much higher.
+      pure real(dp) function radius_of_height_i(self, height)
+         import :: shape_t, dp
+         implicit none (type, external)
+         !> The shape that is asked.
+         class(shape_t), intent(in) :: self
+         !> The height, > 0.
+         real(dp), intent(in) :: height
+      end function radius_of_height_i
 
       !> int [g(a) - g(x)]^2 dx from 0 to a: the elastic energy without adhesion, over E* L H^2.
       pure real(dp) function energy_i(self, u, is_beyond)

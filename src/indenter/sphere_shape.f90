@@ -10,7 +10,7 @@ module adfric_indenter_sphere_shape
    use adfric_numerics_panels, only: integrand_t, integrate
    implicit none (type, external)
    private
-   public :: sphere_shape_t
+   public :: sphere_shape_t, new_sphere_shape
 
    !> Below this s the load is a series.
    real(dp), parameter :: small = 0.3_dp
@@ -26,6 +26,8 @@ module adfric_indenter_sphere_shape
       procedure :: rise
       procedure :: inner_rise
       procedure :: energy
+      procedure :: get_profile
+      procedure :: radius_of_height
    end type sphere_shape_t
 
    !> [g(a) - g(x)]^2 dx/du.
@@ -37,6 +39,15 @@ module adfric_indenter_sphere_shape
    end type energy_integrand_t
 
 contains
+
+   !> The shape.
+   pure subroutine new_sphere_shape(self)
+      !> Receives the shape.
+      type(sphere_shape_t), intent(out) :: self
+
+      self%edge = 1
+      self%reach = 1
+   end subroutine new_sphere_shape
 
    !> See `shape_t`.
    pure subroutine evaluate(self, u, is_beyond, spot)
@@ -168,5 +179,35 @@ contains
 
       value_at = (self%depth - place*tanh(place))**2*inverse_square_cosh(place)
    end function value_at
+
+   !> See `shape_t`.
+   pure subroutine get_profile(self, r, height, slope)
+      !> The shape, of which nothing is needed.
+      class(sphere_shape_t), intent(in) :: self
+      !> Distance from the axis, 0 <= r < 1.
+      real(dp), intent(in) :: r
+      !> f and f'.
+      real(dp), intent(out) :: height, slope
+      real(dp) :: level
+
+      level = sqrt((1 - r)*(1 + r))
+      height = r*r/(1 + level)
+      slope = r/level
+      associate (unused => self)
+      end associate
+   end subroutine get_profile
+
+   !> See `shape_t`; above the equator there is none but 1.
+   pure real(dp) function radius_of_height(self, height)
+      !> The shape, of which nothing is needed.
+      class(sphere_shape_t), intent(in) :: self
+      !> The height, > 0.
+      real(dp), intent(in) :: height
+
+      radius_of_height = 1
+      if (height < 1) radius_of_height = sqrt(height*(2 - height))
+      associate (unused => self)
+      end associate
+   end function radius_of_height
 
 end module adfric_indenter_sphere_shape

@@ -14,22 +14,24 @@ module adfric_indenter_variables
    !> Places of the variables.
    integer, parameter, public :: v_kind = 1, v_radius = 2, v_slope = 3, v_half_angle = 4, v_exponent = 5, v_coefficient = 6, &
       & v_face_radius = 7, v_coefficient_1 = 8, v_coefficient_8 = 15, v_contact_modulus = 16, v_second_poisson_ratio = 20, &
-      & v_work_of_adhesion = 21, v_theory = 22, v_load = 23, v_approach = 24, v_contact_radius = 25, v_face_angle = 26, &
-      & v_branch = 27, v_profiles = 28, v_n_r = 29, v_r_max = 30
-   integer, parameter, public :: n_indenter_variables = 30
+      & v_work_of_adhesion = 21, v_adhesion_stress = 22, v_adhesion_range = 23, v_lambda = 24, v_theory = 25, v_load = 26, &
+      & v_approach = 27, v_contact_radius = 28, v_face_angle = 29, v_branch = 30, v_profiles = 31, v_n_r = 32, v_r_max = 33
+   integer, parameter, public :: n_indenter_variables = 33
 
    !> Places of the words in the choices.
    integer, parameter, public :: kind_flat = 1, kind_cone = 2, kind_paraboloid = 3, kind_power = 4, kind_sphere = 5, &
       & kind_flat_cone = 6, kind_flat_paraboloid = 7, kind_rounded_punch = 8, kind_rounded_cone = 9, kind_polynomial = 10
-   integer, parameter, public :: choose_auto = 1, choose_none = 2, choose_jkr = 3
+   integer, parameter, public :: choose_auto = 1, choose_none = 2, choose_jkr = 3, choose_dmt = 4, &
+      & choose_maugis_dugdale = 5
    !> Theories, as results.
-   integer, parameter, public :: theory_none = 0, theory_jkr = 1
+   integer, parameter, public :: theory_none = 0, theory_jkr = 1, theory_dmt = 2, theory_maugis_dugdale = 3
 
    !> Places of the results.
    integer, parameter, public :: r_load = 1, r_approach = 2, r_contact_radius = 3, r_contact_area = 4, r_mean_pressure = 5, &
       & r_contact_stiffness = 6, r_elastic_energy = 7, r_pull_off_load = 8, r_pull_off_approach = 9, r_jump_inward_load = 10, &
-      & r_jump_inward_approach = 11, r_jump_outward_load = 12, r_jump_outward_approach = 13, r_stable = 14, r_theory_used = 15
-   integer, parameter, public :: n_indenter_results = 15
+      & r_jump_inward_approach = 11, r_jump_outward_load = 12, r_jump_outward_approach = 13, r_stable = 14, r_theory_used = 15, &
+      & r_adhesion_radius = 16
+   integer, parameter, public :: n_indenter_results = 16
    !> Places of the profiles.
    integer, parameter, public :: p_pressure = 1, p_gap = 2
 
@@ -48,8 +50,15 @@ contains
          & v(v_contact_modulus:v_second_poisson_ratio))
       v(v_work_of_adhesion) = number(group='adhesion', name='work_of_adhesion', unit='J/m^2', &
          & meaning='w; 0, or without it: no adhesion', lower=0.0_dp)
+      v(v_adhesion_stress) = above_zero(group='adhesion', name='adhesion_stress', unit='Pa', &
+         & meaning='sigma0, the stress of Dugdale''s law; without it, or range or lambda, the range is 0')
+      v(v_adhesion_range) = above_zero(group='adhesion', name='adhesion_range', unit='m', &
+         & meaning='h0 = w/sigma0, instead of the stress')
+      v(v_lambda) = above_zero(group='adhesion', name='lambda', unit='-', &
+         & meaning='Maugis''s parameter of r^n, instead of the stress; of a cone, a paraboloid or a power')
       v(v_theory) = choice(group='model', name='theory', &
-         & meaning='of adhesion; auto: none without a work of adhesion, else jkr', choices='auto none jkr', default='auto')
+         & meaning='of adhesion; auto: none without a work of adhesion, jkr without a range, else maugis_dugdale; dmt: r^2 alone', &
+         & choices='auto none jkr dmt maugis_dugdale', default='auto')
       v(v_load) = any_number(group='operating', name='load', unit='N', meaning='load, pressing positive')
       v(v_approach) = any_number(group='operating', name='approach', unit='m', meaning='approach, instead of the load')
       v(v_contact_radius) = positive(group='operating', name='contact_radius', unit='m', &
@@ -126,7 +135,10 @@ contains
       r(r_jump_outward_approach) = result_row(name='jump_outward_approach', unit='m', long_name='approach before that jump')
       r(r_stable) = result_row(name='stable', unit='-', long_name='is the state stable under the control that is given?', &
          & flag_meanings='unstable stable')
-      r(r_theory_used) = result_row(name='theory_used', unit='-', long_name='theory that was used', flag_meanings='none jkr')
+      r(r_theory_used) = result_row(name='theory_used', unit='-', long_name='theory that was used', &
+         & flag_meanings='none jkr dmt maugis_dugdale')
+      r(r_adhesion_radius) = result_row(name='adhesion_radius', unit='m', &
+         & long_name='radius c up to which adhesion acts; none in DMT')
    end function get_indenter_results
 
    !> The table of profiles.

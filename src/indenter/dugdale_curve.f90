@@ -1,0 +1,364 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The curve of equilibrium of an indenter by Maugis's theory with Dugdale's law (D. Maugis, J. Colloid Interface Sci. 150, 1992, 243),
+!> for any profile, reduced: a stress S pulls on a < r < c, where the gap is at most h. With c^2 = a^2 + s^2, a = c cos(th),
+!>
+!>     h = (2/pi) J + (4 S/pi) [s th - s^2/(c + a)]
+!>     P = P1(a) - 2 S (c^2 th + a s),    delta = g(a) - 2 S s
+!>
+!> J and I of `adfric_indenter_annulus`. For given a the right side of the first equation rises with s: s is unique. Along the curve
+!>
+!>     dP/da = 2 Q F_P/N,   ddelta/da = Q F_d/N,   Q = g' sin(th) + 2 S cos(th)
+!>     F_P = 2 a I/c - 4 S [c th^2 + a (1 - cos(th))],    F_d = 2 I/c - 4 S (1 - cos(th))
+!>     N = 2 I sin(th)/c + 4 S [th - sin(th) (1 - cos(th))]
+!>
+!> Q and N are positive, so a state is stable under load where F_P > 0, at given approach where F_d > 0. Neither contains g'(a), and
+!> their terms are positive but for the one difference that makes a fold.
+module adfric_indenter_dugdale_curve
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi, half_pi
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_indenter_annulus, only: get_annulus
+   use adfric_indenter_curve, only: curve_t, state_t, interval_t, most_intervals, control_load, control_approach
+   use adfric_indenter_dugdale_folds, only: margins_t, find_stable_parts
+   use adfric_indenter_shape, only: spot_t
+   use adfric_numerics_scalar_root, only: equation_t, find_root
+   implicit none (type, external)
+   private
+   public :: dugdale_curve_t
+
+   !> A curve of Maugis's theory.
+   type, extends(curve_t) :: dugdale_curve_t
+      !> Stress S of adhesion, and its range h; both > 0.
+      real(dp) :: stress = 1, range = 1
+   contains
+      procedure :: get_state
+      procedure :: find_intervals
+      procedure :: find_disc
+      procedure :: get_disc_end
+   end type dugdale_curve_t
+
+   !> Approach of a disc of adhesion without touch, of radius c, less what is given.
+   type, extends(equation_t) :: disc_equation_t
+      !> The curve.
+      type(dugdale_curve_t) :: curve
+      !> The approach that is given.
+      real(dp) :: approach = 0
+   contains
+      procedure :: evaluate => evaluate_disc
+   end type disc_equation_t
+
+   !> The differences that make folds, along the curve.
+   type, extends(margins_t) :: dugdale_margins_t
+      !> The curve.
+      type(dugdale_curve_t) :: curve
+   contains
+      procedure :: get_margin
+   end type dugdale_margins_t
+
+contains
+
+   !> See `curve_t`.
+   pure subroutine get_state(self, u, is_beyond, state)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> The unknown, >= 0.
+      real(dp), intent(in) :: u
+      !> Is u one of those beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> Receives the state, reduced.
+      type(state_t), intent(out) :: state
+      real(dp) :: s, c, th, opening, intensity, f_load, f_approach, n, q, one_less
+
+      call self%shape%evaluate(u, is_beyond, state%spot)
+      call find_zone(self, state%spot, is_beyond, s, opening, intensity, state%is_converged)
+      associate (a => state%spot%radius, pull => self%stress)
+         c = hypot(a, s)
+         th = atan2(s, a)
+         one_less = (s/c)*(s/(c + a))
+         state%adhesion_radius = c
+         state%stress = pull
+         state%neck = 2*pull*s
+         state%load = state%spot%load - 2*pull*(c**2*th + a*s)
+         state%approach = state%spot%depth - state%neck
+         f_load = 2*a*intensity/c - 4*pull*(c*th**2 + a*one_less)
+         f_approach = 2*intensity/c - 4*pull*one_less
+         n = 2*intensity*s/c**2 + 4*pull*(th - one_less*s/c)
+         q = state%spot%depth_slope*s/c + 2*pull*a/c*state%spot%radius_slope
+         state%load_slope = 2*q*f_load/n
+         state%approach_slope = q*f_approach/n
+         state%stiffness = not_a_number()
+         if (abs(f_approach) > 0) state%stiffness = 2*f_load/f_approach
+         state%is_stable = [f_load > 0, f_approach > 0]
+      end associate
+   end subroutine get_state
+
+   !> The zone of adhesion of a contact: s, with J and I. ln of the right side is almost linear in ln s, so Newton's method comes
+   !> from anywhere.
+   pure subroutine find_zone(self, spot, is_beyond, s, opening, intensity, is_converged)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> What the shape is at the contact.
+      type(spot_t), intent(in) :: spot
+      !> Does the contact reach beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> Receives s = sqrt(c^2 - a^2).
+      real(dp), intent(out) :: s
+      !> Receive J and I.
+      real(dp), intent(out) :: opening, intensity
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      integer, parameter :: most_steps = 200
+      real(dp), parameter :: small_step = 1.0e-9_dp, largest_step = 5.0_dp
+      real(dp) :: low, high, value, slope, step, last, widest
+      integer :: k
+
+      low = 0
+      widest = huge(s)
+      if (self%shape%edge < huge(s)) widest = sqrt((self%shape%edge - spot%radius)*(self%shape%edge + spot%radius))
+      high = widest
+      s = min(guess_zone(self, spot), widest/2)
+      last = huge(last)
+      is_converged = .false.
+      do k = 1, most_steps
+         call get_range(self, spot, is_beyond, s, value, slope, opening, intensity)
+         if (value < self%range) low = s
+         if (.not. value < self%range) high = s
+         step = -log(value/self%range)/slope
+         is_converged = abs(step) <= small_step
+         step = sign(min(abs(step), largest_step), step)
+         if (is_converged) exit
+         last = s*exp(step)
+         if (.not. (last > low .and. last < high)) then
+            last = sqrt(low*high)
+            if (.not. low > 0) last = high/2
+            if (high >= widest) last = (low + widest)/2
+            if (.not. (last > low .and. last < high)) exit
+         end if
+         s = last
+      end do
+      if (.not. is_converged) return
+      s = s*(1 + step)
+      call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
+   end subroutine find_zone
+
+   !> The range of adhesion that a zone needs, and the derivative of its logarithm by that of s.
+   pure subroutine get_range(self, spot, is_beyond, s, value, slope, opening, intensity)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> What the shape is at the contact.
+      type(spot_t), intent(in) :: spot
+      !> Does the contact reach beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> s = sqrt(c^2 - a^2), > 0.
+      real(dp), intent(in) :: s
+      !> The right side of the equation of the zone, and s d/ds of its logarithm.
+      real(dp), intent(out) :: value, slope
+      !> J and I.
+      real(dp), intent(out) :: opening, intensity
+      real(dp) :: c, th, pull
+
+      call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
+      c = hypot(spot%radius, s)
+      th = atan2(s, spot%radius)
+      pull = 4*self%stress/pi
+      value = 2*opening/pi + pull*s*(th - s/(c + spot%radius))
+      slope = 2*intensity*s/(pi*c**2) + pull*(th - (s/c)**2*(s/(c + spot%radius)))
+      slope = slope*s/value
+   end subroutine get_range
+
+   !> A zone that is not too narrow, from the stress alone: its opening is about (4 S/pi) s^2/2a for a narrow zone, and
+   !> (4 S/pi) (pi/2 - 1) s for a wide one.
+   pure real(dp) function guess_zone(self, spot) result(s)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> What the shape is at the contact.
+      type(spot_t), intent(in) :: spot
+      real(dp) :: gap
+
+      gap = pi*self%range/(4*self%stress)
+      s = gap/(half_pi - 1)
+      if (spot%radius > 0) s = max(s, sqrt(2*spot%radius*gap))
+      ! without stress the profile alone opens the gap
+      s = min(s, self%shape%radius_of_height(self%range) + spot%radius)
+   end function guess_zone
+
+   !> See `curve_t`.
+   pure subroutine find_intervals(self, control, intervals, n, is_converged)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> What is held.
+      integer, intent(in) :: control
+      !> Receives the intervals.
+      type(interval_t), intent(out) :: intervals(most_intervals)
+      !> Receives their number, at least 1.
+      integer, intent(out) :: n
+      !> Have all folds been found to round-off?
+      logical, intent(out) :: is_converged
+      type(dugdale_margins_t) :: margins
+
+      allocate (margins%curve%shape, source=self%shape)
+      margins%curve%stress = self%stress
+      margins%curve%range = self%range
+      margins%control = merge(control_approach, control_load, control == control_approach)
+      call find_stable_parts(margins, self%shape, self%stress, self%range, intervals, n, is_converged)
+   end subroutine find_intervals
+
+   !> A disc of adhesion without touch, of radius c: P = -pi S c^2, delta = f(c) - 4 S c/pi - h. It is stable at given approach where
+   !> f'(c) > 4 S/pi.
+   pure subroutine get_disc(self, c, state)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> Radius of the disc, >= 0.
+      real(dp), intent(in) :: c
+      !> Receives the state.
+      type(state_t), intent(out) :: state
+      real(dp) :: height, slope
+
+      call self%shape%get_profile(c, height, slope)
+      state%spot%radius_slope = 0
+      state%load = -pi*self%stress*c**2
+      state%approach = height - 4*self%stress*c/pi - self%range
+      state%neck = 2*self%stress*c
+      state%adhesion_radius = c
+      state%stress = self%stress
+      slope = slope - 4*self%stress/pi
+      state%is_stable = [.false., slope > 0]
+      state%stiffness = not_a_number()
+      if (abs(slope) > 0) state%stiffness = -2*pi*self%stress*c/slope
+   end subroutine get_disc
+
+   !> The discs that are stable at given approach: their radii, from where f'(c) = 4 S/pi to the disc that touches. f' rises.
+   pure subroutine get_stable_discs(self, least, largest, is_there)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> Ends of the range of radii.
+      real(dp), intent(out) :: least, largest
+      !> Are there such discs?
+      logical, intent(out) :: is_there
+      integer, parameter :: most_halvings = 1100
+      type(state_t) :: touching
+      real(dp) :: height, slope, middle, high
+      integer :: k
+
+      least = 0
+      call self%get_state(0.0_dp, .not. self%shape%corner > 0, touching)
+      largest = touching%adhesion_radius
+      is_there = touching%is_converged .and. touching%is_stable(control_approach)
+      if (.not. is_there) return
+      high = largest
+      do k = 1, most_halvings
+         middle = (least + high)/2
+         if (.not. (middle > least .and. middle < high)) exit
+         call self%shape%get_profile(middle, height, slope)
+         if (slope > 4*self%stress/pi) then
+            high = middle
+         else
+            least = middle
+         end if
+         if (.not. high > 1.0e-30_dp*largest) exit
+      end do
+      least = high
+      if (.not. high > 1.0e-30_dp*largest) least = 0
+   end subroutine get_stable_discs
+
+   !> See `curve_t`.
+   pure subroutine find_disc(self, approach, state, is_found)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> The approach, reduced.
+      real(dp), intent(in) :: approach
+      !> Receives the state.
+      type(state_t), intent(out) :: state
+      !> Is there such a state?
+      logical, intent(out) :: is_found
+      type(disc_equation_t) :: equation
+      type(state_t) :: first, last
+      real(dp) :: least, largest, c
+      logical :: is_converged
+
+      call get_stable_discs(self, least, largest, is_found)
+      if (.not. is_found) return
+      call get_disc(self, least, first)
+      call get_disc(self, largest, last)
+      is_found = approach >= first%approach .and. approach < last%approach .and. least < largest
+      if (.not. is_found) return
+      allocate (equation%curve%shape, source=self%shape)
+      equation%curve%stress = self%stress
+      equation%curve%range = self%range
+      equation%approach = approach
+      c = (least + largest)/2
+      is_converged = .true.
+      if (approach > first%approach) then
+         call find_root(equation, least, largest, .true., c, is_converged)
+      else
+         c = least
+      end if
+      call get_disc(self, c, state)
+      state%approach = approach
+      state%is_stable(control_approach) = .true.
+      state%is_converged = is_converged
+   end subroutine find_disc
+
+   !> See `curve_t`.
+   pure subroutine get_disc_end(self, state, is_found)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> Receives the state.
+      type(state_t), intent(out) :: state
+      !> Is there such a state?
+      logical, intent(out) :: is_found
+      real(dp) :: least, largest
+
+      call get_stable_discs(self, least, largest, is_found)
+      if (is_found) call get_disc(self, least, state)
+   end subroutine get_disc_end
+
+   !> See `equation_t`.
+   pure subroutine evaluate_disc(self, x, value, slope)
+      !> The equation with its curve.
+      class(disc_equation_t), intent(in) :: self
+      !> Radius c of the disc.
+      real(dp), intent(in) :: x
+      !> Its approach less what is given.
+      real(dp), intent(out) :: value
+      !> Derivative of the value by c.
+      real(dp), intent(out) :: slope
+      real(dp) :: height
+
+      call self%curve%shape%get_profile(x, height, slope)
+      value = height - 4*self%curve%stress*x/pi - self%curve%range - self%approach
+      slope = slope - 4*self%curve%stress/pi
+   end subroutine evaluate_disc
+
+   !> See `margins_t`.
+   pure subroutine get_margin(self, u, is_beyond, margin, adhesion_radius, is_converged)
+      !> The curve and what is held.
+      class(dugdale_margins_t), intent(in) :: self
+      !> The unknown, >= 0.
+      real(dp), intent(in) :: u
+      !> Is u one of those beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> F_P or F_d over the sum of its terms, between -1 and 1.
+      real(dp), intent(out) :: margin
+      !> c.
+      real(dp), intent(out) :: adhesion_radius
+      !> Was the zone found?
+      logical, intent(out) :: is_converged
+      type(spot_t) :: spot
+      real(dp) :: s, c, th, opening, intensity, gain, loss
+
+      call self%curve%shape%evaluate(u, is_beyond, spot)
+      call find_zone(self%curve, spot, is_beyond, s, opening, intensity, is_converged)
+      c = hypot(spot%radius, s)
+      th = atan2(s, spot%radius)
+      adhesion_radius = c
+      gain = intensity
+      loss = 2*self%curve%stress*(s*s/(c + spot%radius))
+      if (self%control == control_load) then
+         gain = gain*spot%radius
+         loss = spot%radius*loss + 2*self%curve%stress*(c*th)**2
+      end if
+      margin = (gain - loss)/(gain + loss)
+   end subroutine get_margin
+
+end module adfric_indenter_dugdale_curve
