@@ -332,6 +332,14 @@ contains
 
       is_possible = self%height_unit > 1/most .and. self%height_unit < most .and. self%length_unit > 1/most &
          & .and. self%length_unit < most .and. abs(self%given) < 10.0_dp**largest_number .and. self%curve%tension < most
+      if (.not. is_possible) return
+      select type (curve => self%curve)
+      type is (dugdale_curve_t)
+         is_possible = curve%stress < most .and. curve%range < most .and. curve%stress > 1/most .and. curve%range > 1/most
+         if (is_possible .and. is_inside(self, self%radius)) then
+            is_possible = curve%has_room(merge(self%given, 0.0_dp, self%radius > 0), self%is_beyond)
+         end if
+      end select
       if (.not. is_possible .or. .not. is_set(values(v_contact_radius))) return
       is_possible = has_depth(self) .and. is_inside(self, self%radius) &
          & .and. (self%is_beyond .or. .not. self%curve%shape%has_face &

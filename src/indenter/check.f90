@@ -166,6 +166,10 @@ contains
 
       call resolve_case(values, case)
       if (is_possible(values, case)) return
+      if (nint(values(v_kind)) == kind_sphere .and. case%theory == theory_maugis_dugdale) then
+         call problems%add('shape', 'radius', 'is so small that adhesion would reach beyond the sphere')
+         return
+      end if
       held = v_load - 1 + findloc(is_set(values(v_load:v_face_angle)), .true., 1)
       if (held == v_contact_radius .and. nint(values(v_kind)) == kind_sphere) then
          call problems%add('operating', 'contact_radius', 'is not smaller than the radius of the sphere')

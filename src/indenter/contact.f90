@@ -14,7 +14,7 @@ module adfric_indenter_contact
    use adfric_indenter_shape, only: spot_t
    implicit none (type, external)
    private
-   public :: contact_t, ends_t, find_contact, find_ends, branch_stable, branch_inner, branch_unstable
+   public :: contact_t, ends_t, survey_t, find_contact, survey_curve, branch_stable, branch_inner, branch_unstable
 
    !> Which state is meant where there are several: the largest stable one, the smallest stable one, the largest unstable one.
    integer, parameter :: branch_stable = 1, branch_inner = 2, branch_unstable = 3
@@ -53,12 +53,25 @@ module adfric_indenter_contact
       real(dp) :: jump_outward_load = 0, jump_outward_approach = 0
    end type ends_t
 
+   !> The stable and the unstable parts of a curve under what is held, and where contacts end: all that does not depend on the value
+   !> that is held.
+   type :: survey_t
+      !> Number of the parts.
+      integer :: n = 0
+      !> The parts, from the smallest contacts to the largest.
+      type(interval_t) :: intervals(most_intervals)
+      !> Where contacts end.
+      type(ends_t) :: ends
+   end type survey_t
+
 contains
 
    !> The contact under what is held.
-   pure subroutine find_contact(curve, control, given, is_beyond, branch, contact)
+   pure subroutine find_contact(curve, survey, control, given, is_beyond, branch, contact)
       !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
+      !> Its parts under this control.
+      type(survey_t), intent(in) :: survey
       !> What is held, one of `control_...`.
       integer, intent(in) :: control
       !> Load, approach or unknown u that is given, reduced.
@@ -69,8 +82,7 @@ contains
       integer, intent(in) :: branch
       !> Receives the contact.
       type(contact_t), intent(out) :: contact
-      type(interval_t) :: intervals(most_intervals)
-      integer :: n, k, place
+      integer :: k, place
 
       if (curve%shape%n_pieces == 0) then
          call find_face_contact(curve, control, given, branch, contact)
@@ -78,11 +90,11 @@ contains
          call set_contact(curve, control, given, is_beyond, contact)
          contact%is_found = .true.
       else
-         call curve%find_intervals(control, intervals, n, contact%is_converged)
-         do k = 1, n
-            place = merge(k, n + 1 - k, branch == branch_inner)
-            if (intervals(place)%is_stable .eqv. branch == branch_unstable) cycle
-            call try_interval(curve, control, given, intervals(place), contact)
+         contact%is_converged = survey%ends%is_converged
+         do k = 1, survey%n
+            place = merge(k, survey%n + 1 - k, branch == branch_inner)
+            if (survey%intervals(place)%is_stable .eqv. branch == branch_unstable) cycle
+            call try_interval(curve, control, given, survey%intervals(place), contact)
             if (contact%is_found) return
          end do
          if (control == control_approach .and. branch /= branch_unstable) call try_disc(curve, given, contact)
@@ -298,56 +310,82 @@ contains
       end do
    end subroutine find_face_angle
 
-   !> Where contacts end under what is held.
-   pure subroutine find_ends(curve, control, ends)
+   !> The parts of a curve, and where contacts end under what is held.
+   pure subroutine survey_curve(curve, control, survey)
       !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
       !> What is held; a given radius counts as a given load.
       integer, intent(in) :: control
-      !> Receives the ends.
-      type(ends_t), intent(out) :: ends
-      type(interval_t) :: intervals(most_intervals)
+      !> Receives the parts and the ends.
+      type(survey_t), intent(out) :: survey
+      integer :: held_control
+
+      call clear_ends(survey%ends)
+      held_control = merge(control_approach, control_load, control == control_approach)
+      if (curve%shape%n_pieces == 0) then
+         call set_face_ends(curve, held_control, survey%ends)
+      else
+         call curve%find_intervals(held_control, survey%intervals, survey%n, survey%ends%is_converged)
+         call find_pull_off(curve, held_control, survey%intervals(:survey%n), survey%ends)
+         call find_jumps(curve, held_control, survey%intervals(:survey%n), survey%ends)
+      end if
+   end subroutine survey_curve
+
+   !> Where the contact of a flat face ends.
+   pure subroutine set_face_ends(curve, control, ends)
+      !> The curve of the face.
+      class(curve_t), intent(in) :: curve
+      !> `control_load` or `control_approach`.
+      integer, intent(in) :: control
+      !> Receives the pull-off.
+      type(ends_t), intent(inout) :: ends
+
+      ends%pull_off_load = -2*curve%tension
+      ends%pull_off_approach = -curve%tension
+      select type (curve)
+      type is (dugdale_curve_t)
+         associate (th => last_angle(curve))
+            ends%pull_off_load = -2*curve%stress*(th + sin(th)*cos(th))
+            ends%pull_off_approach = -2*curve%stress*sin(th)
+            if (control == control_approach .and. th >= half_pi) ends%pull_off_approach = detached_approach(curve)
+         end associate
+      end select
+   end subroutine set_face_ends
+
+   !> The stable state with the least load, or the least approach.
+   pure subroutine find_pull_off(curve, control, intervals, ends)
+      !> The curve of the indenter.
+      class(curve_t), intent(in) :: curve
+      !> `control_load` or `control_approach`.
+      integer, intent(in) :: control
+      !> The intervals of the curve.
+      type(interval_t), intent(in) :: intervals(:)
+      !> Receives the pull-off.
+      type(ends_t), intent(inout) :: ends
       type(state_t) :: disc
       real(dp) :: least, held, load, approach
-      integer :: n, k, held_control
+      integer :: k
       logical :: is_disc
 
-      call clear_ends(ends)
-      if (curve%shape%n_pieces == 0) then
-         ends%pull_off_load = -2*curve%tension
-         ends%pull_off_approach = -curve%tension
-         select type (curve)
-         type is (dugdale_curve_t)
-            associate (th => last_angle(curve))
-               ends%pull_off_load = -2*curve%stress*(th + sin(th)*cos(th))
-               ends%pull_off_approach = -2*curve%stress*sin(th)
-               if (control == control_approach .and. th >= half_pi) ends%pull_off_approach = detached_approach(curve)
-            end associate
-         end select
-         return
-      end if
-      held_control = merge(control_approach, control_load, control == control_approach)
-      call curve%find_intervals(held_control, intervals, n, ends%is_converged)
       least = huge(least)
-      do k = 1, n
+      do k = 1, size(intervals)
          if (.not. intervals(k)%is_stable) cycle
          call get_end_state(curve, intervals(k)%is_beyond, intervals(k)%low, load, approach)
-         held = merge(approach, load, held_control == control_approach)
+         held = merge(approach, load, control == control_approach)
          if (held < least) then
             least = held
             ends%pull_off_load = load
             ends%pull_off_approach = approach
          end if
       end do
-      if (held_control == control_approach) then
+      if (control == control_approach) then
          call curve%get_disc_end(disc, is_disc)
          if (is_disc .and. disc%approach < least) then
             ends%pull_off_load = disc%load
             ends%pull_off_approach = disc%approach
          end if
       end if
-      call find_jumps(curve, held_control, intervals(:n), ends)
-   end subroutine find_ends
+   end subroutine find_pull_off
 
    !> No end is known.
    pure subroutine clear_ends(ends)

@@ -35,6 +35,7 @@ module adfric_indenter_dugdale_curve
       procedure :: find_intervals
       procedure :: find_disc
       procedure :: get_disc_end
+      procedure :: has_room
    end type dugdale_curve_t
 
    !> Approach of a disc of adhesion without touch, of radius c, less what is given.
@@ -140,6 +141,28 @@ contains
       s = s*(1 + step)
       call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
    end subroutine find_zone
+
+   !> Does the zone of a contact end before the vertical edge of the profile?
+   pure logical function has_room(self, u, is_beyond)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> The unknown of the contact, >= 0.
+      real(dp), intent(in) :: u
+      !> Is u one of those beyond the corner?
+      logical, intent(in) :: is_beyond
+      real(dp), parameter :: almost = 1.0_dp - 1.0e-9_dp
+      type(spot_t) :: spot
+      real(dp) :: value, slope, opening, intensity
+
+      has_room = .true.
+      if (.not. self%shape%edge < huge(u)) return
+      call self%shape%evaluate(u, is_beyond, spot)
+      has_room = spot%radius < almost*self%shape%edge
+      if (.not. has_room) return
+      call get_range(self, spot, is_beyond, almost*sqrt((self%shape%edge - spot%radius)*(self%shape%edge + spot%radius)), value, &
+         & slope, opening, intensity)
+      has_room = value > self%range
+   end function has_room
 
    !> The range of adhesion that a zone needs, and the derivative of its logarithm by that of s.
    pure subroutine get_range(self, spot, is_beyond, s, value, slope, opening, intensity)

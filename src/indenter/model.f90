@@ -8,8 +8,8 @@ module adfric_indenter_model
    use adfric_base_unset, only: is_set
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_indenter_check, only: check_indenter_values
-   use adfric_indenter_contact, only: contact_t, ends_t, find_contact, find_ends
-   use adfric_indenter_curve, only: curve_t, control_load, control_approach
+   use adfric_indenter_contact, only: contact_t, ends_t, survey_t, find_contact, survey_curve
+   use adfric_indenter_curve, only: curve_t, control_approach
    use adfric_indenter_profiles, only: pressure_at, gap_at
    use adfric_indenter_variables
    use adfric_material_contact_modulus, only: derive_contact_modulus
@@ -39,6 +39,12 @@ module adfric_indenter_model
       type(indenter_case_t) :: case
       !> Its contact.
       type(contact_t) :: contact
+      !> The survey of its curve; it serves the next point, too, if that has the same curve and control.
+      type(survey_t) :: survey
+      !> Values of the variables up to the theory, which the curve follows from where there is a range of adhesion.
+      real(dp) :: values(v_theory) = 0
+      !> Has a survey been made?
+      logical :: is_surveyed = .false.
    end type indenter_state_t
 
 contains
@@ -120,7 +126,6 @@ contains
       !> This model counts nothing; size 0.
       real(dp), intent(inout) :: counts(:)
       type(indenter_state_t), allocatable :: found
-      type(ends_t) :: ends
 
       allocate (found)
       error_estimate = 0
@@ -128,21 +133,42 @@ contains
       call resolve_case(values, found%case)
       if (.not. is_possible(values, found%case)) return
       associate (case => found%case, contact => found%contact)
-         call find_ends(case%curve, case%control, ends)
-         call store_ends(case, ends, results)
-         call find_contact(case%curve, case%control, case%given, case%is_beyond, case%branch, contact)
+         found%values = values(:v_theory)
+         call take_survey(state, found)
+         if (.not. found%is_surveyed) call survey_curve(case%curve, case%control, found%survey)
+         found%is_surveyed = .true.
+         call store_ends(case, found%survey%ends, results)
+         call find_contact(case%curve, found%survey, case%control, case%given, case%is_beyond, case%branch, contact)
          ! the way to u and back is not exact
          if (case%radius > 0) contact%spot%radius = case%radius
-         if (.not. (contact%is_converged .and. ends%is_converged)) status = status_not_converged
-         if (.not. contact%is_found .or. status == status_not_converged) return
-         status = status_solved
-         error_estimate = estimate_error(case, contact, ends)
-         call store_contact(case, contact, values, results)
+         if (.not. (contact%is_converged .and. found%survey%ends%is_converged)) status = status_not_converged
+         if (contact%is_found .and. status /= status_not_converged) then
+            status = status_solved
+            error_estimate = estimate_error(case, contact, found%survey%ends)
+            call store_contact(case, contact, values, results)
+         end if
       end associate
       call move_alloc(found, state)
       associate (unused => self, unused_counts => counts)
       end associate
    end subroutine solve_point
+
+   !> Take the survey of the point before over, if it is that of the same curve. Without a range of adhesion the units follow from what
+   !> is held, and a survey takes no time.
+   subroutine take_survey(state, found)
+      !> What the point before has left.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> The point, which receives the survey.
+      type(indenter_state_t), intent(inout) :: found
+
+      if (.not. allocated(state) .or. found%case%theory /= theory_maugis_dugdale) return
+      select type (state)
+      type is (indenter_state_t)
+         found%is_surveyed = state%is_surveyed .and. .not. any(abs(state%values - found%values) > 0) &
+            & .and. (state%case%control == control_approach .eqv. found%case%control == control_approach)
+         if (found%is_surveyed) found%survey = state%survey
+      end select
+   end subroutine take_survey
 
    !> Where contacts end, in SI units.
    pure subroutine store_ends(case, ends, results)
