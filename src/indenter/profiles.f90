@@ -13,6 +13,7 @@ module adfric_indenter_profiles
    use adfric_base_constants, only: pi, half_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_indenter_contact, only: contact_t
+   use adfric_indenter_dugdale_gap, only: zone_gap, disc_gap
    use adfric_indenter_power_shape, only: power_shape_t
    use adfric_indenter_shape, only: shape_t
    use adfric_indenter_sphere_shape, only: sphere_shape_t
@@ -142,21 +143,31 @@ contains
       type(contact_t), intent(in) :: contact
       !> Distance from the axis, reduced, >= 0.
       real(dp), intent(in) :: r
+      real(dp) :: height, slope
 
       gap = 0
       associate (a => contact%spot%radius)
-         if (.not. r > a) return
+         if (.not. r > a .and. .not. (contact%stress > 0 .and. .not. a > 0)) return
          gap = not_a_number()
          select type (shape)
          type is (sphere_shape_t)
             if (.not. r < 1) return
          type is (power_shape_t)
-            if (maxval(shape%exponents(:shape%n_terms))*log(r) > largest_logarithm) return
+            if (maxval(shape%exponents(:shape%n_terms))*log(max(r, 1.0_dp)) > largest_logarithm) return
          end select
-         gap = 2/pi*(inner_opening(shape, contact, r) + outer_opening(shape, contact, r) &
-            & + contact%neck*atan2(sqrt((r - a)*(r + a)), a))
+         if (contact%stress > 0 .and. .not. a > 0) then
+            call shape%get_profile(r, height, slope)
+            gap = height - contact%approach - disc_gap(contact%stress, contact%adhesion_radius, r)
+         else
+            gap = 2/pi*(inner_opening(shape, contact, r) + outer_opening(shape, contact, r))
+            if (contact%stress > 0) then
+               gap = gap + zone_gap(contact%stress, a, contact%adhesion_radius, r)
+            else
+               gap = gap + 2/pi*contact%neck*atan2(sqrt((r - a)*(r + a)), a)
+            end if
+         end if
          ! beyond a flat face without edge there is nothing to have a gap from
-         if (shape%n_pieces == 0) gap = not_a_number()
+         if (shape%n_pieces == 0 .and. r > shape%corner) gap = not_a_number()
       end associate
    end function gap_at
 
