@@ -144,7 +144,8 @@ contains
       real(dp), intent(in) :: value
       !> Receives the angle.
       real(dp), intent(out) :: angle
-      real(dp), parameter :: close_enough = 1.0e-15_dp
+      ! a step after this one is round-off
+      real(dp), parameter :: close_enough = 1.0e-9_dp
       integer, parameter :: most_steps = 60
       real(dp) :: k, step
       integer :: i

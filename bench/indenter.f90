@@ -1,0 +1,106 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Time of a point of an indenter, and the largest error that it reports.
+!>
+!>     indenter [TABLE.csv]
+!>
+!> Sweeps in blocks as the program cuts them, for every kind of shape: without adhesion, by JKR, and by Maugis's theory. Along a load,
+!> an approach or a radius the points of a block share the survey of Maugis's curve; along the work of adhesion each has its own.
+program indenter
+   use, intrinsic :: iso_fortran_env, only: output_unit
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_words, only: get_word
+   use adfric_model_status, only: status_solved
+   use adfric_run_blocks, only: block_size_of
+   use adfric_system_clock, only: wall_clock
+   use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
+   use trial_case, only: trial_case_t, new_case
+   implicit none (type, external)
+
+   integer, parameter :: n_repeats = 5, n_points = 2048
+   character(*), parameter :: kinds = 'flat cone paraboloid power sphere flat_cone flat_paraboloid rounded_punch '// &
+      & 'rounded_cone polynomial'
+   type(trial_case_t) :: case
+   integer :: table, kind
+
+   call print_heading('Indenters')
+   table = open_table(text_argument(1, 'indenter.csv'), 'theory,kind,swept,us,us_least,us_most,error_estimate')
+   print '(a16, a16, a20, a30, a16)', 'theory', 'kind', 'swept', 'us per point (range)', 'error_estimate'
+   do kind = 1, 10
+      call start(kind)
+      call report('none', 'load', 1.0e-3_dp, 10.0_dp)
+      call report('none', 'approach', 1.0e-3_dp, 1.0_dp)
+      call case%give('work_of_adhesion', 0.01_dp)
+      call report('jkr', 'load', 1.0e-3_dp, 10.0_dp)
+      call report('jkr', 'approach', 0.1_dp, 1.0_dp)
+      call case%give('adhesion_stress', 0.2_dp)
+      call report('maugis_dugdale', 'load', 1.0e-3_dp, 10.0_dp)
+      call report('maugis_dugdale', 'approach', 0.1_dp, 1.0_dp)
+      if (kind > 1) call report('maugis_dugdale', 'contact_radius', 0.2_dp, 2.0_dp)
+      call case%give('load', 0.1_dp)
+      call report('maugis_dugdale', 'work_of_adhesion', 1.0e-3_dp, 0.1_dp)
+   end do
+   close (table)
+
+contains
+
+   !> A kind with lengths and slopes of 1 and a modulus of 1, but for a sphere that is larger than its contacts.
+   subroutine start(kind)
+      integer, intent(in) :: kind
+
+      call new_case(case, 'indenter')
+      call case%give('kind', real(kind, dp))
+      call case%give('contact_modulus', 1.0_dp)
+      if (any(kind == [3, 5, 7, 8, 9])) call case%give('radius', merge(4.0_dp, 1.0_dp, kind == 5))
+      if (any(kind == [2, 6, 9])) call case%give('slope', 1.0_dp)
+      if (any(kind == [1, 6, 7, 8])) call case%give('face_radius', 0.2_dp)
+      if (kind == 4) call case%give('exponent', 2.5_dp)
+      if (kind == 4) call case%give('coefficient', 1.0_dp)
+      if (kind == 10) call case%give('coefficient_2', 0.5_dp)
+      if (kind == 10) call case%give('coefficient_4', 0.2_dp)
+   end subroutine start
+
+   !> Time of a point along a sweep in even steps of the logarithm; the variable is not given then.
+   subroutine report(theory, swept, first, last)
+      character(*), intent(in) :: theory, swept
+      real(dp), intent(in) :: first, last
+      type(trial_case_t) :: one
+      real(dp) :: values(size(case%values), n_points), results(size(case%model%results), n_points), estimate(n_points), &
+         times(n_repeats)
+      integer :: status(n_points), r, i
+      type(spread_t) :: time
+
+      one = case
+      do i = 1, n_points
+         call one%give(swept, first*(last/first)**((i - 1.0_dp)/(n_points - 1)))
+         values(:, i) = one%values
+      end do
+      do r = 1, n_repeats
+         times(r) = wall_clock()
+         call solve(values, results, estimate, status)
+         times(r) = 1.0e6_dp*(wall_clock() - times(r))/n_points
+      end do
+      if (any(status /= status_solved)) error stop 'indenter: not solved'
+      time = spread_of(times)
+      print '(a16, a16, a20, f10.3, 2(a, f7.3), a, es15.1)', theory, get_word(kinds, kind), swept, time%median, ' (', &
+         time%least, ' to ', time%most, ')', maxval(estimate)
+      write (table, '(3(a, ","), 3(f0.4, ","), es8.2)') theory, get_word(kinds, kind), swept, time, maxval(estimate)
+      flush (output_unit)
+   end subroutine report
+
+   !> Solve points in blocks.
+   subroutine solve(values, results, estimate, status)
+      real(dp), intent(in) :: values(:, :)
+      real(dp), intent(out) :: results(:, :), estimate(:)
+      integer, intent(out) :: status(:)
+      real(dp) :: counts(size(case%model%counts))
+      integer :: first, last, block
+
+      block = block_size_of(100000_i8)
+      do first = 1, size(status), block
+         last = min(first + block - 1, size(status))
+         call case%model%solve_block(values(:, first:last), results(:, first:last), estimate(first:last), status(first:last), &
+            counts)
+      end do
+   end subroutine solve
+
+end program indenter
