@@ -33,6 +33,8 @@ module adfric_indenter_contact
       type(spot_t) :: spot
       !> Load P and approach delta.
       real(dp) :: load = 0, approach = 0
+      !> Their derivatives by u; 0 without touch, and for a flat face.
+      real(dp) :: slopes(2) = 0
       !> g(a) - delta, the depth of the flat punch of radius a that adhesion adds: Dl of JKR; of a flat face -delta.
       real(dp) :: neck = 0
       !> Radius c up to which adhesion acts, and its stress there; 0 where it acts in the contact alone.
@@ -174,6 +176,7 @@ contains
       contact%spot = state%spot
       contact%load = state%load
       contact%approach = state%approach
+      contact%slopes = [state%load_slope, state%approach_slope]
       contact%neck = state%neck
       contact%stiffness = state%stiffness
       contact%adhesion_radius = state%adhesion_radius

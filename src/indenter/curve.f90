@@ -400,6 +400,10 @@ contains
       end if
       do k = 1, most_steps
          call equation%evaluate(x, value, slope)
+         ! the first guess is the root where the unit of length is its radius
+         is_converged = abs(value) <= 2*epsilon(value)
+         u = equation%interval%low + exp(x)
+         if (is_converged) return
          if (value < 0) low = x
          if (.not. value < 0) high = x
          if (low > -endless .and. high < endless) exit

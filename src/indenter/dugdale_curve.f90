@@ -196,13 +196,17 @@ contains
       class(dugdale_curve_t), intent(in) :: self
       !> What the shape is at the contact.
       type(spot_t), intent(in) :: spot
-      real(dp) :: gap
+      real(dp) :: gap, narrow
 
       gap = pi*self%range/(4*self%stress)
       s = gap/(half_pi - 1)
       if (spot%radius > 0) s = max(s, sqrt(2*spot%radius*gap))
-      ! without stress the profile alone opens the gap
+      ! without stress the profile alone opens the gap, beside a large contact by (2/3 pi) g' s^3/a
       s = min(s, self%shape%radius_of_height(self%range) + spot%radius)
+      if (spot%depth_slope > 0 .and. spot%radius_slope > 0) then
+         narrow = (1.5_dp*pi*self%range*spot%radius*spot%radius_slope/spot%depth_slope)**(1.0_dp/3)
+         if (narrow < spot%radius) s = min(s, narrow)
+      end if
    end function guess_zone
 
    !> See `curve_t`.

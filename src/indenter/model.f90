@@ -241,7 +241,7 @@ contains
       !> Where contacts end.
       type(ends_t), intent(in) :: ends
       real(dp), parameter :: round_off = 2*epsilon(1.0_dp), least_share = 0.1_dp
-      real(dp) :: terms(2), sizes(2), held, slopes(2), shift
+      real(dp) :: terms(2), sizes(2), shift
       integer :: k
 
       error = round_off
@@ -250,16 +250,15 @@ contains
          sizes = max(abs([contact%load, contact%approach]), least_share*abs([ends%pull_off_load, ends%pull_off_approach]))
          do k = 1, 2
             if (sizes(k) > 0) error = max(error, 2*round_off*terms(k)/sizes(k))
-            call case%curve%get_held(k, contact%u, contact%is_beyond, held, slopes(k))
          end do
          if (case%control > control_approach .or. .not. contact%u > 0 .or. case%curve%shape%n_pieces == 0) return
          ! change of u that round-off of what is held makes
          shift = sqrt(round_off)*contact%u
          k = case%control
-         if (round_off*terms(k) < shift*abs(slopes(k))) shift = round_off*terms(k)/abs(slopes(k))
+         if (round_off*terms(k) < shift*abs(contact%slopes(k))) shift = round_off*terms(k)/abs(contact%slopes(k))
          error = error + shift*spot%radius_slope/spot%radius
          k = 3 - k
-         if (sizes(k) > 0) error = error + shift*abs(slopes(k))/sizes(k)
+         if (sizes(k) > 0) error = error + shift*abs(contact%slopes(k))/sizes(k)
       end associate
    end function estimate_error
 
