@@ -7,6 +7,7 @@ module adfric_classical_hertz_check
    use adfric_classical_hertz_ellipse, only: find_curvatures
    use adfric_classical_hertz_variables, only: kind_line, kind_elliptical, v_angle, v_approach, v_contact_modulus, v_kind, v_load, &
       & v_material, v_radius, v_radius_1x, v_radius_2y, v_second_poisson_ratio, v_temperature, v_velocity
+   use adfric_classical_hertz_slip, only: check_slip, refuse_slip
    use adfric_classical_sliding_cylinder_point, only: is_possible_cylinder
    use adfric_material_contact_modulus, only: check_contact_modulus
    use adfric_material_given_spectrum, only: given_spectrum_t
@@ -35,8 +36,10 @@ contains
       call require(variables, values, [v_kind], problems)
       if (is_sliding(values)) then
          call check_material(variables, values, given, problems)
+         call refuse_slip(variables, values, problems)
       else
          call check_solid(variables, values, problems)
+         call check_slip(variables, values, problems)
       end if
       if (.not. is_set(values(v_kind))) return
       if (nint(values(v_kind)) == kind_line) then

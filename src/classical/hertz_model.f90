@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The model `hertz`: smooth elastic bodies in contact along a line, on a circle or on an ellipse, without friction; or a rigid
-!> cylinder that slides over a viscoelastic half-plane (Hunter).
+!> The model `hertz`: smooth elastic bodies in contact along a line, on a circle or on an ellipse, without friction or in partial slip
+!> (Cattaneo, Mindlin); or a rigid cylinder that slides over a viscoelastic half-plane (Hunter).
 module adfric_classical_hertz_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
@@ -11,11 +11,13 @@ module adfric_classical_hertz_model
    use adfric_classical_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
       & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
    use adfric_classical_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap, line_misfit
+   use adfric_classical_hertz_slip, only: add_ellipse_slip, add_line_slip, find_slip, has_slip, hertz_slip_t, &
+      & p_shear_stress, slip_profiles, tractions
    use adfric_classical_hertz_unit, only: unit_contact_t, find_unit_line, find_unit_ellipse
    use adfric_classical_hertz_variables, only: get_hertz_variables, get_hertz_results, kind_line, v_approach, v_contact_modulus, &
       & v_kind, v_load, v_material, v_poisson_ratio, v_radius, v_second_poisson_ratio, v_temperature, r_approach, &
       & r_contact_area, r_direction, r_half_width, r_load, r_mean_pressure, r_minor, r_peak_pressure, r_shear, r_shear_depth, &
-      & r_violation
+      & r_violation, v_tangential_force
    use adfric_classical_sliding_cylinder_point, only: cylinder_point_t, solve_cylinder, get_cylinder_profiles, &
       & get_cylinder_frequency
    use adfric_material_contact_modulus, only: contact_modulus_of, derive_contact_modulus
@@ -24,7 +26,6 @@ module adfric_classical_hertz_model
       & take_spectrum_attribute
    use adfric_model_pointwise, only: point_state_t
    use adfric_model_derived, only: derived_t
-   use adfric_model_rows, only: contact_profiles
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_model_table, only: result_t, profile_axis_t
    implicit none (type, external)
@@ -46,6 +47,7 @@ module adfric_classical_hertz_model
       procedure :: describe_results
       procedure :: unit_of
       procedure :: solve_point
+      procedure :: count_profiles
       procedure :: fill_profiles
    end type hertz_model_t
 
@@ -59,6 +61,8 @@ module adfric_classical_hertz_model
       type(ellipse_t) :: ellipse
       !> Curvatures A <= B of the gap of an ellipse [1/m].
       real(dp) :: a = 0, b = 0
+      !> Slip, where there is friction.
+      type(hertz_slip_t) :: slip
    end type hertz_state_t
 
 contains
@@ -70,8 +74,9 @@ contains
 
       call self%set_tables(name='hertz', &
          & summary='smooth bodies in contact along a line, a circle or an ellipse; a cylinder sliding on a viscoelastic solid', &
-         & variables=get_hertz_variables(), results=get_hertz_results(), profiles=contact_profiles(), axes='y x', is_depth=.false.)
-      self%references = self%references//'; S. C. Hunter, J. Appl. Mech. 28, 611 (1961)'
+         & variables=get_hertz_variables(), results=get_hertz_results(), profiles=slip_profiles(), axes='y x', is_depth=.false.)
+      self%references = self%references//'; S. C. Hunter, J. Appl. Mech. 28, 611 (1961); ' &
+         & //'R. D. Mindlin, J. Appl. Mech. 16, 259 (1949)'
    end subroutine new_hertz_model
 
    !> See `model_t`.
@@ -118,7 +123,7 @@ contains
       if (is_set(values(v_kind))) results = get_hertz_results(nint(values(v_kind)) == kind_line)
    end function describe_results
 
-   !> See `model_t`: the load of a line is one per length.
+   !> See `model_t`: forces on a line are those per length.
    function unit_of(self, values, place) result(unit)
       !> The model with its table of variables.
       class(hertz_model_t), intent(in) :: self
@@ -129,7 +134,8 @@ contains
       character(:), allocatable :: unit
 
       unit = self%variables(place)%unit
-      if (place == v_load .and. is_set(values(v_kind))) unit = trim(merge('N/m', 'N  ', nint(values(v_kind)) == kind_line))
+      if ((place == v_load .or. place == v_tangential_force) .and. is_set(values(v_kind))) &
+         & unit = trim(merge('N/m', 'N  ', nint(values(v_kind)) == kind_line))
    end function unit_of
 
    !> See `halfspace_model_t`.
@@ -223,8 +229,7 @@ contains
          call solve_cylinder(values, self%given, state, results, error_estimate, status)
       type is (hertz_state_t)
          if (nint(values(v_kind)) == kind_line) then
-            call solve_line(values, state, results, error_estimate)
-            status = status_solved
+            call solve_line(values, state, results, error_estimate, status)
          else
             call solve_ellipse(values, state, results, error_estimate, status)
          end if
@@ -234,7 +239,7 @@ contains
    end subroutine solve_point
 
    !> Solve the contact along a line.
-   subroutine solve_line(values, state, results, error_estimate)
+   subroutine solve_line(values, state, results, error_estimate, status)
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> In: the unit contact of the point before. Out: that of this point, and its contact.
@@ -243,16 +248,27 @@ contains
       real(dp), intent(inout) :: results(:)
       !> Estimated relative error of the main result [-].
       real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
+      integer, intent(out) :: status
       real(dp) :: misfit
+      logical :: is_held
 
+      status = status_solved
+      error_estimate = epsilon(error_estimate)
       state%line = line_of_load(values(v_radius), modulus_of(values), values(v_load))
+      if (has_slip(values)) then
+         call find_slip(values, values(v_load), state%line%peak_pressure, .true., state%slip, is_held)
+         if (.not. is_held) status = status_no_equilibrium
+         if (.not. is_held) return
+         if (values(v_load) > 0) call add_line_slip(values, values(v_load), state%slip%share, results)
+      end if
       call find_unit_line(values(v_poisson_ratio), state%unit_contact)
       associate (line => state%line, unit_contact => state%unit_contact)
          results([r_load, r_half_width, r_peak_pressure]) = [values(v_load), line%half_width, line%peak_pressure]
          results([r_mean_pressure, r_contact_area]) = [pi/4*line%peak_pressure, 2*line%half_width]
          results([r_shear, r_shear_depth]) = [unit_contact%shear*line%peak_pressure, unit_contact%depth*line%half_width]
          misfit = line_misfit(line, values(v_load))
-         error_estimate = max(epsilon(error_estimate), misfit)
+         error_estimate = max(error_estimate, misfit)
          results(r_violation) = max(misfit, unit_contact%violation)
       end associate
    end subroutine solve_line
@@ -270,6 +286,7 @@ contains
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       real(dp) :: direction, misfit
+      logical :: is_held
 
       status = status_no_equilibrium
       error_estimate = epsilon(error_estimate)
@@ -280,6 +297,12 @@ contains
          status = merge(status_solved, status_not_converged, unit_contact%shape%is_converged)
          if (status /= status_solved) return
          call get_ellipse(values, a, b, unit_contact%shape, s)
+         if (has_slip(values)) then
+            call find_slip(values, s%load, s%peak_pressure, .false., state%slip, is_held)
+            if (.not. is_held) status = status_no_equilibrium
+            if (.not. is_held) return
+            if (s%minor > 0) call add_ellipse_slip(values, s, state%slip%share, results)
+         end if
          results([r_load, r_approach, r_half_width, r_minor]) = [s%load, s%approach, s%major, s%minor]
          results([r_peak_pressure, r_mean_pressure]) = s%peak_pressure*[1.0_dp, 2.0_dp/3]
          results([r_contact_area, r_direction, r_violation]) = [pi*s%major*s%minor, direction, 0.0_dp]
@@ -309,6 +332,18 @@ contains
          call ellipse_of_approach(a, b, modulus_of(values), values(v_approach), shape, s)
       end if
    end subroutine get_ellipse
+
+   !> See `model_t`: the shear stress belongs to friction.
+   pure integer function count_profiles(self, values)
+      !> The model; nothing is read from it here.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      count_profiles = merge(p_shear_stress, p_shear_stress - 1, has_slip(values))
+      associate (unused => self)
+      end associate
+   end function count_profiles
 
    !> See `pointwise_model_t`. x and y are the axes of the ellipse; a line contact extends along y.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
@@ -342,11 +377,34 @@ contains
                   profiles(:, j, 2) = ellipse_gap(s, modulus_of(values), x, y(j))
                   if (.not. s%minor > 0) profiles(:, j, 2) = state%a*x**2 + state%b*y(j)**2
                end if
+               if (size(profiles, 3) == p_shear_stress) call fill_tractions(state, x, y(j), nint(values(v_kind)) == kind_line, &
+                  & profiles(:, j, p_shear_stress))
             end do
          end associate
       end select
       associate (unused => self, unused_results => results)
       end associate
    end subroutine fill_profiles
+
+   !> Shear tractions along a line of x.
+   pure subroutine fill_tractions(state, x, y, is_line, traction)
+      !> The contact, with its slip.
+      type(hertz_state_t), intent(in) :: state
+      !> Coordinates along the major axis, or across a line [m]; shape `(n_x)`.
+      real(dp), intent(in) :: x(:)
+      !> Coordinate along the minor axis [m].
+      real(dp), intent(in) :: y
+      !> Is the contact one along a line?
+      logical, intent(in) :: is_line
+      !> Receives the tractions [Pa]; shape `(n_x)`.
+      real(dp), intent(out) :: traction(:)
+
+      traction = 0
+      if (is_line) then
+         if (state%line%half_width > 0) traction = tractions(state%slip, (x/state%line%half_width)**2)
+      else if (state%ellipse%minor > 0) then
+         traction = tractions(state%slip, (x/state%ellipse%major)**2 + (y/state%ellipse%minor)**2)
+      end if
+   end subroutine fill_tractions
 
 end module adfric_classical_hertz_model

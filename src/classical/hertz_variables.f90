@@ -14,15 +14,19 @@ module adfric_classical_hertz_variables
    integer, parameter, public :: v_kind = 1, v_radius = 2, v_radius_1x = 3, v_radius_1y = 4, v_radius_2x = 5, v_radius_2y = 6, &
       & v_angle = 7, v_contact_modulus = 8, v_poisson_ratio = 10, v_second_poisson_ratio = 12, v_material = 13, &
       & v_temperature = v_material - 1 + n_spectrum_rows, v_velocity = v_temperature + 1, v_load = v_temperature + 2, &
-      & v_approach = v_temperature + 3
+      & v_approach = v_temperature + 3, v_tangential_force = v_temperature + 4, v_tangential_axis = v_temperature + 5, &
+      & v_coefficient = v_temperature + 6
    !> Places of the words of `kind`.
    integer, parameter, public :: kind_line = 1, kind_circular = 2, kind_elliptical = 3
-   !> Places of the results; those from `r_friction_force` on belong to sliding.
+   !> Place of the word of `tangential_axis` for the force along the minor axis.
+   integer, parameter, public :: axis_minor = 2
+   !> Places of the results; those from `r_friction_force` on belong to sliding, those from `r_stick_fraction` on to partial slip.
    integer, parameter, public :: r_load = 1, r_approach = 2, r_half_width = 3, r_minor = 4, r_peak_pressure = 5, &
       & r_mean_pressure = 6, r_contact_area = 7, r_direction = 8, r_shear = 9, r_shear_depth = 10, r_violation = 11, &
-      & r_friction_force = 12, r_friction_coefficient = 13, r_contact_shift = 14, r_dissipation = 15, r_energy_imbalance = 16
+      & r_friction_force = 12, r_friction_coefficient = 13, r_contact_shift = 14, r_dissipation = 15, r_energy_imbalance = 16, &
+      & r_stick_fraction = 17, r_tangential_displacement = 18, r_tangential_stiffness = 19, r_cycle_energy = 20
    !> Number of results.
-   integer, parameter :: n_results = 16
+   integer, parameter :: n_results = 20
 
 contains
 
@@ -30,7 +34,7 @@ contains
    function get_hertz_variables() result(v)
       type(variable_t), allocatable :: v(:)
 
-      allocate (v(v_approach))
+      allocate (v(v_coefficient))
       v(v_kind) = choice(group='contact', name='kind', &
          & meaning='parallel cylinders, spheres, or any smooth bodies; over a material: line', choices='line circular elliptical')
       v(v_radius) = positive(group='contact', name='radius', unit='m', meaning='R of line and circle, 1/R = 1/R1 + 1/R2')
@@ -52,6 +56,12 @@ contains
       v(v_load) = number(group='operating', name='load', unit='N; N/m for line', meaning='load', lower=0.0_dp)
       v(v_approach) = number(group='operating', name='approach', unit='m', &
          & meaning='of distant points, instead of the load; not for a line', lower=0.0_dp)
+      v(v_tangential_force) = number(group='operating', name='tangential_force', unit='N; N/m for line', &
+         & meaning='T, which has grown from 0 under the load; up to mu P, of either sign')
+      v(v_tangential_axis) = choice(group='operating', name='tangential_axis', &
+         & meaning='axis of the ellipse along which T acts; major if not given', choices='major minor')
+      v(v_coefficient) = positive(group='friction', name='coefficient', unit='-', &
+         & meaning='mu of Coulomb''s friction between elastic bodies')
    end function get_hertz_variables
 
    !> Does the group `solid` have a variable of the same name?
@@ -68,11 +78,13 @@ contains
       !> those of either.
       logical, intent(in), optional :: is_line
       type(result_t), allocatable :: r(:)
-      character(:), allocatable :: force, area
+      character(:), allocatable :: force, area, energy
 
       force = 'N; N/m for line'
       area = 'm^2; m for line'
+      energy = 'J; J/m for line'
       if (present(is_line)) then
+         energy = trim(merge('J/m', 'J  ', is_line))
          force = trim(merge('N/m', 'N  ', is_line))
          area = trim(merge('m  ', 'm^2', is_line))
       end if
@@ -93,6 +105,14 @@ contains
       r(r_shear_depth) = result_row(name='largest_shear_depth', unit='m', long_name='its depth')
       r(r_violation) = result_row(name='contact_violation', unit='-', long_name='largest violation of g >= 0, p >= 0, g p = 0')
       call set_sliding_results(r)
+      r(r_stick_fraction) = result_row(name='stick_fraction', unit='-', &
+         & long_name='share of the area of contact that sticks; friction alone has it', is_main=.true.)
+      r(r_tangential_displacement) = result_row(name='tangential_displacement', unit='m', &
+         & long_name='of distant points by the tangential force; a line contact has none')
+      r(r_tangential_stiffness) = result_row(name='tangential_stiffness', unit='N/m', &
+         & long_name='slope of the tangential force over its displacement, while it grows')
+      r(r_cycle_energy) = result_row(name='cycle_energy', unit=energy, &
+         & long_name='energy that friction takes in a cycle between T and -T')
    end function get_hertz_results
 
    !> The results of sliding.

@@ -15,7 +15,7 @@ module adfric_material_contact_modulus
    implicit none (type, external)
    private
    public :: set_modulus_rows, contact_modulus_of, has_contact_modulus, check_contact_modulus, derive_contact_modulus
-   public :: plane_strain_modulus
+   public :: plane_strain_modulus, poisson_compliance_of
    public :: n_one_body, n_two_bodies, modulus_names
 
    !> Number of rows where one body is elastic, and where both may be.
@@ -69,6 +69,21 @@ contains
       ! the same bits whichever body comes first
       modulus = min(modulus, other)/(1 + min(modulus, other)/max(modulus, other))
    end function contact_modulus_of
+
+   !> Sum of nu/G over the bodies [1/Pa], G the shear modulus: what the tangential compliance of a half-space has beside the sum of
+   !> (1 - nu)/G, which is 2/E*. A contact modulus with Poisson's ratio is that of one body on a rigid one, or of two alike.
+   pure real(dp) function poisson_compliance_of(values) result(compliance)
+      !> Values of the rows, with Poisson's ratio of each elastic body; shape `(n_two_bodies)`.
+      real(dp), intent(in) :: values(:)
+
+      if (is_set(values(contact))) then
+         compliance = 2*values(poisson)/((1 - values(poisson))*values(contact))
+         return
+      end if
+      compliance = 2*values(poisson)*(1 + values(poisson))/values(young)
+      if (is_set(values(second_young))) compliance = compliance &
+         & + 2*values(second_poisson)*(1 + values(second_poisson))/values(second_young)
+   end function poisson_compliance_of
 
    !> E/(1 - nu^2) [Pa].
    elemental real(dp) function plane_strain_modulus(young_modulus, poisson_ratio) result(modulus)

@@ -31,7 +31,8 @@ module search_rules
    !> Powers of two by which numbers are multiplied in other units are smaller than this.
    real(dp), parameter :: largest_power = 900
    !> Main results that have no value somewhere, each with a reason in the documents.
-   character(*), parameter :: may_be_missing = ' friction_coefficient friction_force approach centre_pressure pull_off_load '
+   character(*), parameter :: may_be_missing = ' friction_coefficient friction_force approach centre_pressure pull_off_load ' &
+      & //'stick_fraction '
 
    !> Answers to the points of a case.
    type :: answer_t
