@@ -20,7 +20,7 @@ module adfric_indenter_dugdale_curve
    use adfric_indenter_annulus, only: get_annulus
    use adfric_indenter_curve, only: curve_t, state_t, interval_t, most_intervals, control_load, control_approach
    use adfric_indenter_dugdale_folds, only: margins_t, find_stable_parts
-   use adfric_indenter_shape, only: spot_t
+   use adfric_indenter_shape, only: spot_t, within_edge
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
@@ -72,6 +72,7 @@ contains
 
       call self%shape%evaluate(u, is_beyond, state%spot)
       call find_zone(self, state%spot, is_beyond, s, opening, intensity, state%is_converged)
+      if (.not. state%is_converged) return
       associate (a => state%spot%radius, pull => self%stress)
          c = hypot(a, s)
          th = atan2(s, a)
@@ -115,11 +116,17 @@ contains
 
       low = 0
       widest = huge(s)
-      if (self%shape%edge < huge(s)) widest = sqrt((self%shape%edge - spot%radius)*(self%shape%edge + spot%radius))
+      s = 0
+      opening = 0
+      intensity = 0
+      is_converged = .false.
+      if (self%shape%edge < huge(s)) then
+         if (.not. spot%radius < within_edge*self%shape%edge) return
+         widest = within_edge*sqrt((self%shape%edge - spot%radius)*(self%shape%edge + spot%radius))
+      end if
       high = widest
       s = min(guess_zone(self, spot), widest/2)
       last = huge(last)
-      is_converged = .false.
       do k = 1, most_steps
          call get_range(self, spot, is_beyond, s, value, slope, opening, intensity)
          if (value < self%range) low = s
@@ -150,17 +157,16 @@ contains
       real(dp), intent(in) :: u
       !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
-      real(dp), parameter :: almost = 1.0_dp - 1.0e-9_dp
       type(spot_t) :: spot
       real(dp) :: value, slope, opening, intensity
 
       has_room = .true.
       if (.not. self%shape%edge < huge(u)) return
       call self%shape%evaluate(u, is_beyond, spot)
-      has_room = spot%radius < almost*self%shape%edge
+      has_room = spot%radius < within_edge*self%shape%edge
       if (.not. has_room) return
-      call get_range(self, spot, is_beyond, almost*sqrt((self%shape%edge - spot%radius)*(self%shape%edge + spot%radius)), value, &
-         & slope, opening, intensity)
+      call get_range(self, spot, is_beyond, within_edge*sqrt((self%shape%edge - spot%radius)*(self%shape%edge + spot%radius)), &
+         & value, slope, opening, intensity)
       has_room = value > self%range
    end function has_room
 
@@ -203,10 +209,8 @@ contains
       if (spot%radius > 0) s = max(s, sqrt(2*spot%radius*gap))
       ! without stress the profile alone opens the gap, beside a large contact by (2/3 pi) g' s^3/a
       s = min(s, self%shape%radius_of_height(self%range) + spot%radius)
-      if (spot%depth_slope > 0 .and. spot%radius_slope > 0) then
-         narrow = (1.5_dp*pi*self%range*spot%radius*spot%radius_slope/spot%depth_slope)**(1.0_dp/3)
-         if (narrow < spot%radius) s = min(s, narrow)
-      end if
+      narrow = 1.5_dp*pi*self%range*spot%radius_slope
+      if (narrow > 0 .and. narrow < spot%depth_slope*spot%radius**2) s = min(s, (narrow*spot%radius/spot%depth_slope)**(1.0_dp/3))
    end function guess_zone
 
    !> See `curve_t`.
@@ -376,6 +380,9 @@ contains
 
       call self%curve%shape%evaluate(u, is_beyond, spot)
       call find_zone(self%curve, spot, is_beyond, s, opening, intensity, is_converged)
+      margin = 0
+      adhesion_radius = spot%radius
+      if (.not. is_converged) return
       c = hypot(spot%radius, s)
       th = atan2(s, spot%radius)
       adhesion_radius = c

@@ -9,7 +9,7 @@ module adfric_indenter_dugdale_folds
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
    use adfric_indenter_curve, only: interval_t, endless, control_load, control_approach
-   use adfric_indenter_shape, only: shape_t
+   use adfric_indenter_shape, only: shape_t, within_edge
    implicit none (type, external)
    private
    public :: margins_t, find_stable_parts, find_edge_angle
@@ -120,7 +120,7 @@ contains
       least = smallest_share*c
       if (control == control_load) least = min(least, 0.02_dp*c*max(1 - margin, epsilon(c))/(1 + margin + epsilon(c)))
       most = spare*max(shape%get_end(1.5_dp*sqrt(two_pi*stress*range)), c)
-      if (shape%edge < endless) most = 1 + shape%get_end(1.5_dp*sqrt(two_pi*stress*range))
+      if (shape%edge < endless) most = shape%unknown_of(within_edge*shape%edge)
       if (shape%has_face) then
          ! within the face the zone ends at the corner where a/sqrt(b^2 - a^2) is the cotangent of the angle of a flat punch
          call find_edge_angle(pi*range/(4*stress), edge_angle)
@@ -232,7 +232,7 @@ contains
             end if
          end if
       end do
-      if (last < places%n) intervals(n)%high = places%u(last)
+      if (shape%edge < endless) intervals(n)%high = places%u(last)
    end subroutine collect_intervals
 
    !> Does the margin come close to 0 at a place, and turn?

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `indenter`: an indenter of any axisymmetric shape on an elastic half-space, without adhesion or with it (JKR, Maugis-Dugdale).
 module adfric_indenter_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
@@ -247,7 +248,11 @@ contains
       error = round_off
       associate (spot => contact%spot)
          terms = [spot%load + 2*spot%radius*abs(contact%neck), spot%depth + abs(contact%neck)]
-         sizes = max(abs([contact%load, contact%approach]), least_share*abs([ends%pull_off_load, ends%pull_off_approach]))
+         sizes = abs([contact%load, contact%approach])
+         ! where no contact is stable there is no pull-off
+         if (.not. ieee_is_nan(ends%pull_off_load)) then
+            sizes = max(sizes, least_share*abs([ends%pull_off_load, ends%pull_off_approach]))
+         end if
          do k = 1, 2
             if (sizes(k) > 0) error = max(error, 2*round_off*terms(k)/sizes(k))
          end do

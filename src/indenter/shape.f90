@@ -13,10 +13,13 @@ module adfric_indenter_shape
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: shape_t, spot_t, piece_t, most_pieces
+   public :: shape_t, spot_t, piece_t, most_pieces, within_edge
 
    !> Most pieces of a shape.
    integer, parameter :: most_pieces = 3
+   !> Contacts and zones that come nearer to a vertical edge of the profile than this share of its radius are left out: the profile has
+   !> no digits there.
+   real(dp), parameter :: within_edge = 1.0_dp - 1.0e-6_dp
 
    !> What a shape is at a radius a of contact.
    type :: spot_t
