@@ -4,6 +4,7 @@
 module adfric_classical_wave_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_classical_adhesive_wave_point, only: adhesive_point_t, is_possible_adhesion, derive_adhesion, solve_adhesion, &
@@ -11,9 +12,12 @@ module adfric_classical_wave_model
    use adfric_classical_contact_conditions, only: largest_violation
    use adfric_classical_model, only: halfspace_model_t
    use adfric_classical_sliding_wave_point, only: slide_point_t, is_possible_slide, solve_slide, get_slide_profiles
+   use adfric_classical_wave_slip_point, only: add_slip, slip_tractions
    use adfric_classical_wave_variables, only: get_wave_variables, get_wave_results, v_adhesion, v_amplitude, v_branch, &
-      & v_contact_modulus, v_material, v_mean_pressure, v_penetration, v_period, v_second_poisson_ratio, v_temperature, &
-      & v_pressure_factor, v_shear_strength, v_turning_pressure, v_velocity, r_friction_coefficient, r_friction_stress, &
+      & v_contact_modulus, v_material, v_mean_pressure, v_penetration, v_period, v_poisson_ratio, &
+      & v_second_poisson_ratio, v_temperature, &
+      & v_coefficient, v_pressure_factor, v_shear_strength, v_tangential_stress, v_turning_pressure, v_velocity, &
+      & r_friction_coefficient, r_friction_stress, &
       & r_adhesion_energy, r_adhesion_fraction, r_contact_fraction, r_contact_width, &
       & r_elastic_energy, r_full_contact_pressure, r_hysteresis_loss, r_largest_gap, r_mean_gap, r_mean_pressure, r_peak_pressure, &
       & r_penetration, r_regime, r_violation, regime_full, regime_none, regime_partial
@@ -21,8 +25,9 @@ module adfric_classical_wave_model
       & wave_energy, find_wave_pressure
    use adfric_material_adhesion_rows, only: check_adhesion, has_adhesion
    use adfric_material_contact_modulus, only: contact_modulus_of, check_contact_modulus, derive_contact_modulus
+   use adfric_material_coulomb_rows, only: check_coulomb, has_coulomb, n_coulomb_rows, needs_poisson_ratio
    use adfric_material_given_spectrum, only: given_spectrum_t
-   use adfric_material_shear_strength_rows, only: check_shear, count_shear_profiles, get_friction_of_area, p_shear_stress, &
+   use adfric_material_shear_strength_rows, only: check_shear, get_friction_of_area, has_shear, p_shear_stress, &
       & shear_profiles, shear_stress
    use adfric_material_spectrum_rows, only: check_spectrum, derive_spectrum, describe_spectrum, doubt_spectrum, has_spectrum, &
       & n_spectrum_rows, take_spectrum, take_spectrum_attribute
@@ -155,10 +160,17 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
+      real(dp) :: friction(n_coulomb_rows)
       integer :: k
 
+      friction = values(v_tangential_stress:v_coefficient)
       call check_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
-         & values(v_contact_modulus:v_second_poisson_ratio), problems, .false.)
+         & values(v_contact_modulus:v_second_poisson_ratio), problems, has_coulomb(friction))
+      if (needs_poisson_ratio(friction, .true.) .and. is_set(values(v_contact_modulus)) &
+         & .and. .not. is_set(values(v_poisson_ratio))) call problems%add('solid', 'poisson_ratio', &
+         & 'is missing [-]; the displacement along y needs it')
+      call check_coulomb(self%variables(v_tangential_stress:v_coefficient), friction, &
+         & has_adhesion(values(v_adhesion:v_turning_pressure)), has_shear(values(v_shear_strength:v_pressure_factor)), problems)
       call check_adhesion(self%variables(v_adhesion:v_turning_pressure), values(v_adhesion:v_turning_pressure), problems)
       call check_shear(self%variables(v_shear_strength:v_pressure_factor), values(v_shear_strength:v_pressure_factor), &
          & merge(values(v_adhesion), 0.0_dp, is_adhesive(values)), problems)
@@ -188,7 +200,7 @@ contains
       call check_spectrum(self%variables(v_material:v_temperature), values(v_material:v_temperature), self%given, is_swept, &
          & problems)
       call require(self%variables, values, [v_velocity], problems)
-      do k = v_shear_strength, v_pressure_factor
+      do k = v_shear_strength, v_coefficient
          if (is_set(values(k))) call problems%add(self%variables(k)%group, self%variables(k)%name, &
             & 'stands beside &material; the friction of a viscoelastic solid is that of its losses')
       end do
@@ -268,6 +280,7 @@ contains
       integer, intent(out) :: status
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
+      logical :: is_held
 
       if (is_sliding(values)) then
          if (.not. allocated(state)) allocate (slide_point_t :: state)
@@ -289,6 +302,11 @@ contains
          call solve_elastic(values, results, error_estimate, status)
       end if
       if (status == status_solved .and. .not. is_sliding(values)) call store_friction(values, results)
+      if (status == status_solved .and. has_coulomb(values(v_tangential_stress:v_coefficient))) then
+         call add_slip(values, results, is_held)
+         if (.not. is_held) status = status_no_equilibrium
+         if (.not. is_held) results(:) = not_a_number()
+      end if
       associate (unused => counts)
       end associate
    end subroutine solve_point
@@ -357,19 +375,21 @@ contains
       end associate
    end subroutine solve_elastic
 
-   !> See `model_t`: the shear stress belongs to friction of a shear strength.
+   !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
       !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      count_profiles = count_shear_profiles(values(v_shear_strength:v_pressure_factor))
+      count_profiles = p_shear_stress - 1
+      if (has_shear(values(v_shear_strength:v_pressure_factor)) .or. has_coulomb(values(v_tangential_stress:v_coefficient))) &
+         & count_profiles = p_shear_stress
       associate (unused => self)
       end associate
    end function count_profiles
 
-   !> See `pointwise_model_t`: pressure and gap, and with friction of a shear strength the shear stress.
+   !> See `pointwise_model_t`: pressure and gap, and with friction the shear stress.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
       !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
@@ -386,8 +406,12 @@ contains
 
       call fill_pressure_and_gap(values, results, state, axes, profiles)
       if (size(profiles, 3) < p_shear_stress) return
-      profiles(:, 1, p_shear_stress) = shear_stress(values(v_shear_strength:v_pressure_factor), profiles(:, 1, 1), &
-         & results(r_contact_width) > 0 .and. .not. profiles(:, 1, 2) > 0)
+      if (has_coulomb(values(v_tangential_stress:v_coefficient))) then
+         profiles(:, 1, p_shear_stress) = slip_tractions(values, results, axes(1)%coordinates)
+      else
+         profiles(:, 1, p_shear_stress) = shear_stress(values(v_shear_strength:v_pressure_factor), profiles(:, 1, 1), &
+            & results(r_contact_width) > 0 .and. .not. profiles(:, 1, 2) > 0)
+      end if
       associate (unused => self)
       end associate
    end subroutine fill_profiles

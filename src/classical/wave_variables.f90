@@ -4,6 +4,7 @@ module adfric_classical_wave_variables
    use adfric_base_kinds, only: dp
    use adfric_material_adhesion_rows, only: set_adhesion_rows, n_adhesion_rows
    use adfric_material_contact_modulus, only: set_modulus_rows
+   use adfric_material_coulomb_rows, only: n_coulomb_rows, n_slip_results, set_coulomb_rows, slip_results
    use adfric_material_shear_strength_rows, only: set_shear_rows, n_shear_rows
    use adfric_material_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
    use adfric_model_rows, only: positive, number, result_row
@@ -14,20 +15,23 @@ module adfric_classical_wave_variables
 
    !> Places of the variables. Those of adhesion stand between `v_adhesion` and `v_turning_pressure`, those of the material between
    !> `v_material` and `v_temperature`.
-   integer, parameter, public :: v_period = 1, v_amplitude = 2, v_contact_modulus = 3, v_second_poisson_ratio = 7, &
+   integer, parameter, public :: v_period = 1, v_amplitude = 2, v_contact_modulus = 3, v_poisson_ratio = 5, &
+      & v_second_poisson_ratio = 7, &
       & v_adhesion = 8, v_branch = v_adhesion + 3, v_turning_pressure = v_adhesion - 1 + n_adhesion_rows, &
       & v_material = v_turning_pressure + 1, v_temperature = v_material - 1 + n_spectrum_rows, v_velocity = v_temperature + 1, &
       & v_mean_pressure = v_temperature + 2, v_penetration = v_temperature + 3, &
-      & v_shear_strength = v_penetration + 1, v_pressure_factor = v_penetration + n_shear_rows
+      & v_shear_strength = v_penetration + 1, v_pressure_factor = v_penetration + n_shear_rows, &
+      & v_tangential_stress = v_pressure_factor + 1, v_coefficient = v_pressure_factor + n_coulomb_rows
    !> Places of the results; those from `r_contact_shift` on belong to sliding, friction also to a shear strength, those from
-   !> `r_adhesion_fraction` on to adhesion.
+   !> `r_adhesion_fraction` on to adhesion, those from `r_stick_fraction` on to partial slip.
    integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_width = 3, r_contact_fraction = 4, &
       & r_peak_pressure = 5, r_mean_gap = 6, r_largest_gap = 7, r_full_contact_pressure = 8, r_regime = 9, r_violation = 10, &
       & r_friction_stress = 11, r_friction_coefficient = 12, r_contact_shift = 13, r_dissipation = 14, r_energy_imbalance = 15, &
       & r_adhesion_fraction = 16, r_elastic_energy = 17, r_adhesion_energy = 18, r_pull_off_pressure = 19, &
-      & r_pull_off_penetration = 20, r_jump_off_penetration = 21, r_hysteresis_loss = 22
+      & r_pull_off_penetration = 20, r_jump_off_penetration = 21, r_hysteresis_loss = 22, &
+      & r_stick_fraction = 23, r_tangential_displacement = 24, r_tangential_stiffness = 25, r_cycle_energy = 26
    !> Number of results.
-   integer, parameter :: n_results = 22
+   integer, parameter :: n_results = r_hysteresis_loss + n_slip_results
    !> Places in the meanings of `regime`, from 0.
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2, regime_adhesion_only = 3, &
       & regime_adhesion_zones = 4, regime_saturated_adhesion = 5
@@ -38,7 +42,7 @@ contains
    function get_wave_variables() result(v)
       type(variable_t), allocatable :: v(:)
 
-      allocate (v(v_pressure_factor))
+      allocate (v(v_coefficient))
       v(v_period) = positive(group='surface', name='period', unit='m', meaning='wavelength l')
       v(v_amplitude) = positive(group='surface', name='amplitude', unit='m', meaning='D of the wave z = D (1 - cos 2 pi x/l)')
       call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), &
@@ -54,6 +58,7 @@ contains
       v(v_penetration) = number(group='operating', name='penetration', unit='m', &
          & meaning='approach of the mean planes since first touch, instead')
       call set_shear_rows(v(v_shear_strength:v_pressure_factor))
+      call set_coulomb_rows(v(v_tangential_stress:v_coefficient))
    end function get_wave_variables
 
    !> Does the group `solid` have a variable of the same name?
@@ -108,6 +113,7 @@ contains
          & long_name='least penetration of the adhered branch')
       r(r_hysteresis_loss) = result_row(name='hysteresis_loss', unit='J/m^2', &
          & long_name='energy lost over nominal area by approach and parting at given penetrations')
+      r(r_stick_fraction:r_cycle_energy) = slip_results()
    end function get_wave_results
 
 end module adfric_classical_wave_variables

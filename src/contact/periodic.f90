@@ -16,6 +16,7 @@ module adfric_contact_periodic
    use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_out_of_memory, status_solved
    use adfric_periodic_operator, only: is_too_long
    use adfric_periodic_point, only: periodic_goal_t, periodic_memory_t, periodic_surface_t, solve_periodic
+   use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: contact_out_of_range, contact_solved, periodic_solution_t
    implicit none (type, external)
    private
@@ -109,6 +110,7 @@ contains
       type(periodic_surface_t) :: surface
       type(periodic_memory_t) :: memory
       type(periodic_solution_t) :: solution
+      type(periodic_slip_t), allocatable :: slip
       type(error_t), allocatable :: error
 
       pressure = not_a_number()
@@ -123,7 +125,7 @@ contains
       surface%period = period
       if (size(heights, 2) == 1) surface%period(2) = period(1)
       surface%shape = maxval(heights) - heights
-      call solve_periodic(surface, wanted, memory, solution, error)
+      call solve_periodic(surface, wanted, memory, solution, slip, error)
       status = status_out_of_memory
       if (allocated(error)) return
       status = status_not_converged

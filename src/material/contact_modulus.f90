@@ -15,7 +15,7 @@ module adfric_material_contact_modulus
    implicit none (type, external)
    private
    public :: set_modulus_rows, contact_modulus_of, has_contact_modulus, check_contact_modulus, derive_contact_modulus
-   public :: plane_strain_modulus, poisson_compliance_of
+   public :: plane_strain_modulus, poisson_compliance_of, has_poisson_ratio
    public :: n_one_body, n_two_bodies, modulus_names
 
    !> Number of rows where one body is elastic, and where both may be.
@@ -84,6 +84,14 @@ contains
       if (is_set(values(second_young))) compliance = compliance &
          & + 2*values(second_poisson)*(1 + values(second_poisson))/values(second_young)
    end function poisson_compliance_of
+
+   !> Is Poisson's ratio known, beside a contact modulus, too?
+   pure logical function has_poisson_ratio(values)
+      !> Values of the rows; shape `(n_one_body)` or `(n_two_bodies)`.
+      real(dp), intent(in) :: values(:)
+
+      has_poisson_ratio = is_set(values(poisson))
+   end function has_poisson_ratio
 
    !> E/(1 - nu^2) [Pa].
    elemental real(dp) function plane_strain_modulus(young_modulus, poisson_ratio) result(modulus)

@@ -13,7 +13,7 @@ module adfric_material_shear_strength_rows
    use adfric_model_table, only: profile_t, variable_t
    implicit none (type, external)
    private
-   public :: set_shear_rows, check_shear, has_shear, count_shear_profiles, get_friction_of_area, shear_profiles, shear_stress
+   public :: set_shear_rows, check_shear, has_shear, get_friction_of_area, shear_profiles, shear_stress
    public :: n_shear_rows, p_shear_stress
 
    !> Places among the rows, and their number.
@@ -49,16 +49,8 @@ contains
 
       p(:p_shear_stress - 1) = contact_profiles()
       p(p_shear_stress) = profile_t(name='shear_stress', unit='Pa', &
-         & long_name='shear stress tau0 + alpha p in contact, of a shear strength, 0 outside')
+         & long_name='shear stress of friction in contact, of a shear strength or in partial slip; 0 outside')
    end function shear_profiles
-
-   !> Number of those profiles that a case has.
-   pure integer function count_shear_profiles(values) result(n)
-      !> Values of the rows; shape `(n_shear_rows)`.
-      real(dp), intent(in) :: values(:)
-
-      n = merge(p_shear_stress, p_shear_stress - 1, has_shear(values))
-   end function count_shear_profiles
 
    !> Shear stress of places, of values that have been checked, not all of them unset [Pa].
    pure function shear_stress(values, pressure, is_contact) result(stress)

@@ -7,9 +7,11 @@ module adfric_periodic_elastic_model
    use adfric_base_unset, only: is_set
    use adfric_material_adhesion_rows, only: adhesion_law_t, adhesion_names, branch_adhered, check_adhesion, has_adhesion, &
       & n_adhesion_rows, resolve_adhesion, set_adhesion_rows
-   use adfric_material_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, n_two_bodies, &
-      & set_modulus_rows
-   use adfric_material_shear_strength_rows, only: check_shear, count_shear_profiles, get_friction_of_area, n_shear_rows, &
+   use adfric_material_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
+      & has_poisson_ratio, n_two_bodies, set_modulus_rows
+   use adfric_material_coulomb_rows, only: check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
+      & resolve_coulomb, set_coulomb_rows
+   use adfric_material_shear_strength_rows, only: check_shear, get_friction_of_area, has_shear, n_shear_rows, &
       & p_shear_stress, set_shear_rows, shear_profiles, shear_stress
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_pointwise, only: point_state_t
@@ -20,6 +22,7 @@ module adfric_periodic_elastic_model
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
+   use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_variables
    implicit none (type, external)
@@ -46,8 +49,9 @@ module adfric_periodic_elastic_model
       procedure :: check_solid
       procedure :: set_solid
       procedure :: derive_solid
-      procedure :: set_adhesion
+      procedure :: set_interface
       procedure :: finish_point
+      procedure :: store_slip
       procedure :: count_profiles
       procedure :: fill_profiles
       procedure :: describe_doubts
@@ -85,6 +89,7 @@ contains
 
       call set_modulus_rows(positive(group='solid', name='contact_modulus', unit='Pa', meaning=''), solid(:n_two_bodies))
       call set_adhesion_rows(solid(n_two_bodies + 1:n_two_bodies + n_adhesion_rows))
+      call set_coulomb_rows(solid(n_two_bodies + n_adhesion_rows + 1:n_two_bodies + n_adhesion_rows + n_coulomb_rows))
       call set_shear_rows(solid(n_elastic_solid - n_shear_rows:n_elastic_solid - 1))
       solid(n_elastic_solid) = pull_off_row()
       call self%set_tables(name, summary, surface, solid, .true.)
@@ -123,12 +128,11 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
+      call check_friction(self, values, problems)
       associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1, held => self%before_held)
-         call check_contact_modulus(self%variables(first:last), values(first:last), problems, .false.)
+         call check_contact_modulus(self%variables(first:last), values(first:last), problems, &
+            & has_coulomb(coulomb_values(self, values)))
          call check_adhesion(self%variables(last + 1:last + n_adhesion_rows), values(last + 1:last + n_adhesion_rows), problems)
-         call check_shear(self%variables(last + n_adhesion_rows + 1:last + n_adhesion_rows + n_shear_rows), &
-            & values(last + n_adhesion_rows + 1:last + n_adhesion_rows + n_shear_rows), &
-            & merge(values(last + 1), 0.0_dp, has_adhesion(values(last + 1:last + n_adhesion_rows))), problems)
          if (.not. has_adhesion(values(last + 1:last + n_adhesion_rows))) then
             if (values(held + v_mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
                & 'is below 0, but nothing pulls without &adhesion')
@@ -137,11 +141,73 @@ contains
          end if
       end associate
       if (problems%count() > 0) return
+      if (lacks_poisson_ratio(self, values)) call problems%add('solid', 'poisson_ratio', &
+         & 'is missing [-]; the tangential displacement needs it')
       if (.not. is_possible(self, values)) call problems%add('adhesion', 'stress', 'or its range is too small or too large ' &
          & //'for the surface: stress/(E* height/period) and range/height are 1e-12 to 1e12')
       associate (unused => is_swept)
       end associate
    end subroutine check_solid
+
+   !> Add to `problems` what is wrong with the friction, of either kind.
+   subroutine check_friction(self, values, problems)
+      !> The model; its tables give the variables their names.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      logical :: is_adhesive
+
+      associate (first => self%last_of_solid - n_shear_rows, last => self%last_of_solid - 1, &
+         & adhesion => values(self%first_of_solid + n_two_bodies:self%first_of_solid + n_two_bodies + n_adhesion_rows - 1))
+         is_adhesive = has_adhesion(adhesion)
+         call check_shear(self%variables(first:last), values(first:last), merge(adhesion(1), 0.0_dp, is_adhesive), problems)
+         call check_coulomb(self%variables(first - n_coulomb_rows:first - 1), values(first - n_coulomb_rows:first - 1), &
+            & is_adhesive, has_shear(values(first:last)), problems)
+      end associate
+   end subroutine check_friction
+
+   !> Values of the rows of Coulomb's friction.
+   pure function coulomb_values(self, values) result(friction)
+      !> The model, for the places of its rows.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: friction(n_coulomb_rows)
+
+      associate (last => self%last_of_solid - n_shear_rows - 1)
+         friction = values(last - n_coulomb_rows + 1:last)
+      end associate
+   end function coulomb_values
+
+   !> Coulomb's friction of a point, whose values have been checked.
+   type(coulomb_t) function friction_of(self, values) result(friction)
+      !> The model, for the places of its rows.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(periodic_surface_t) :: surface
+
+      call self%get_cells(values, surface)
+      call resolve_coulomb(coulomb_values(self, values), &
+         & values(self%first_of_solid:self%first_of_solid + n_two_bodies - 1), surface%n_cells(2) == 1, friction)
+   end function friction_of
+
+   !> Does the tangential displacement lack Poisson's ratio, beside a contact modulus?
+   logical function lacks_poisson_ratio(self, values) result(lacks)
+      !> The model, for its surface.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(periodic_surface_t) :: surface
+
+      lacks = has_coulomb(coulomb_values(self, values)) .and. .not. has_poisson_ratio( &
+         & values(self%first_of_solid:self%first_of_solid + n_two_bodies - 1))
+      if (.not. lacks) return
+      call self%get_cells(values, surface)
+      lacks = needs_poisson_ratio(coulomb_values(self, values), surface%n_cells(2) == 1)
+   end function lacks_poisson_ratio
 
    !> Have stress and range sizes with which the surface can be solved?
    logical function is_possible(self, values)
@@ -189,18 +255,23 @@ contains
    end function adhesion_of
 
    !> See `periodic_model_t`.
-   subroutine set_adhesion(self, values, modulus, goal)
+   subroutine set_interface(self, values, modulus, goal)
       !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
-      !> What is held at the point; receives adhesion.
+      !> What is held at the point; receives adhesion or friction.
       type(periodic_goal_t), intent(inout) :: goal
       type(adhesion_law_t) :: law
 
       if (allocated(goal%adhesion)) deallocate (goal%adhesion)
+      if (allocated(goal%friction)) deallocate (goal%friction)
+      if (has_coulomb(coulomb_values(self, values))) then
+         goal%friction = friction_of(self, values)
+         goal%friction%stress = goal%friction%stress/modulus
+      end if
       law = self%adhesion_of(values)
       if (.not. law%stress > 0) return
       allocate (goal%adhesion)
@@ -211,7 +282,7 @@ contains
       if (allocated(law%turning_pressure)) goal%adhesion%turning_pressure = law%turning_pressure/modulus
       goal%wants_pull_off = wants_pull_off(values(self%last_of_solid))
       goal%pull_offs => self%pull_offs
-   end subroutine set_adhesion
+   end subroutine set_interface
 
    !> Is the pull-off wanted?
    pure logical function wants_pull_off(value)
@@ -260,6 +331,30 @@ contains
       end associate
    end subroutine finish_point
 
+   !> See `periodic_model_t`.
+   subroutine store_slip(self, values, surface, slip, results)
+      !> The model, for the places of its rows.
+      class(elastic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Periods and undeformed gap of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Slip of the point; lengths in m, stresses in E*.
+      type(periodic_slip_t), intent(in) :: slip
+      !> In: with the results of the contact. Out: with all; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+
+      results(r_stick_fraction) = 0
+      if (results(r_contact_fraction) > 0) results(r_stick_fraction) = min(slip%stick%corrected/results(r_contact_fraction), 1.0_dp)
+      results(r_tangential_displacement) = slip%displacement
+      results(r_cycle_energy) = surface%solid%modulus*slip%cycle_energy
+      if (slip%compliance < 0) results(r_tangential_stiffness) = 0
+      if (slip%compliance > 0) results(r_tangential_stiffness) = surface%solid%modulus/slip%compliance
+      if (.not. slip%poisson_defect < 0) results(r_poisson_defect) = slip%poisson_defect
+      associate (unused => self, unused_values => values)
+      end associate
+   end subroutine store_slip
+
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
       !> The model, for the places of its rows.
@@ -267,7 +362,9 @@ contains
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      count_profiles = count_shear_profiles(values(self%last_of_solid - n_shear_rows:self%last_of_solid - 1))
+      count_profiles = p_shear_stress - 1
+      if (has_shear(values(self%last_of_solid - n_shear_rows:self%last_of_solid - 1)) &
+         & .or. has_coulomb(coulomb_values(self, values))) count_profiles = p_shear_stress
    end function count_profiles
 
    !> See `pointwise_model_t`: the maps of pressure and gap, and with friction that of the shear stress.
@@ -287,7 +384,7 @@ contains
       integer :: j
 
       call self%fill_contact_maps(values, results, state, axes, profiles)
-      if (size(profiles, 3) < p_shear_stress) return
+      if (size(profiles, 3) < p_shear_stress .or. has_coulomb(coulomb_values(self, values))) return
       do j = 1, size(profiles, 2)
          profiles(:, j, p_shear_stress) = shear_stress(values(self%last_of_solid - n_shear_rows:self%last_of_solid - 1), &
             & profiles(:, j, 1), .not. profiles(:, j, 2) > 0)

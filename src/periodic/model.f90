@@ -15,6 +15,7 @@ module adfric_periodic_model
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, &
       & solve_periodic, find_full_pressure
+   use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
    use adfric_periodic_variables
    implicit none (type, external)
@@ -39,8 +40,9 @@ module adfric_periodic_model
       procedure :: describe_case
       procedure :: describe_surface
       procedure :: solve_in_closed_form
-      procedure :: set_adhesion
+      procedure :: set_interface
       procedure :: finish_point
+      procedure :: store_slip
       procedure :: derive_solid
       procedure(check_surface_i), deferred :: check_surface
       procedure(get_cells_i), deferred :: get_cells
@@ -154,6 +156,8 @@ module adfric_periodic_model
       type(periodic_memory_t) :: memory
       !> Pressure, gap and area of the point.
       type(periodic_solution_t) :: solution
+      !> Partial slip of the point; not allocated without.
+      type(periodic_slip_t), allocatable :: slip
    end type periodic_state_t
 
    !> Points that share their transforms.
@@ -286,11 +290,12 @@ contains
          call self%get_shape(values, state%surface%shape)
          call self%set_solid(values, state%surface)
          goal = get_goal(self, values, state%surface%solid%modulus)
-         call self%set_adhesion(values, state%surface%solid%modulus, goal)
+         call self%set_interface(values, state%surface%solid%modulus, goal)
          ! what follows may end without a solution of its own
          state%solution%n_iterations = 0
+         if (allocated(state%slip)) deallocate (state%slip)
          call self%solve_in_closed_form(values, state%surface, goal, state%solution, is_known)
-         if (.not. is_known) call solve_periodic(state%surface, goal, state%memory, state%solution, error)
+         if (.not. is_known) call solve_periodic(state%surface, goal, state%memory, state%solution, state%slip, error)
          if (allocated(error)) then
             ! cells of a sweep may be too long, which is no lack of memory
             if (error%code == file_failure) status = status_out_of_memory
@@ -302,6 +307,7 @@ contains
          status = status_solved
          call store(self, values, state%surface%solid, state%solution, results)
          call self%finish_point(values, state%surface, state%solution, results, error_estimate)
+         if (allocated(state%slip)) call self%store_slip(values, state%surface, state%slip, results)
          if (error_estimate <= 1) return
          status = status_not_converged
          error_estimate = 0
@@ -309,7 +315,7 @@ contains
       end select
    end subroutine solve_point
 
-   !> See `pointwise_model_t`: the maps of pressure and gap.
+   !> See `pointwise_model_t`: the maps of pressure and gap, and of the shear stress in partial slip.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
       !> The model; nothing is read from it here.
       class(periodic_model_t), intent(in) :: self
@@ -321,13 +327,14 @@ contains
       class(point_state_t), allocatable, intent(in) :: state
       !> Axes of the maps, not used here: a map has a value in each cell.
       type(profile_axis_t), intent(in) :: axes(:)
-      !> Receives the maps of pressure [Pa] and gap [m]; shape `(nx, ny, 2)`.
+      !> Receives the maps of pressure [Pa], gap [m] and shear stress [Pa]; shape `(nx, ny, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
 
       select type (state)
       type is (periodic_state_t)
          profiles(:, :, 1) = state%solution%pressure*state%surface%solid%modulus
          profiles(:, :, 2) = state%solution%gap
+         if (allocated(state%slip)) profiles(:, :, 3) = state%slip%traction*state%surface%solid%modulus
       end select
       associate (unused => self, unused_values => values, unused_results => results, unused_axes => axes)
       end associate
@@ -382,21 +389,40 @@ contains
       end associate
    end subroutine solve_in_closed_form
 
-   !> Adhesion of a point: none. A model may override it.
-   subroutine set_adhesion(self, values, modulus, goal)
+   !> Adhesion and friction of a point: none. A model may override it.
+   subroutine set_interface(self, values, modulus, goal)
       !> The model; nothing is read from it here.
       class(periodic_model_t), intent(in) :: self
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
       !> Contact modulus E* [Pa], not used here.
       real(dp), intent(in) :: modulus
-      !> What is held at the point; may receive adhesion.
+      !> What is held at the point; may receive adhesion or friction.
       type(periodic_goal_t), intent(inout) :: goal
 
       if (allocated(goal%adhesion)) deallocate (goal%adhesion)
+      if (allocated(goal%friction)) deallocate (goal%friction)
       associate (unused => self, unused_values => values, unused_modulus => modulus)
       end associate
-   end subroutine set_adhesion
+   end subroutine set_interface
+
+   !> Store the results of partial slip: none. A model may override it.
+   subroutine store_slip(self, values, surface, slip, results)
+      !> The model; nothing is read from it here.
+      class(periodic_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Periods and undeformed gap of the surface [m], and its solid.
+      type(periodic_surface_t), intent(in) :: surface
+      !> Slip of the point; lengths in m, stresses in E*.
+      type(periodic_slip_t), intent(in) :: slip
+      !> In: with the results of the contact. Out: with all; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+
+      associate (unused => self, unused_values => values, unused_surface => surface, unused_slip => slip, &
+         & unused_results => results)
+      end associate
+   end subroutine store_slip
 
    !> The error of a solved point: that of the area of contact. A model may override it, and add results of its own.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)

@@ -49,6 +49,7 @@ module adfric_periodic_operator
       procedure :: apply_compliance
       procedure :: get_slope
       procedure :: get_loss
+      procedure :: apply_anisotropy
       procedure, private :: set_wave_numbers
    end type periodic_operator_t
 
@@ -261,6 +262,34 @@ contains
       call self%filter%apply(factors, displacement, product, loss)
       loss = loss/size(displacement)
    end subroutine get_loss
+
+   !> Displacement along x or y that shear in this direction makes on an elastic half-space through nu, less its mean over all
+   !> directions of waves: (2/|k|) (1/2 - k_x^2/k^2), in units of (nu/G) times that unit of displacement.
+   subroutine apply_anisotropy(self, along, shear, displacement)
+      !> The operator, for its cells and transforms.
+      class(periodic_operator_t), intent(inout) :: self
+      !> Direction of the shear: 1 along x, 2 along y.
+      integer, intent(in) :: along
+      !> Shear traction in the middles of the cells; shape `n_cells`.
+      real(dp), intent(in), contiguous :: shear(:, :)
+      !> Receives the displacement, of mean 0; shape `n_cells`.
+      real(dp), intent(out), contiguous :: displacement(:, :)
+      real(dp), allocatable :: symbol(:, :)
+      real(dp) :: n(2), period(2)
+      integer :: i, j
+
+      allocate (symbol, mold=self%stiffness)
+      period = self%cell_size*self%n_cells*merge(2, 1, self%is_quarter)
+      do i = 1, size(symbol, 2)
+         do j = 1, size(symbol, 1)
+            n = [real(i - 1, dp), wave_number(j - 1, self%n_cells(2), self%is_quarter)]/period
+            symbol(j, i) = 0
+            if (any(abs(n) > 0)) symbol(j, i) = (0.5_dp - n(along)**2/sum(n**2))/(0.5_dp*two_pi*norm2(n))
+         end do
+      end do
+      symbol(:, :) = symbol/self%filter%gain
+      call self%filter%apply(symbol, shear, displacement)
+   end subroutine apply_anisotropy
 
    !> Wave numbers 2 pi n of all modes along x or y, 0 for waves of two cells, whose direction cannot be told.
    pure subroutine set_wave_numbers(self, along, numbers)

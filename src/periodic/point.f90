@@ -4,6 +4,7 @@ module adfric_periodic_point
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_material_coulomb_rows, only: coulomb_t
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
    use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
@@ -12,6 +13,7 @@ module adfric_periodic_point
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    use adfric_periodic_pull_off_table, only: get_pull_off
+   use adfric_periodic_slip, only: periodic_slip_t, solve_slip
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    implicit none (type, external)
    private
@@ -51,6 +53,8 @@ module adfric_periodic_point
       real(dp) :: tolerance = 1.0e-10_dp
       !> Adhesion, with its stress in E* and its range in m; not allocated: none. Elastic half-spaces alone.
       type(periodic_adhesion_t), allocatable :: adhesion
+      !> Friction, with its stress in E*; not allocated: none. Elastic half-spaces without adhesion alone.
+      type(coulomb_t), allocatable :: friction
       !> Is the pull-off wanted?
       logical :: wants_pull_off = .false.
       !> Pull-offs that the points of a run share; null: of this point alone.
@@ -75,7 +79,7 @@ module adfric_periodic_point
 contains
 
    !> Solve a point; an error means that there is no memory.
-   subroutine solve_periodic(surface, goal, memory, solution, error)
+   subroutine solve_periodic(surface, goal, memory, solution, slip, error)
       !> Periods and undeformed gap of the surface [m].
       type(periodic_surface_t), intent(in) :: surface
       !> What is held at the point, and the largest residual.
@@ -84,6 +88,8 @@ contains
       type(periodic_memory_t), intent(inout) :: memory
       !> The solution; lengths in m, pressures in E*.
       type(periodic_solution_t), intent(out) :: solution
+      !> Receives partial slip, in the same units; not allocated without friction or without contact.
+      type(periodic_slip_t), allocatable, intent(out) :: slip
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: unit
@@ -99,6 +105,14 @@ contains
          call memory%solver%solve_penetration(surface%shape/unit, goal%value/unit, goal%tolerance, solution, error)
       end if
       if (allocated(error)) return
+      if (allocated(goal%friction)) call solve_slip(memory%solver, surface%shape/unit, goal%friction, goal%tolerance, solution, &
+         & slip, error)
+      if (allocated(error)) return
+      if (allocated(slip)) then
+         slip%displacement = slip%displacement*unit
+         slip%cycle_energy = slip%cycle_energy*unit
+         slip%compliance = slip%compliance*unit
+      end if
       solution%penetration = solution%penetration*unit
       if (allocated(solution%gap)) solution%gap = solution%gap*unit
       solution%elastic_energy = solution%elastic_energy*unit

@@ -5,6 +5,7 @@ module adfric_periodic_variables
    use adfric_base_kinds, only: dp
    use adfric_material_adhesion_rows, only: n_adhesion_rows
    use adfric_material_contact_modulus, only: n_two_bodies
+   use adfric_material_coulomb_rows, only: n_coulomb_rows, slip_results
    use adfric_material_shear_strength_rows, only: n_shear_rows
    use adfric_model_rows, only: number, switch, result_row, any_number
    use adfric_model_table, only: variable_t, result_t
@@ -16,7 +17,8 @@ module adfric_periodic_variables
    integer, parameter, public :: v_mean_pressure = 1, v_penetration = 2, v_profiles = 3
    integer, parameter, public :: n_held = 3
    !> Number of the rows that the models on an elastic half-space share.
-   integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + n_shear_rows + 1
+   integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + n_coulomb_rows &
+      & + n_shear_rows + 1
    integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_held
 
    !> Places of the results.
@@ -25,8 +27,10 @@ module adfric_periodic_variables
    integer, parameter, public :: n_periodic_results = 8
    !> Places of those that the models on an elastic half-space add, and their number in all.
    integer, parameter, public :: r_regime = 9, r_adhesion_fraction = 10, r_elastic_energy = 11, r_adhesion_energy = 12, &
-      & r_pull_off_pressure = 13, r_cells_per_zone = 14, r_friction_stress = 15, r_friction_coefficient = 16, r_friction_force = 17
-   integer, parameter, public :: n_elastic_results = 17
+      & r_pull_off_pressure = 13, r_cells_per_zone = 14, r_friction_stress = 15, r_friction_coefficient = 16, &
+      & r_friction_force = 17, r_stick_fraction = 18, r_tangential_displacement = 19, r_tangential_stiffness = 20, &
+      & r_cycle_energy = 21, r_poisson_defect = 22
+   integer, parameter, public :: n_elastic_results = 22
    !> Numbers of the regimes; they have the words of `wave_1d`.
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2, regime_adhesion_only = 3, &
       & regime_adhesion_zones = 4, regime_saturated_adhesion = 5
@@ -89,6 +93,9 @@ contains
          & long_name='friction stress over mean pressure, where that presses')
       r(r_friction_force) = result_row(name='friction_force', unit='N', &
          & long_name='friction force on one period, of a shear strength; none for a surface that does not vary along y')
+      r(r_stick_fraction:r_cycle_energy) = slip_results()
+      r(r_poisson_defect) = result_row(name='poisson_defect', unit='-', &
+         & long_name='standard deviation over what sticks of the displacement, which nu makes, over the displacement')
    end function get_elastic_results
 
    !> The table of results.
