@@ -72,7 +72,7 @@ AREAS = {
         one("punch_wedge"), one("punch_stress"), one("line_load"), one("strip_load"), one("strip_load_maps"), one("strip_load_sampled"),
         one("point_load")),
     "Waves on a half-space": (
-        one("wave_1d"), one("wave_1d_pressure"),
+        one("wave_1d"), one("wave_1d_pressure"), one("wave_1d_slip"),
         one("wave_1d_adhesion", "wave_1d_adhesion_approach", options="--x penetration --y mean_pressure contact_fraction"),
         one("wave_1d_adhesion_pressure"), one("wave_1d_pull_off"),
         one("wave_1d_sliding", "wave_1d_sliding_cells", options="--y friction_coefficient contact_fraction contact_shift peak_pressure"),
@@ -81,7 +81,7 @@ AREAS = {
         one("wave_2d_adhesion_penetration", "wave_2d_adhesion_penetration_approach", options="--y mean_pressure contact_fraction"),
         one("wave_2d_pull_off")),
     "Rough surfaces on a half-space": (
-        one("surface_elastic"), one("surface_adhesion_maps"), one("surface_stickiness"), one("surface_adhesion_friction"),
+        one("surface_elastic"), one("surface_slip"), one("surface_adhesion_maps"), one("surface_stickiness"), one("surface_adhesion_friction"),
         one("surface_sliding"),
         one("surface_sliding_strips", "surface_sliding_layer", options="--y friction_coefficient contact_fraction penetration")),
 }

@@ -18,8 +18,15 @@ CHECKS = ("error_estimate", "energy_imbalance", "residual", "contact_violation")
 MOST_RESULTS = 6
 # kinds of surfaces whose heights are drawn below the pressure
 ROUGH_LINES = ("profile", "cosines")
+# results of partial slip
+SLIP = ("stick_fraction", "tangential_displacement", "tangential_stiffness", "cycle_energy")
 # results drawn against a swept variable, as far as they vary, by model and variable; for others it is all that vary
 SHOWN = {
+    ("hertz", "tangential_force"): SLIP,
+    ("indenter", "tangential_force"): SLIP,
+    ("wave_1d", "tangential_stress"): SLIP,
+    ("wave_2d_elastic", "tangential_stress"): SLIP,
+    ("surface_elastic", "tangential_stress"): SLIP,
     ("hertz", "velocity"): ("friction_coefficient", "contact_half_width", "contact_shift", "peak_pressure"),
     ("wavy_sliding", "load"): ("contact_width", "friction_force"),
     ("wavy_sliding", "velocity"): ("friction_coefficient",),
