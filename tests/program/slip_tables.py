@@ -69,17 +69,24 @@ class SlipTables(InputRuns):
             np.testing.assert_allclose(energy, row["W_direct"], rtol=1e-10)
             np.testing.assert_allclose(energy, row["W_chord"], rtol=1e-4)
 
-    def test_input(self):
-        """The shipped input on fewer cells: less and less sticks, more is lost, and the light load does not hold the largest force."""
-        self.make_surface("surface_slip", 64)
-        found = self.solve("surface_slip", **{"4.0e6, 1.6e7": "1.6e7", "count = 61": "count = 7"})
-        sticks, energy, stiffness, defect = (
-            found[name][0] for name in ("stick_fraction", "cycle_energy", "tangential_stiffness", "poisson_defect"))
+    def check_input(self, name, **changes):
+        """A shipped input up to the largest force that friction holds: less and less sticks, and more is lost."""
+        found = self.solve(name, **changes)
+        sticks, energy, stiffness = (found[key][0] for key in ("stick_fraction", "cycle_energy", "tangential_stiffness"))
         self.assertEqual((sticks[0], sticks[-1]), (1, 0))
         self.assertTrue(np.all(np.diff(sticks) < 0))
         self.assertTrue(np.all(np.diff(energy) > 0))
         self.assertTrue(np.all(np.diff(stiffness) < 0))
-        self.assertTrue(np.all(defect[1:-1] > 0))
+        return found
+
+    def test_inputs(self):
+        self.check_input("hertz_slip", **{"0.2, 0.4": "0.4"})
+        self.check_input("wave_1d_slip", **{"0.031416e9, 0.157e9, 0.3141e9": "0.3141e9"})
+
+    def test_rough_input(self):
+        self.make_surface("surface_slip", 64)
+        found = self.check_input("surface_slip", **{"4.0e6, 1.6e7": "1.6e7", "count = 61": "count = 7"})
+        self.assertTrue(np.all(found["poisson_defect"][0, 1:-1] > 0))
 
 
 if __name__ == "__main__":
