@@ -4,7 +4,8 @@
 !>     indenter [TABLE.csv]
 !>
 !> Sweeps in blocks as the program cuts them, for every kind of shape: without adhesion, by JKR, and by Maugis's theory. Along a load,
-!> an approach or a radius the points of a block share the survey of Maugis's curve; along the work of adhesion each has its own.
+!> an approach or a radius the points of a block share the survey of Maugis's curve; along the work of adhesion each has its own. Partial
+!> slip is that of contacts without adhesion, from small forces to sliding.
 program indenter
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp, i8
@@ -29,6 +30,7 @@ program indenter
       call start(kind)
       call report('none', 'load', 1.0e-3_dp, 10.0_dp)
       call report('none', 'approach', 1.0e-3_dp, 1.0_dp)
+      call report_slip()
       call case%give('work_of_adhesion', 0.01_dp)
       call report('jkr', 'load', 1.0e-3_dp, 10.0_dp)
       call report('jkr', 'approach', 0.1_dp, 1.0_dp)
@@ -58,6 +60,18 @@ contains
       if (kind == 10) call case%give('coefficient_2', 0.5_dp)
       if (kind == 10) call case%give('coefficient_4', 0.2_dp)
    end subroutine start
+
+   !> Partial slip under a load of 1.
+   subroutine report_slip()
+      type(trial_case_t) :: plain
+
+      plain = case
+      call case%give('load', 1.0_dp)
+      call case%give('poisson_ratio', 0.3_dp)
+      case%values(case%model%index_of('friction', 'coefficient')) = 1
+      call report('slip', 'tangential_force', 1.0e-6_dp, 1.0_dp)
+      case = plain
+   end subroutine report_slip
 
    !> Time of a point along a sweep in even steps of the logarithm; the variable is not given then.
    subroutine report(theory, swept, first, last)

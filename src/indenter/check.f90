@@ -8,7 +8,7 @@ module adfric_indenter_check
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_indenter_contact, only: branch_stable
    use adfric_indenter_variables
-   use adfric_material_contact_modulus, only: check_contact_modulus
+   use adfric_material_contact_modulus, only: check_contact_modulus, has_poisson_ratio
    use adfric_model_check, only: require, require_one, refuse_swept
    use adfric_model_table, only: variable_t
    implicit none (type, external)
@@ -36,7 +36,9 @@ contains
       call require(variables, values, [v_kind], problems)
       if (is_set(values(v_kind))) call check_shape(variables, values, problems)
       call check_contact_modulus(variables(v_contact_modulus:v_second_poisson_ratio), &
-         & values(v_contact_modulus:v_second_poisson_ratio), problems, .false.)
+         & values(v_contact_modulus:v_second_poisson_ratio), problems, &
+         & is_set(values(v_friction_coefficient)))
+      call check_friction(variables, values, problems)
       call check_adhesion(variables, values, problems)
       call check_operation(variables, values, problems)
       if (values(v_profiles) > 0) then
@@ -79,6 +81,28 @@ contains
          call problems%add('shape', 'coefficient_1', 'is 0 like all coefficients; give one of them, or kind = ''flat''')
       end if
    end subroutine check_shape
+
+   !> Coulomb's friction.
+   subroutine check_friction(variables, values, problems)
+      !> Table of the variables of the model; shape `(n_variables)`.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (.not. is_set(values(v_friction_coefficient))) then
+         if (is_set(values(v_tangential_force))) call problems%add('friction', 'coefficient', &
+            & 'is missing [-]; tangential_force needs it')
+         return
+      end if
+      call require(variables, values, [v_tangential_force], problems)
+      if (is_set(values(v_contact_modulus)) .and. .not. has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))) &
+         & call problems%add('solid', 'poisson_ratio', 'is missing [-]; the tangential displacement needs it')
+      if (.not. is_set(values(v_work_of_adhesion))) return
+      if (values(v_work_of_adhesion) > 0) call problems%add('friction', 'coefficient', &
+         & 'stands beside &adhesion; mu p has no meaning where p is below 0')
+   end subroutine check_friction
 
    !> Theory and work of adhesion.
    subroutine check_adhesion(variables, values, problems)

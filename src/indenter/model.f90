@@ -4,6 +4,7 @@ module adfric_indenter_model
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
@@ -12,8 +13,9 @@ module adfric_indenter_model
    use adfric_indenter_contact, only: contact_t, ends_t, survey_t, find_contact, survey_curve
    use adfric_indenter_curve, only: curve_t, control_approach
    use adfric_indenter_profiles, only: pressure_at, gap_at
+   use adfric_indenter_slip, only: find_indenter_slip, indenter_slip_t
    use adfric_indenter_variables
-   use adfric_material_contact_modulus, only: derive_contact_modulus
+   use adfric_material_contact_modulus, only: derive_contact_modulus, poisson_compliance_of
    use adfric_model_derived, only: derived_t
    use adfric_model_pointwise, only: pointwise_model_t, point_state_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
@@ -29,6 +31,7 @@ module adfric_indenter_model
       procedure :: wants_profiles
       procedure :: get_profile_axes
       procedure :: solve_point
+      procedure :: count_profiles
       procedure :: fill_profiles
       procedure :: derive_quantities
       procedure :: unit_of
@@ -40,6 +43,8 @@ module adfric_indenter_model
       type(indenter_case_t) :: case
       !> Its contact.
       type(contact_t) :: contact
+      !> Its slip, where there is friction.
+      type(indenter_slip_t) :: slip
       !> The survey of its curve; it serves the next point, too, if that has the same curve and control.
       type(survey_t) :: survey
       !> Values of the variables up to the theory, which the curve follows from where there is a range of adhesion.
@@ -147,6 +152,7 @@ contains
             status = status_solved
             error_estimate = estimate_error(case, contact, found%survey%ends)
             call store_contact(case, contact, values, results)
+            if (is_set(values(v_friction_coefficient))) call add_slip(values, found, results, status)
          end if
       end associate
       call move_alloc(found, state)
@@ -216,6 +222,41 @@ contains
       end associate
    end subroutine store_contact
 
+   !> Add the results of partial slip; without load there are none.
+   pure subroutine add_slip(values, found, results, status)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point with its contact; receives the slip.
+      type(indenter_state_t), intent(inout) :: found
+      !> In: results of the contact. Out: with those of slip, or all NaN; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> In: solved. Out: one of `status_...`.
+      integer, intent(inout) :: status
+      real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
+      real(dp) :: needed, ratio
+      logical :: is_converged
+
+      associate (case => found%case, slip => found%slip, mu => values(v_friction_coefficient))
+         needed = abs(values(v_tangential_force))/mu
+         if (needed > (1 + round_off)*results(r_load)) then
+            status = status_no_equilibrium
+            results(:) = not_a_number()
+            return
+         end if
+         if (.not. results(r_load) > 0) return
+         call find_indenter_slip(case%curve, found%survey, found%contact, min(needed/results(r_load), 1.0_dp), slip, is_converged)
+         ! m = 1 + (E*/4) sum of nu/G
+         ratio = 1 + case%modulus*poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))/4
+         results(r_stick_fraction) = slip%ratio**2
+         results(r_tangential_displacement) = sign(mu*ratio*case%height_unit*slip%fall, values(v_tangential_force))
+         results(r_tangential_stiffness) = 2*slip%stick%spot%radius*case%length_unit*case%modulus/ratio
+         results(r_cycle_energy) = 8*mu**2*ratio*slip%energy*case%force_unit()*case%height_unit
+         if (is_converged) return
+         status = status_not_converged
+         results(:) = not_a_number()
+      end associate
+   end subroutine add_slip
+
    !> U = int [delta - g(x)]^2 dx from 0 to a, and of the stress beside the contact, reduced.
    pure real(dp) function elastic_energy(curve, contact) result(energy)
       !> The curve with its shape.
@@ -267,7 +308,19 @@ contains
       end associate
    end function estimate_error
 
-   !> See `pointwise_model_t`: pressure and gap.
+   !> See `model_t`: the shear stress belongs to friction.
+   pure integer function count_profiles(self, values)
+      !> The model; nothing of it is read here.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      count_profiles = merge(p_shear_stress, p_gap, is_set(values(v_friction_coefficient)))
+      associate (unused => self)
+      end associate
+   end function count_profiles
+
+   !> See `pointwise_model_t`: pressure and gap, and with friction the shear stress.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
       !> The model; nothing of it is read here.
       class(indenter_model_t), intent(in) :: self
@@ -279,7 +332,7 @@ contains
       class(point_state_t), allocatable, intent(in) :: state
       !> The axis r.
       type(profile_axis_t), intent(in) :: axes(:)
-      !> In: all NaN. Out: the profiles; shape `(n_r, 1, 2)`.
+      !> In: all NaN. Out: the profiles; shape `(n_r, 1, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
       real(dp) :: r
       integer :: k
@@ -292,12 +345,30 @@ contains
                profiles(k, 1, p_pressure) = pressure_at(case%curve%shape, state%contact, r)*case%modulus &
                   & *(case%height_unit/case%length_unit)
                profiles(k, 1, p_gap) = gap_at(case%curve%shape, state%contact, r)*case%height_unit
+               if (size(profiles, 3) == p_shear_stress) profiles(k, 1, p_shear_stress) = shear_at(state, values, r)
             end do
          end associate
       end select
       associate (unused => self, unused_too => values, unused_results => results)
       end associate
    end subroutine fill_profiles
+
+   !> Shear traction at a distance from the axis [Pa].
+   pure real(dp) function shear_at(state, values, r) result(traction)
+      !> The point with its slip.
+      type(indenter_state_t), intent(in) :: state
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Distance from the axis, reduced, >= 0.
+      real(dp), intent(in) :: r
+
+      associate (case => state%case)
+         traction = pressure_at(case%curve%shape, state%contact, r)
+         if (state%slip%stick%load > 0) traction = traction - pressure_at(case%curve%shape, state%slip%stick, r)
+         traction = sign(values(v_friction_coefficient), values(v_tangential_force))*traction*case%modulus &
+            & *(case%height_unit/case%length_unit)
+      end associate
+   end function shear_at
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)

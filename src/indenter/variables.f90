@@ -13,10 +13,12 @@ module adfric_indenter_variables
 
    !> Places of the variables.
    integer, parameter, public :: v_kind = 1, v_radius = 2, v_slope = 3, v_half_angle = 4, v_exponent = 5, v_coefficient = 6, &
-      & v_face_radius = 7, v_coefficient_1 = 8, v_coefficient_8 = 15, v_contact_modulus = 16, v_second_poisson_ratio = 20, &
+      & v_face_radius = 7, v_coefficient_1 = 8, v_coefficient_8 = 15, v_contact_modulus = 16, v_poisson_ratio = 18, &
+      & v_second_poisson_ratio = 20, &
       & v_work_of_adhesion = 21, v_adhesion_stress = 22, v_adhesion_range = 23, v_lambda = 24, v_theory = 25, v_load = 26, &
-      & v_approach = 27, v_contact_radius = 28, v_face_angle = 29, v_branch = 30, v_profiles = 31, v_n_r = 32, v_r_max = 33
-   integer, parameter, public :: n_indenter_variables = 33
+      & v_approach = 27, v_contact_radius = 28, v_face_angle = 29, v_branch = 30, v_profiles = 31, v_n_r = 32, v_r_max = 33, &
+      & v_tangential_force = 34, v_friction_coefficient = 35
+   integer, parameter, public :: n_indenter_variables = 35
 
    !> Places of the words in the choices.
    integer, parameter, public :: kind_flat = 1, kind_cone = 2, kind_paraboloid = 3, kind_power = 4, kind_sphere = 5, &
@@ -30,10 +32,11 @@ module adfric_indenter_variables
    integer, parameter, public :: r_load = 1, r_approach = 2, r_contact_radius = 3, r_contact_area = 4, r_mean_pressure = 5, &
       & r_contact_stiffness = 6, r_elastic_energy = 7, r_pull_off_load = 8, r_pull_off_approach = 9, r_jump_inward_load = 10, &
       & r_jump_inward_approach = 11, r_jump_outward_load = 12, r_jump_outward_approach = 13, r_stable = 14, r_theory_used = 15, &
-      & r_adhesion_radius = 16
-   integer, parameter, public :: n_indenter_results = 16
+      & r_adhesion_radius = 16, r_stick_fraction = 17, r_tangential_displacement = 18, r_tangential_stiffness = 19, &
+      & r_cycle_energy = 20
+   integer, parameter, public :: n_indenter_results = 20
    !> Places of the profiles.
-   integer, parameter, public :: p_pressure = 1, p_gap = 2
+   integer, parameter, public :: p_pressure = 1, p_gap = 2, p_shear_stress = 3
 
    !> Largest coefficient of a profile; those of small tips are large.
    real(dp), parameter :: largest_coefficient = 1.0e200_dp
@@ -73,6 +76,12 @@ contains
       v(v_profiles) = switch(group='output', name='profiles', meaning='write pressure and gap of every point', default=.false.)
       v(v_n_r) = whole_number(group='output', name='n_r', meaning='samples of a profile', default=201, lower=2, upper=10000000)
       v(v_r_max) = above_zero(group='output', name='r_max', unit='m', meaning='radius up to which profiles are written')
+      v(v_tangential_force) = any_number(group='operating', name='tangential_force', unit='N', &
+         & meaning='T, which has grown from 0 under the load; up to mu P, of either sign')
+      v(v_friction_coefficient) = positive(group='friction', name='coefficient', unit='-', &
+         & meaning='mu of Coulomb''s friction, without adhesion')
+      ! a sweep of a coefficient means that of the shape
+      v(v_friction_coefficient)%has_bare_name = .false.
    end function get_indenter_variables
 
    !> The rows of the shape.
@@ -139,13 +148,24 @@ contains
          & flag_meanings='none jkr dmt maugis_dugdale')
       r(r_adhesion_radius) = result_row(name='adhesion_radius', unit='m', &
          & long_name='radius c up to which adhesion acts; none in DMT')
+      r(r_stick_fraction) = result_row(name='stick_fraction', unit='-', &
+         & long_name='share of the area of contact that sticks; friction alone has it')
+      r(r_tangential_displacement) = result_row(name='tangential_displacement', unit='m', &
+         & long_name='of distant points by the tangential force')
+      r(r_tangential_stiffness) = result_row(name='tangential_stiffness', unit='N/m', &
+         & long_name='slope of the tangential force over its displacement, while it grows')
+      r(r_cycle_energy) = result_row(name='cycle_energy', unit='J', &
+         & long_name='energy that friction takes in a cycle between T and -T')
    end function get_indenter_results
 
    !> The table of profiles.
    function get_indenter_profiles() result(p)
       type(profile_t), allocatable :: p(:)
 
-      p = contact_profiles()
+      allocate (p(p_shear_stress))
+      p(:p_gap) = contact_profiles()
+      p(p_shear_stress) = profile_t(name='shear_stress', unit='Pa', &
+         & long_name='shear stress of friction, along the tangential force')
    end function get_indenter_profiles
 
 end module adfric_indenter_variables

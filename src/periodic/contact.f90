@@ -88,15 +88,17 @@ contains
       type(periodic_operator_t), intent(inout) :: operator
       real(dp) :: depth
 
-      state%gap = 0*state%shape
+      if (.not. allocated(state%gap)) allocate (state%gap, mold=state%shape)
+      if (.not. allocated(state%is_open)) allocate (state%is_open(size(state%shape, 1), size(state%shape, 2)))
+      state%gap(:, :) = 0
       if (state%has_fixed_mean) then
          depth = sum(state%shape)/size(state%shape) - state%mean_gap
-         state%is_open = state%shape > depth
+         state%is_open(:, :) = state%shape > depth
          state%gap(:, :) = max(state%shape - depth, 0.0_dp)
       else
          allocate (state%pressure, mold=state%shape)
          call update_pressure(state, operator)
-         state%is_open = state%pressure < 0
+         state%is_open(:, :) = state%pressure < 0
       end if
    end subroutine start_contact
 

@@ -191,7 +191,7 @@ contains
          n = merge((n + 1)/2, n, halved(:, k))
          sizes = sizes*merge(2, 1, halved(:, k))
       end do
-      is_halved = halved(:, :k - 1)
+      allocate (is_halved, source=halved(:, :k - 1))
    end subroutine plan_grids
 
    !> Say which cells are open.
