@@ -19,7 +19,7 @@ module adfric_indenter_case
    use adfric_material_contact_modulus, only: contact_modulus_of
    implicit none (type, external)
    private
-   public :: indenter_case_t, resolve_case, is_possible
+   public :: indenter_case_t, resolve_case, is_possible, theory_of
 
    !> Units and what is held must be between these powers of ten, or numbers have no room.
    integer, parameter :: largest_unit = 70, largest_number = 30

@@ -5,10 +5,12 @@ module adfric_indenter_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: get_word
-   use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
+   use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible, theory_of
    use adfric_indenter_contact, only: branch_stable
+   use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_variables
    use adfric_material_contact_modulus, only: check_contact_modulus, has_poisson_ratio
+   use adfric_material_shear_strength_rows, only: check_shear, has_shear
    use adfric_model_check, only: require, require_one, refuse_swept
    use adfric_model_table, only: variable_t
    implicit none (type, external)
@@ -37,10 +39,12 @@ contains
       if (is_set(values(v_kind))) call check_shape(variables, values, problems)
       call check_contact_modulus(variables(v_contact_modulus:v_second_poisson_ratio), &
          & values(v_contact_modulus:v_second_poisson_ratio), problems, &
-         & is_set(values(v_friction_coefficient)))
+         & is_set(values(v_tangential_force)) .or. is_set(values(v_position_z)))
       call check_friction(variables, values, problems)
       call check_adhesion(variables, values, problems)
       call check_operation(variables, values, problems)
+      if (is_set(values(v_position_z)) .and. .not. is_set(values(v_poisson_ratio))) &
+         & call problems%add('solid', 'poisson_ratio', 'is missing [-]; the stresses at position_z need it')
       if (values(v_profiles) > 0) then
          call require(variables, values, [v_r_max], problems)
          call refuse_swept(variables, is_swept, [v_r_max, v_n_r], problems)
@@ -82,7 +86,7 @@ contains
       end if
    end subroutine check_shape
 
-   !> Coulomb's friction.
+   !> Friction: Coulomb's, or of a shear strength.
    subroutine check_friction(variables, values, problems)
       !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
@@ -90,19 +94,41 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
+      logical :: is_coulomb, has_strength, is_adhesive
 
-      if (.not. is_set(values(v_friction_coefficient))) then
-         if (is_set(values(v_tangential_force))) call problems%add('friction', 'coefficient', &
-            & 'is missing [-]; tangential_force needs it')
-         return
+      is_coulomb = is_set(values(v_friction_coefficient))
+      has_strength = has_shear(values(v_shear_strength:v_pressure_factor))
+      is_adhesive = .false.
+      if (is_set(values(v_work_of_adhesion))) is_adhesive = values(v_work_of_adhesion) > 0
+      if (is_coulomb) then
+         call require(variables, values, [v_tangential_force], problems)
+         if (is_adhesive) call problems%add('friction', 'coefficient', &
+            & 'stands beside &adhesion; mu p has no meaning where p is below 0: give shear_strength')
+         if (has_strength) call problems%add('friction', 'coefficient', &
+            & 'stands beside shear_strength or pressure_factor; give one friction')
+      else if (has_strength) then
+         call check_shear(variables(v_shear_strength:v_pressure_factor), values(v_shear_strength:v_pressure_factor), 0.0_dp, &
+            & problems)
+         if (is_set(values(v_pressure_factor))) call check_edge(values, problems)
+      else if (is_set(values(v_tangential_force))) then
+         call problems%add('friction', 'coefficient', 'is missing [-]; tangential_force needs it, or shear_strength')
       end if
-      call require(variables, values, [v_tangential_force], problems)
-      if (is_set(values(v_contact_modulus)) .and. .not. has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))) &
+      if (.not. is_set(values(v_tangential_force)) .or. .not. is_set(values(v_contact_modulus))) return
+      if (.not. has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))) &
          & call problems%add('solid', 'poisson_ratio', 'is missing [-]; the tangential displacement needs it')
-      if (.not. is_set(values(v_work_of_adhesion))) return
-      if (values(v_work_of_adhesion) > 0) call problems%add('friction', 'coefficient', &
-         & 'stands beside &adhesion; mu p has no meaning where p is below 0')
    end subroutine check_friction
+
+   !> With alpha > 0, JKR's infinite tension at the edge would slip at once.
+   subroutine check_edge(values, problems)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (.not. (values(v_pressure_factor) > 0 .and. is_set(values(v_tangential_force)))) return
+      if (theory_of(values) == theory_jkr) call problems%add('friction', 'pressure_factor', &
+         & 'has no partial slip in JKR, whose tension at the edge is infinite; give adhesion a range')
+   end subroutine check_edge
 
    !> Theory and work of adhesion.
    subroutine check_adhesion(variables, values, problems)
@@ -189,7 +215,14 @@ contains
       integer :: held
 
       call resolve_case(values, case)
-      if (is_possible(values, case)) return
+      if (is_possible(values, case)) then
+         select type (curve => case%curve)
+         type is (dugdale_curve_t)
+            call check_shear(variables(v_shear_strength:v_pressure_factor), values(v_shear_strength:v_pressure_factor), &
+               & curve%stress*case%modulus*(case%height_unit/case%length_unit), problems)
+         end select
+         return
+      end if
       if (nint(values(v_kind)) == kind_sphere .and. case%theory == theory_maugis_dugdale) then
          call problems%add('shape', 'radius', 'is so small that adhesion would reach beyond the sphere')
          return

@@ -14,7 +14,7 @@ module adfric_indenter_contact
    use adfric_indenter_shape, only: spot_t
    implicit none (type, external)
    private
-   public :: contact_t, ends_t, survey_t, find_contact, survey_curve, branch_stable, branch_inner, branch_unstable
+   public :: contact_t, ends_t, survey_t, find_contact, survey_curve, find_face_angle, branch_stable, branch_inner, branch_unstable
 
    !> Which state is meant where there are several: the largest stable one, the smallest stable one, the largest unstable one.
    integer, parameter :: branch_stable = 1, branch_inner = 2, branch_unstable = 3

@@ -65,6 +65,7 @@ contains
       self%reach = 1
       self%kind = kind
       self%has_face = kind /= rounded_cone
+      self%has_rising_slope = kind == rounded_punch
       select case (kind)
       case (flat_cone)
          least = least_of_cone

@@ -1,10 +1,22 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The stable and the unstable parts of a curve of Maugis's theory.
 !>
-!> Nobody has proved how many folds such a curve has. They are found by the sign of the closed difference that makes them (F_P or F_d,
-!> see `adfric_indenter_dugdale_curve`), over its terms a number between -1 and 1, which is taken at places close to each other from
-!> the smallest contact, a = 0, to one that is stable in JKR with much to spare. Each change of sign is a fold; where the number comes
-!> close to 0 and turns, its extreme value is sought between the places, so that two folds side by side are seen, too.
+!> Folds are roots of F_P or F_d (see `adfric_indenter_dugdale_curve`), each one difference of two positive terms. With
+!> N(c, th) = int g'(c cos(y)) cos(y) dy, 0 < y < th, they are where N is 2 S D,
+!>
+!>     D = 1 - cos(th) at given approach,    D = 1 - cos(th) + th^2/cos(th) under load.
+!>
+!> **Where g' never falls there is at most one fold.** For then N rises with c, and N >= g'(a) sin(th), so that d(ln N)/dth, which is
+!> g'(a) cos(th)/N, is at most cot(th). At given approach d(ln D)/dth = sin(th)/(1 - cos(th)) is above that. Under load
+!> sin(th) dD/dth = 2 th tan(th) + (th tan(th))^2 + sin(th)^2 is above cos(th) D = th^2 + cos(th) - cos(th)^2. So N/D falls with th and rises
+!> with c, and along the curve a larger contact has a larger c and a smaller th: N/D rises, and passes 2 S once. A sign at the least and
+!> at the largest contact then shows whether there is a fold. This holds for the cone, r^n with n >= 1 and sums of them, the sphere, and
+!> the rounded punch.
+!>
+!> For the other kinds nobody has proved how many folds there are. They are found by the sign of the difference over its terms, a number
+!> between -1 and 1, which is taken at places close to each other from the smallest contact, a = 0, to one that is stable in JKR with
+!> much to spare. Each change of sign is a fold; where the number comes close to 0 and turns, its extreme value is sought between the
+!> places, so that two folds side by side are seen, too.
 module adfric_indenter_dugdale_folds
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
@@ -14,8 +26,8 @@ module adfric_indenter_dugdale_folds
    private
    public :: margins_t, find_stable_parts, find_edge_angle
 
-   !> Most places, and places in a decade.
-   integer, parameter :: most_places = 400, per_decade = 8
+   !> Most places, and places in a decade: of a curve that has at most one fold, and of others.
+   integer, parameter :: most_places = 400, few = 1, many = 8
    !> The corner of a flat face as seen from within, where u has no end.
    real(dp), parameter :: at_corner = 1.0e30_dp
    !> An extreme value is sought where the margin is as small as this.
@@ -51,6 +63,8 @@ module adfric_indenter_dugdale_folds
 
    !> Places along a curve.
    type :: places_t
+      !> Has the curve at most one fold?
+      logical :: has_one_fold = .false.
       !> Number of places.
       integer :: n = 0
       !> Their unknowns, and the origin from which their distances are like powers.
@@ -111,6 +125,8 @@ contains
       real(dp) :: margin, c, least, most, edge_angle
       integer :: control
 
+      ! beside a vertical edge the last place may lie below the fold, and the way there is steep
+      places%has_one_fold = shape%has_rising_slope .and. .not. shape%edge < endless
       control = margins%control
       margins%control = control_approach
       call margins%get_margin(0.0_dp, .not. shape%corner > 0, margin, c, is_converged)
@@ -121,6 +137,8 @@ contains
       if (control == control_load) least = min(least, 0.02_dp*c*max(1 - margin, epsilon(c))/(1 + margin + epsilon(c)))
       most = spare*max(shape%get_end(1.5_dp*sqrt(two_pi*stress*range)), c)
       if (shape%edge < endless) most = shape%unknown_of(within_edge*shape%edge)
+      if (places%has_one_fold) call reach_stability(margins, most, is_converged)
+      if (.not. is_converged) return
       if (shape%has_face) then
          ! within the face the zone ends at the corner where a/sqrt(b^2 - a^2) is the cotangent of the angle of a flat punch
          call find_edge_angle(pi*range/(4*stress), edge_angle)
@@ -137,6 +155,29 @@ contains
          call add_places(places, .true., 0.0_dp, least, most)
       end if
    end subroutine choose_places
+
+   !> A contact that is stable, from a guess upwards.
+   pure subroutine reach_stability(margins, u, is_converged)
+      !> The difference that makes folds.
+      class(margins_t), intent(in) :: margins
+      !> In: a guess beyond the corner. Out: at least as much, a stable contact.
+      real(dp), intent(inout) :: u
+      !> Was one found?
+      logical, intent(out) :: is_converged
+      real(dp), parameter :: factor = 4.0_dp
+      integer, parameter :: most_steps = 40
+      real(dp) :: margin, c
+      integer :: k
+      logical :: is_found
+
+      is_converged = .false.
+      do k = 1, most_steps
+         call margins%get_margin(u, .true., margin, c, is_found)
+         is_converged = is_found .and. margin > 0
+         if (is_converged .or. .not. is_found) return
+         u = factor*u
+      end do
+   end subroutine reach_stability
 
    !> The angle th where th sin(th) + cos(th) - 1 has a value; 0 if the value is more than pi/2 - 1.
    pure subroutine find_edge_angle(value, angle)
@@ -175,7 +216,7 @@ contains
       real(dp), intent(in) :: first, last
       integer :: k, n
 
-      n = max(2, ceiling(per_decade*log10(last/first)))
+      n = max(2, ceiling(merge(few, many, places%has_one_fold)*log10(last/first)))
       n = min(n, most_places/2 - 2)
       associate (m => places%n)
          do k = 0, n + 1
@@ -224,7 +265,7 @@ contains
                & endless)
          else if ((values(k) > 0) .neqv. (values(k + 1) > 0)) then
             call add_fold(margins, places, k, places%u(k), places%u(k + 1), values(k), values(k + 1), intervals, n)
-         else if (has_turn(values, places, k, last)) then
+         else if (.not. places%has_one_fold .and. has_turn(values, places, k, last)) then
             call find_turn(margins, places, k, values(k) > 0, turn, at_turn)
             if ((at_turn > 0) .neqv. (values(k) > 0)) then
                call add_fold(margins, places, k, places%u(max(k - 1, 1)), turn, values(k), at_turn, intervals, n)

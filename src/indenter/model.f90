@@ -8,11 +8,13 @@ module adfric_indenter_model
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
+   use adfric_indenter_axis_stress, only: get_axis_stress
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_indenter_check, only: check_indenter_values
    use adfric_indenter_contact, only: contact_t, ends_t, survey_t, find_contact, survey_curve
    use adfric_indenter_curve, only: curve_t, control_approach
    use adfric_indenter_profiles, only: pressure_at, gap_at
+   use adfric_indenter_shear, only: find_shear_slip, find_sliding, resistance_t, shear_slip_t, shear_stress_at
    use adfric_indenter_slip, only: find_indenter_slip, indenter_slip_t
    use adfric_indenter_variables
    use adfric_material_contact_modulus, only: derive_contact_modulus, poisson_compliance_of
@@ -45,6 +47,9 @@ module adfric_indenter_model
       type(contact_t) :: contact
       !> Its slip, where there is friction.
       type(indenter_slip_t) :: slip
+      !> How it resists shear, and its slip, where there is a shear strength.
+      type(resistance_t) :: resistance
+      type(shear_slip_t) :: shear
       !> The survey of its curve; it serves the next point, too, if that has the same curve and control.
       type(survey_t) :: survey
       !> Values of the variables up to the theory, which the curve follows from where there is a range of adhesion.
@@ -152,7 +157,9 @@ contains
             status = status_solved
             error_estimate = estimate_error(case, contact, found%survey%ends)
             call store_contact(case, contact, values, results)
+            if (is_set(values(v_position_z))) call store_stress(case, contact, values, results)
             if (is_set(values(v_friction_coefficient))) call add_slip(values, found, results, status)
+            if (is_set(values(v_shear_strength))) call add_friction(values, found, results, status)
          end if
       end associate
       call move_alloc(found, state)
@@ -222,6 +229,24 @@ contains
       end associate
    end subroutine store_contact
 
+   !> Stresses on the axis, in SI units.
+   pure subroutine store_stress(case, contact, values, results)
+      !> The point with its units.
+      type(indenter_case_t), intent(in) :: case
+      !> The contact, reduced.
+      type(contact_t), intent(in) :: contact
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the results; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      real(dp) :: s_zz, s_rr, unit
+
+      call get_axis_stress(case%curve%shape, contact, values(v_poisson_ratio), values(v_position_z)/case%length_unit, s_zz, s_rr)
+      unit = case%modulus*(case%height_unit/case%length_unit)
+      results(r_stress_zz) = s_zz*unit
+      results(r_stress_rr) = s_rr*unit
+   end subroutine store_stress
+
    !> Add the results of partial slip; without load there are none.
    pure subroutine add_slip(values, found, results, status)
       !> Values of the variables; shape `(n_variables)`.
@@ -245,8 +270,7 @@ contains
          end if
          if (.not. results(r_load) > 0) return
          call find_indenter_slip(case%curve, found%survey, found%contact, min(needed/results(r_load), 1.0_dp), slip, is_converged)
-         ! m = 1 + (E*/4) sum of nu/G
-         ratio = 1 + case%modulus*poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))/4
+         ratio = tangential_compliance(values, case)
          results(r_stick_fraction) = slip%ratio**2
          results(r_tangential_displacement) = sign(mu*ratio*case%height_unit*slip%fall, values(v_tangential_force))
          results(r_tangential_stiffness) = 2*slip%stick%spot%radius*case%length_unit*case%modulus/ratio
@@ -256,6 +280,58 @@ contains
          results(:) = not_a_number()
       end associate
    end subroutine add_slip
+
+   !> Add the friction of a shear strength, and under a tangential force its partial slip.
+   pure subroutine add_friction(values, found, results, status)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point with its contact; receives resistance and slip.
+      type(indenter_state_t), intent(inout) :: found
+      !> In: results of the contact. Out: with those of friction, or all NaN; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> In: solved. Out: one of `status_...`.
+      integer, intent(inout) :: status
+      real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
+      real(dp) :: radius, force, ratio, unit
+      logical :: is_converged
+
+      associate (case => found%case, slip => found%shear)
+         unit = case%modulus*(case%height_unit/case%length_unit)
+         found%resistance%strength = values(v_shear_strength)/unit
+         if (is_set(values(v_pressure_factor))) found%resistance%factor = values(v_pressure_factor)
+         found%resistance%edge_fraction = values(v_edge_fraction)
+         call find_sliding(found%resistance, found%contact, case%curve%outer_pull, radius, force)
+         results(r_friction_area) = pi*(radius*case%length_unit)**2
+         results(r_friction_force) = force*case%force_unit()
+         if (.not. is_set(values(v_tangential_force))) return
+         if (abs(values(v_tangential_force)) > (1 + round_off)*results(r_friction_force)) then
+            status = status_no_equilibrium
+            results(:) = not_a_number()
+            return
+         end if
+         if (.not. radius > 0) return
+         call find_shear_slip(case%curve%shape, found%resistance, found%contact, abs(values(v_tangential_force)) &
+            & /case%force_unit(), slip, is_converged)
+         ratio = tangential_compliance(values, case)
+         results(r_stick_fraction) = slip%ratio**2
+         results(r_tangential_displacement) = sign(ratio*case%height_unit*slip%displacement, values(v_tangential_force))
+         results(r_tangential_stiffness) = 2*slip%radius*case%length_unit*case%modulus/ratio
+         results(r_cycle_energy) = ratio*slip%energy*case%force_unit()*case%height_unit
+         if (is_converged) return
+         status = status_not_converged
+         results(:) = not_a_number()
+      end associate
+   end subroutine add_friction
+
+   !> m, the ratio of the tangential to the normal compliance: 1 + (E*/4) sum of nu/G.
+   pure real(dp) function tangential_compliance(values, case) result(ratio)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point with its modulus.
+      type(indenter_case_t), intent(in) :: case
+
+      ratio = 1 + case%modulus*poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))/4
+   end function tangential_compliance
 
    !> U = int [delta - g(x)]^2 dx from 0 to a, and of the stress beside the contact, reduced.
    pure real(dp) function elastic_energy(curve, contact) result(energy)
@@ -315,7 +391,7 @@ contains
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      count_profiles = merge(p_shear_stress, p_gap, is_set(values(v_friction_coefficient)))
+      count_profiles = merge(p_shear_stress, p_gap, is_set(values(v_friction_coefficient)) .or. is_set(values(v_shear_strength)))
       associate (unused => self)
       end associate
    end function count_profiles
@@ -363,6 +439,12 @@ contains
       real(dp), intent(in) :: r
 
       associate (case => state%case)
+         if (is_set(values(v_shear_strength))) then
+            traction = shear_stress_at(case%curve%shape, state%resistance, state%contact, state%shear, r)*case%modulus &
+               & *(case%height_unit/case%length_unit)
+            if (is_set(values(v_tangential_force))) traction = sign(traction, values(v_tangential_force))
+            return
+         end if
          traction = pressure_at(case%curve%shape, state%contact, r)
          if (state%slip%stick%load > 0) traction = traction - pressure_at(case%curve%shape, state%slip%stick, r)
          traction = sign(values(v_friction_coefficient), values(v_tangential_force))*traction*case%modulus &

@@ -59,6 +59,7 @@ contains
       self%exponents(:self%n_terms) = exponents
       self%factors(:self%n_terms) = factors
       self%onset = minval(exponents) - 1
+      self%has_rising_slope = .not. any(exponents < 1)
       if (.not. any(abs(exponents - nint(exponents)) > 0)) self%reach = huge(1.0_dp)
    end subroutine new_power_shape
 

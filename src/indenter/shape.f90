@@ -51,6 +51,8 @@ module adfric_indenter_shape
       real(dp) :: corner = 0
       !> Is the profile flat up to the corner, so that no smaller contact is stable?
       logical :: has_face = .false.
+      !> Does g' never fall, so that a curve of Maugis's theory has at most one fold?
+      logical :: has_rising_slope = .true.
       !> dg/dv is analytic up to this |v| about 0; 0 if it is not even there.
       real(dp) :: reach = 0
       !> Radius where the profile ends, since it is vertical there.

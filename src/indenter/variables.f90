@@ -4,8 +4,8 @@ module adfric_indenter_variables
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_material_contact_modulus, only: set_modulus_rows
-   use adfric_model_rows, only: positive, number, any_number, above_zero, choice, switch, whole_number, result_row, &
-      & contact_profiles
+   use adfric_material_shear_strength_rows, only: set_shear_rows, shear_profiles, p_shear_stress
+   use adfric_model_rows, only: positive, number, any_number, above_zero, choice, switch, whole_number, result_row
    use adfric_model_table, only: variable_t, result_t, profile_t
    implicit none (type, external)
    private
@@ -17,8 +17,9 @@ module adfric_indenter_variables
       & v_second_poisson_ratio = 20, &
       & v_work_of_adhesion = 21, v_adhesion_stress = 22, v_adhesion_range = 23, v_lambda = 24, v_theory = 25, v_load = 26, &
       & v_approach = 27, v_contact_radius = 28, v_face_angle = 29, v_branch = 30, v_profiles = 31, v_n_r = 32, v_r_max = 33, &
-      & v_tangential_force = 34, v_friction_coefficient = 35
-   integer, parameter, public :: n_indenter_variables = 35
+      & v_tangential_force = 34, v_friction_coefficient = 35, v_shear_strength = 36, v_pressure_factor = 37, v_edge_fraction = 38, &
+      & v_position_z = 39
+   integer, parameter, public :: n_indenter_variables = 39
 
    !> Places of the words in the choices.
    integer, parameter, public :: kind_flat = 1, kind_cone = 2, kind_paraboloid = 3, kind_power = 4, kind_sphere = 5, &
@@ -33,10 +34,12 @@ module adfric_indenter_variables
       & r_contact_stiffness = 6, r_elastic_energy = 7, r_pull_off_load = 8, r_pull_off_approach = 9, r_jump_inward_load = 10, &
       & r_jump_inward_approach = 11, r_jump_outward_load = 12, r_jump_outward_approach = 13, r_stable = 14, r_theory_used = 15, &
       & r_adhesion_radius = 16, r_stick_fraction = 17, r_tangential_displacement = 18, r_tangential_stiffness = 19, &
-      & r_cycle_energy = 20
-   integer, parameter, public :: n_indenter_results = 20
-   !> Places of the profiles.
-   integer, parameter, public :: p_pressure = 1, p_gap = 2, p_shear_stress = 3
+      & r_cycle_energy = 20, r_friction_area = 21, r_friction_force = 22, r_stress_zz = 23, &
+      & r_stress_rr = 24
+   integer, parameter, public :: n_indenter_results = 24
+   !> Places of the profiles; that of the shear stress comes from the rows of friction.
+   public :: p_shear_stress
+   integer, parameter, public :: p_pressure = 1, p_gap = 2
 
    !> Largest coefficient of a profile; those of small tips are large.
    real(dp), parameter :: largest_coefficient = 1.0e200_dp
@@ -77,11 +80,15 @@ contains
       v(v_n_r) = whole_number(group='output', name='n_r', meaning='samples of a profile', default=201, lower=2, upper=10000000)
       v(v_r_max) = above_zero(group='output', name='r_max', unit='m', meaning='radius up to which profiles are written')
       v(v_tangential_force) = any_number(group='operating', name='tangential_force', unit='N', &
-         & meaning='T, which has grown from 0 under the load; up to mu P, of either sign')
+         & meaning='T, which has grown from 0 under the load; up to that of sliding, of either sign')
       v(v_friction_coefficient) = positive(group='friction', name='coefficient', unit='-', &
          & meaning='mu of Coulomb''s friction, without adhesion')
       ! a sweep of a coefficient means that of the shape
       v(v_friction_coefficient)%has_bare_name = .false.
+      call set_shear_rows(v(v_shear_strength:v_pressure_factor))
+      v(v_edge_fraction) = any_number(group='friction', name='edge_fraction', unit='-', &
+         & meaning='x of the radius b = a + x (c - a) up to which a shear strength acts', default=0.4_dp, &
+         & lower=0.0_dp, upper=1.0_dp)
    end function get_indenter_variables
 
    !> The rows of the shape.
@@ -149,23 +156,27 @@ contains
       r(r_adhesion_radius) = result_row(name='adhesion_radius', unit='m', &
          & long_name='radius c up to which adhesion acts; none in DMT')
       r(r_stick_fraction) = result_row(name='stick_fraction', unit='-', &
-         & long_name='share of the area of contact that sticks; friction alone has it')
+         & long_name='share that sticks of the area where friction acts; a tangential force has it')
       r(r_tangential_displacement) = result_row(name='tangential_displacement', unit='m', &
          & long_name='of distant points by the tangential force')
       r(r_tangential_stiffness) = result_row(name='tangential_stiffness', unit='N/m', &
          & long_name='slope of the tangential force over its displacement, while it grows')
       r(r_cycle_energy) = result_row(name='cycle_energy', unit='J', &
          & long_name='energy that friction takes in a cycle between T and -T')
+      r(r_friction_area) = result_row(name='friction_area', unit='m^2', &
+         & long_name='area pi b^2 where a shear strength acts')
+      r(r_friction_force) = result_row(name='friction_force', unit='N', &
+         & long_name='force of sliding against a shear strength')
+      r(r_stress_zz) = result_row(name='stress_zz', unit='Pa', long_name='stress along the axis at position_z, tension positive')
+      r(r_stress_rr) = result_row(name='stress_rr', unit='Pa', &
+         & long_name='stress across the axis at position_z, tension positive; in the body of poisson_ratio')
    end function get_indenter_results
 
    !> The table of profiles.
    function get_indenter_profiles() result(p)
       type(profile_t), allocatable :: p(:)
 
-      allocate (p(p_shear_stress))
-      p(:p_gap) = contact_profiles()
-      p(p_shear_stress) = profile_t(name='shear_stress', unit='Pa', &
-         & long_name='shear stress of friction, along the tangential force')
+      p = shear_profiles()
    end function get_indenter_profiles
 
 end module adfric_indenter_variables
