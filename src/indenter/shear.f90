@@ -297,11 +297,11 @@ contains
          place%slope = self%factor*spot%depth_slope
          if (place%t > 0) place%slope = place%slope + 2*self%uniform*place%e*spot%radius_slope/place%t
          ! what is left below e
-         place%rest = 2*self%uniform*(self%b**2*atan2(place%e, place%t) - place%e*place%t) + self%factor*spot%load
+         place%rest = 2*self%uniform*core(self%b, place%e, place%t) + self%factor*spot%load
          if (self%stress > 0) then
             place%displacement = place%displacement + 2*self%factor*self%stress*square/(s + sqrt(self%whole_zone))
             place%slope = place%slope + 2*self%factor*self%stress*place%e*spot%radius_slope/s
-            place%rest = place%rest + 2*self%factor*self%stress*(self%c**2*atan2(place%e, s) - place%e*s)
+            place%rest = place%rest + 2*self%factor*self%stress*core(self%c, place%e, s)
          end if
       end associate
    end subroutine get_place
@@ -368,6 +368,18 @@ contains
       first = atan2(e, s)
       segment = self%c**2*sum(gauss_weights*sin(first + width*(1 + gauss_nodes)/2)**2)*width/2
    end function segment
+
+   !> r^2 arcsin(e/r) - e sqrt(r^2 - e^2) = 2 r^2 int sin(y)^2 dy, 0 < y < arcsin(e/r): a small one has its own digits.
+   pure real(dp) function core(r, e, s)
+      !> r, and e, at most r.
+      real(dp), intent(in) :: r, e
+      !> sqrt(r^2 - e^2).
+      real(dp), intent(in) :: s
+      real(dp) :: angle
+
+      angle = atan2(e, s)
+      core = 2*r**2*sum(gauss_weights*sin(angle*(1 + gauss_nodes)/2)**2)*angle/2
+   end function core
 
    !> What g and P1 lose along the beginning of a range of u.
    pure subroutine integrate_profile(shape, is_beyond, high, length, depth, load)
@@ -460,7 +472,7 @@ contains
       !> Was it found to round-off?
       logical, intent(out) :: is_converged
       ! logarithm of the smallest part of a range
-      real(dp), parameter :: smallest = -250.0_dp
+      real(dp), parameter :: smallest = -200.0_dp
       type(force_equation_t) :: equation
       type(place_t) :: middle
       real(dp) :: guess, high
@@ -505,12 +517,14 @@ contains
       size = exp(x)
       if (self%is_of_rest) then
          call get_place(self%sheared, self%number, max(range_length(self%sheared, self%number) - size, 0.0_dp), place)
+         place%rest = max(place%rest, tiny(size))
          value = log(place%rest/self%target)
-         slope = size*2*place%e*place%slope/place%rest
+         slope = size*(2*place%e*place%slope/place%rest)
       else
          call get_place(self%sheared, self%number, size, place)
+         place%force = max(place%force, tiny(size))
          value = log(place%force/self%target)
-         slope = size*2*place%e*place%slope/place%force
+         slope = size*(2*place%e*place%slope/place%force)
       end if
    end subroutine evaluate_force
 

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of `indenter_history`."""
+
+import numpy as np
+
+from .labels import axis_label, point_label, scale_of
+from .style import COLOURS, make_panels, plt
+
+# what is drawn, against what
+PANELS = (("tangential_displacement", "tangential_force"), ("approach", "load"), ("step", "stick_radius"), ("step", "friction_loss"))
+
+
+def draw_history(results):
+    """Force against displacement, both ways, and what sticks and what is lost, step by step; a curve for each point of the sweep."""
+    fields = dict(results.profiles)
+    step = results.profile_axes[-1]
+    shown = [pair for pair in PANELS if pair != ("approach", "load") or _varies(fields["load"].values)]
+    figure, panels = make_panels(len(shown))
+    points = list(np.ndindex(*results.status.shape))
+    colours = COLOURS if len(points) <= len(COLOURS) else plt.get_cmap("viridis")(np.linspace(0, 1, len(points)))
+    for panel, (abscissa, ordinate) in zip(panels, shown):
+        x, y = step if abscissa == "step" else fields[abscissa], fields[ordinate]
+        x_factor, x_unit = scale_of(x.values, x.unit)
+        y_factor, y_unit = scale_of(y.values, y.unit)
+        for index, colour in zip(points, colours):
+            values = x.values if abscissa == "step" else x.values[index]
+            # every path begins without force and contact
+            start = [] if abscissa == "step" else [0.0]
+            panel.plot(np.append(start, values) * x_factor, np.append(start, y.values[index]) * y_factor, color=colour,
+                       label=point_label(results.describe(index), results.model) or "_")
+        panel.set_xlabel(axis_label(abscissa, x_unit))
+        panel.set_ylabel(axis_label(ordinate, y_unit))
+        if abscissa != "step":
+            panel.axhline(0, color="0.7", linewidth=0.6, zorder=0)
+            panel.axvline(0, color="0.7", linewidth=0.6, zorder=0)
+    if panels[0].get_legend_handles_labels()[1]:
+        panels[0].legend()
+    return figure
+
+
+def _varies(values):
+    finite = values[np.isfinite(values)]
+    return finite.size > 1 and np.ptp(finite) > 1e-9 * np.max(np.abs(finite))
