@@ -15,7 +15,7 @@ module adfric_indenter_check
    use adfric_model_table, only: variable_t
    implicit none (type, external)
    private
-   public :: check_indenter_values
+   public :: check_indenter_values, check_body
 
    !> With adhesion, smaller exponents make contacts beyond all numbers; at 1/2 and below no state is stable.
    real(dp), parameter :: least_exponent = 0.51_dp
@@ -35,11 +35,7 @@ contains
       integer :: before
 
       before = problems%count()
-      call require(variables, values, [v_kind], problems)
-      if (is_set(values(v_kind))) call check_shape(variables, values, problems)
-      call check_contact_modulus(variables(v_contact_modulus:v_second_poisson_ratio), &
-         & values(v_contact_modulus:v_second_poisson_ratio), problems, &
-         & is_set(values(v_tangential_force)) .or. is_set(values(v_position_z)))
+      call check_body(variables, values, is_set(values(v_tangential_force)) .or. is_set(values(v_position_z)), problems)
       call check_friction(variables, values, problems)
       call check_adhesion(variables, values, problems)
       call check_operation(variables, values, problems)
@@ -51,6 +47,23 @@ contains
       end if
       if (problems%count() == before) call check_sizes(variables, values, problems)
    end subroutine check_indenter_values
+
+   !> Shape and solids.
+   subroutine check_body(variables, values, has_own_poisson_ratio, problems)
+      !> Table whose rows up to the moduli are those of this model.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Has Poisson's ratio of the first body a use of its own beside the contact modulus?
+      logical, intent(in) :: has_own_poisson_ratio
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call require(variables, values, [v_kind], problems)
+      if (is_set(values(v_kind))) call check_shape(variables, values, problems)
+      call check_contact_modulus(variables(v_contact_modulus:v_second_poisson_ratio), &
+         & values(v_contact_modulus:v_second_poisson_ratio), problems, has_own_poisson_ratio)
+   end subroutine check_body
 
    !> What each kind of shape needs, and what it has no place for.
    subroutine check_shape(variables, values, problems)

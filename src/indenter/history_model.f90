@@ -8,13 +8,15 @@ module adfric_indenter_history_model
    use adfric_base_text, only: show_count, show_number
    use adfric_base_unset, only: is_set, unset
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
-   use adfric_indenter_check, only: check_indenter_values
+   use adfric_indenter_check, only: check_body
    use adfric_indenter_contact, only: branch_stable, contact_t, survey_t, find_contact, survey_curve
    use adfric_indenter_curve, only: control_load, control_approach
+   use adfric_indenter_shape, only: spot_t
    use adfric_indenter_variables
-   use adfric_material_contact_modulus, only: derive_contact_modulus, poisson_compliance_of
+   use adfric_material_contact_modulus, only: derive_contact_modulus, has_poisson_ratio, poisson_compliance_of
    use adfric_material_tangential_history, only: by_displacement, by_force, history_t, normal_contact_t, normal_state_t, &
       & start_history
+   use adfric_model_check, only: require
    use adfric_model_derived, only: derived_t
    use adfric_model_pointwise, only: pointwise_model_t, point_state_t
    use adfric_model_rows, only: list_row, positive, result_row
@@ -150,17 +152,25 @@ contains
       logical, intent(in) :: is_swept(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
+      type(indenter_case_t) :: case
       integer :: before
-      logical :: none(n_indenter_variables)
 
       before = problems%count()
+      call check_body(self%variables, values, .true., problems)
+      call require(self%variables, values, [h_coefficient], problems)
+      if (is_set(values(v_contact_modulus)) .and. .not. has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))) &
+         & call problems%add('solid', 'poisson_ratio', 'is missing [-]; the tangential displacement needs it')
       call check_pair(h_loads, h_approaches)
       call check_pair(h_tangential_forces, h_tangential_displacements)
       if (problems%count() > before) return
       call check_path(self, values, is_swept, problems)
       if (problems%count() > before) return
-      none = .false.
-      call check_indenter_values(get_indenter_variables(), indenter_values(self, values), none, problems)
+      call resolve_case(indenter_values(self, values), case)
+      if (.not. is_possible(indenter_values(self, values), case)) then
+         associate (v => self%variables(merge(h_loads, h_approaches, is_set(values(h_loads)))))
+            call problems%add(v%group, v%name, 'are beyond all numbers for this indenter')
+         end associate
+      end if
 
    contains
 
@@ -236,10 +246,8 @@ contains
       indenter = unset
       indenter(:v_second_poisson_ratio) = values(:v_second_poisson_ratio)
       indenter([v_theory, v_branch, v_profiles, v_n_r]) = [choose_none, branch_stable, 0, 2]
-      indenter(v_edge_fraction) = 0
-      indenter([v_friction_coefficient, v_tangential_force]) = [values(h_coefficient), 0.0_dp]
-      if (allocated(self%path(h_loads)%values)) indenter(v_load) = maxval(self%path(h_loads)%values)
-      if (allocated(self%path(h_approaches)%values)) indenter(v_approach) = maxval(self%path(h_approaches)%values)
+      if (is_set(values(h_loads))) indenter(v_load) = maxval(self%path(h_loads)%values)
+      if (is_set(values(h_approaches))) indenter(v_approach) = maxval(self%path(h_approaches)%values)
    end function indenter_values
 
    !> See `model_t`: always.
@@ -299,6 +307,7 @@ contains
       type(history_state_t), allocatable :: found
       type(indenter_states_t) :: contacts
       type(history_t) :: history
+      type(spot_t) :: corner
       real(dp) :: indenter(n_indenter_variables)
 
       error_estimate = 0
@@ -308,6 +317,8 @@ contains
       if (.not. is_possible(indenter, contacts%case)) return
       call survey_curve(contacts%case%curve, control_load, contacts%surveys(control_load))
       call survey_curve(contacts%case%curve, control_approach, contacts%surveys(control_approach))
+      call contacts%case%curve%shape%evaluate(0.0_dp, .true., corner)
+      if (contacts%case%curve%shape%inner_rise() > 0) contacts%kink = corner%depth
       allocate (found)
       call follow_path(self, values, contacts, history, found%steps, status)
       if (status /= status_solved) return
@@ -315,7 +326,7 @@ contains
       results(r_largest_force) = maxval(abs(found%steps(:, p_tangential_force)))
       results(r_largest_displacement) = maxval(abs(found%steps(:, p_tangential_displacement)))
       error_estimate = 16*epsilon(1.0_dp)
-      if (history%loss > 0) error_estimate = max(error_estimate, history%loss_error/history%loss)
+      if (history%loss_error > 0) error_estimate = max(error_estimate, history%loss_error/max(history%loss, history%loss_error))
       call move_alloc(found, state)
       associate (unused_counts => counts)
       end associate

@@ -47,8 +47,9 @@ module adfric_indenter_model
       type(contact_t) :: contact
       !> Its slip, where there is friction.
       type(indenter_slip_t) :: slip
-      !> How it resists shear, and its slip, where there is a shear strength.
+      !> How it resists shear, where there is a shear strength.
       type(resistance_t) :: resistance
+      !> Its slip then.
       type(shear_slip_t) :: shear
       !> The survey of its curve; it serves the next point, too, if that has the same curve and control.
       type(survey_t) :: survey

@@ -89,6 +89,8 @@ contains
       v(v_edge_fraction) = any_number(group='friction', name='edge_fraction', unit='-', &
          & meaning='x of the radius b = a + x (c - a) up to which a shear strength acts', default=0.4_dp, &
          & lower=0.0_dp, upper=1.0_dp)
+      v(v_position_z) = above_zero(group='position', name='position_z', unit='m', &
+         & meaning='depth below the middle of the contact where the stresses on the axis are')
    end function get_indenter_variables
 
    !> The rows of the shape.

@@ -41,6 +41,8 @@ module adfric_material_tangential_history
 
    !> Contacts without friction of the same bodies.
    type, abstract :: normal_contact_t
+      !> Approach where dP/dg is not smooth, if there is one.
+      real(dp) :: kink = 0
    contains
       procedure(find_state_i), deferred :: under_load
       procedure(find_state_i), deferred :: at_approach
@@ -471,13 +473,20 @@ contains
       type(normal_state_t), intent(in) :: top(2)
       ! below this change of the normal state an integral over it is a rule of three nodes
       real(dp), parameter :: small = 1.0e-2_dp, narrow = 1.0e-6_dp
+      ! beside the edge terms take each other's digits
+      real(dp), parameter :: close = 0.03_dp
       real(dp), parameter :: node = 0.7745966692414834_dp
       type(normal_state_t) :: at_node
-      real(dp) :: span, change, slope, sums(2), terms(5), first, second
+      real(dp) :: span, change, slope, sums(2), terms(5), first, second, widest
       integer :: i
 
       span = coordinate(high, kind) - coordinate(low, kind)
       if (.not. span > 0) return
+      widest = maxval(top%approach)
+      if (widest - low%approach < close*widest .and. .not. (contact%kink > low%approach .and. contact%kink < widest)) then
+         call add_small_loss(self, contact, kind, factor, low, span, top)
+         return
+      end if
       change = coordinate(top(1), kind) - coordinate(top(2), kind)
       slope = change/span
       ! the mean over the way of the other coordinate of the normal state
@@ -512,8 +521,53 @@ contains
          terms = [first, -(high%work - low%work), -second, (slope - 1)*(high%work - low%work), 0.0_dp]
       end if
       self%loss = self%loss + factor*max(sum(terms), 0.0_dp)
-      self%loss_error = self%loss_error + round_off*factor*maxval(abs(terms))
+      ! differences of loads, approaches and works have the round-off of these
+      self%loss_error = self%loss_error + round_off*factor*(high%work + high%load*high%approach + abs(slope)*maxval(top%work)*span &
+         & /max(abs(change), span))
    end subroutine add_loss
+
+   !> The same beside the edge: F = int [K(y) - K(g)] dy, g < y < delta, K = dP/dg, by Gauss's rule.
+   pure subroutine add_small_loss(self, contact, kind, factor, low, span, top)
+      !> The contact with its history; its loss grows.
+      type(history_t), intent(inout) :: self
+      !> Its normal states.
+      class(normal_contact_t), intent(in) :: contact
+      !> One of `by_...`.
+      integer, intent(in) :: kind
+      !> 1 - s f.
+      real(dp), intent(in) :: factor
+      !> Inner end of what is eaten.
+      type(normal_state_t), intent(in) :: low
+      !> How much is eaten, of the coordinate.
+      real(dp), intent(in) :: span
+      !> The normal state at the beginning, and at the end, where the slip is at `low`.
+      type(normal_state_t), intent(in) :: top(2)
+      real(dp), parameter :: nodes(4) = [-0.8611363115940526_dp, -0.3399810435848563_dp, 0.3399810435848563_dp, &
+         & 0.8611363115940526_dp]
+      real(dp), parameter :: weights(4) = [0.3478548451374538_dp, 0.6521451548625461_dp, 0.6521451548625461_dp, &
+         & 0.3478548451374538_dp]
+      type(normal_state_t) :: place, edge, between
+      real(dp) :: opening, part, change
+      integer :: i, j
+
+      change = coordinate(top(1), kind) - coordinate(top(2), kind)
+      do i = 1, size(nodes)
+         call find(contact, kind, coordinate(low, kind) + span*(1 + nodes(i))/2, place, self%is_converged)
+         edge = top(2)
+         if (abs(change) > 0) call find(contact, kind, coordinate(top(2), kind) + change*(1 + nodes(i))/2, edge, self%is_converged)
+         opening = max(edge%approach - place%approach, 0.0_dp)
+         part = 0
+         do j = 1, size(nodes)
+            call find(contact, by_displacement, place%approach + opening*(1 + nodes(j))/2, between, self%is_converged)
+            part = part + weights(j)/2*opening*max(between%stiffness - place%stiffness, 0.0_dp)
+         end do
+         associate (weight => factor*weights(i)/2*span/merge(place%stiffness, 1.0_dp, kind == by_force))
+            self%loss = self%loss + weight*part
+            self%loss_error = self%loss_error + round_off*weight*(opening*place%stiffness + part*edge%approach/max(opening, &
+               & round_off*edge%approach))
+         end associate
+      end do
+   end subroutine add_small_loss
 
    !> Radius of what sticks: the contact, less the zone at its edge where the last step has slipped.
    pure real(dp) function stick_radius(self) result(radius)
