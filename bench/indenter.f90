@@ -5,10 +5,12 @@
 !>
 !> Sweeps in blocks as the program cuts them, for every kind of shape: without adhesion, by JKR, and by Maugis's theory. Along a load,
 !> an approach or a radius the points of a block share the survey of Maugis's curve; along the work of adhesion each has its own. Partial
-!> slip is that of contacts without adhesion, from small forces to sliding.
+!> slip is that of contacts without adhesion, from small forces to sliding, and that of a shear strength with adhesion. A history is one
+!> point of many steps, of which each counts: load and force wander, so that the stack of its memory is up to some tens of entries.
 program indenter
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp, i8
+   use adfric_base_problems, only: problems_t
    use adfric_base_words, only: get_word
    use adfric_model_status, only: status_solved
    use adfric_run_blocks, only: block_size_of
@@ -40,6 +42,8 @@ program indenter
       if (kind > 1) call report('maugis_dugdale', 'contact_radius', 0.2_dp, 2.0_dp)
       call case%give('load', 0.1_dp)
       call report('maugis_dugdale', 'work_of_adhesion', 1.0e-3_dp, 0.1_dp)
+      call report_strength()
+      call report_history(kind)
    end do
    close (table)
 
@@ -50,6 +54,13 @@ contains
       integer, intent(in) :: kind
 
       call new_case(case, 'indenter')
+      call start_shape(kind)
+   end subroutine start
+
+   !> The shape of a kind.
+   subroutine start_shape(kind)
+      integer, intent(in) :: kind
+
       call case%give('kind', real(kind, dp))
       call case%give('contact_modulus', 1.0_dp)
       if (any(kind == [3, 5, 7, 8, 9])) call case%give('radius', merge(4.0_dp, 1.0_dp, kind == 5))
@@ -59,7 +70,7 @@ contains
       if (kind == 4) call case%give('coefficient', 1.0_dp)
       if (kind == 10) call case%give('coefficient_2', 0.5_dp)
       if (kind == 10) call case%give('coefficient_4', 0.2_dp)
-   end subroutine start
+   end subroutine start_shape
 
    !> Partial slip under a load of 1.
    subroutine report_slip()
@@ -72,6 +83,56 @@ contains
       call report('slip', 'tangential_force', 1.0e-6_dp, 1.0_dp)
       case = plain
    end subroutine report_slip
+
+   !> Partial slip of a shear strength under a load of 1, with adhesion of a range.
+   subroutine report_strength()
+      type(trial_case_t) :: plain
+
+      plain = case
+      call case%give('load', 1.0_dp)
+      call case%give('poisson_ratio', 0.3_dp)
+      call case%give('shear_strength', 1.0_dp)
+      call case%give('pressure_factor', 0.3_dp)
+      call case%give('work_of_adhesion', 0.01_dp)
+      call report('strength', 'tangential_force', 1.0e-6_dp, 0.03_dp)
+      case = plain
+   end subroutine report_strength
+
+   !> A history of random forces.
+   subroutine report_history(kind)
+      integer, intent(in) :: kind
+      integer, parameter :: n_steps = 20000
+      type(trial_case_t) :: plain
+      type(problems_t) :: problems
+      real(dp) :: draws(n_steps, 2), results(3, 1), estimate(1), times(n_repeats), counts(0)
+      integer :: status(1), r, loads, forces
+      type(spread_t) :: time
+
+      plain = case
+      call new_case(case, 'indenter_history')
+      call start_shape(kind)
+      call case%give('poisson_ratio', 0.3_dp)
+      case%values(case%model%index_of('friction', 'coefficient')) = 0.3_dp
+      call random_init(repeatable=.true., image_distinct=.false.)
+      call random_number(draws)
+      draws(:, 2) = 0.29_dp*draws(:, 1)*(2*draws(:, 2) - 1)
+      loads = case%model%index_of('history', 'loads')
+      forces = case%model%index_of('history', 'tangential_forces')
+      case%values([loads, forces]) = 1
+      call case%model%take_dataset(loads, draws(:, 1:1), problems)
+      call case%model%take_dataset(forces, draws(:, 2:2), problems)
+      do r = 1, n_repeats
+         times(r) = wall_clock()
+         call case%model%solve_block(reshape(case%values, [size(case%values), 1]), results, estimate, status, counts)
+         times(r) = 1.0e6_dp*(wall_clock() - times(r))/n_steps
+      end do
+      if (any(status /= status_solved)) error stop 'indenter: not solved'
+      time = spread_of(times)
+      print '(a16, a16, a20, f10.3, 2(a, f7.3), a, es15.1)', 'history', get_word(kinds, kind), 'step', time%median, ' (', &
+         time%least, ' to ', time%most, ')', maxval(estimate)
+      write (table, '(3(a, ","), 3(f0.4, ","), es8.2)') 'history', get_word(kinds, kind), 'step', time, maxval(estimate)
+      case = plain
+   end subroutine report_history
 
    !> Time of a point along a sweep in even steps of the logarithm; the variable is not given then.
    subroutine report(theory, swept, first, last)

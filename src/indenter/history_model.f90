@@ -326,7 +326,7 @@ contains
       results(r_largest_force) = maxval(abs(found%steps(:, p_tangential_force)))
       results(r_largest_displacement) = maxval(abs(found%steps(:, p_tangential_displacement)))
       error_estimate = 16*epsilon(1.0_dp)
-      if (history%loss_error > 0) error_estimate = max(error_estimate, history%loss_error/max(history%loss, history%loss_error))
+      if (results(r_total_loss) > 0) error_estimate = max(error_estimate, history%loss_error/history%loss)
       call move_alloc(found, state)
       associate (unused_counts => counts)
       end associate
@@ -385,7 +385,9 @@ contains
             steps(k, merge(p_tangential_force, p_tangential_displacement, kind == by_force)) = given
             steps(k, p_contact_radius) = next%radius*contacts%case%length_unit
             steps(k, p_stick_radius) = history%stick_radius()*contacts%case%length_unit
-            steps(k, p_friction_loss) = mu**2*compliance*history%loss*product(units)
+            ! nothing but round-off is nothing
+            steps(k, p_friction_loss) = 0
+            if (history%loss > history%loss_error) steps(k, p_friction_loss) = mu**2*compliance*history%loss*product(units)
          end do
       end associate
    end subroutine follow_path

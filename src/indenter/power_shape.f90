@@ -127,12 +127,14 @@ contains
       class(power_shape_t), intent(in) :: self
       !> The number, > 0.
       real(dp), intent(in) :: target
-      real(dp), parameter :: margin = 1.0_dp + 1.0e-6_dp
+      real(dp), parameter :: margin = 1.0_dp + 1.0e-6_dp, negligible = 1.0e-200_dp
       integer :: k
 
       get_end = huge(get_end)
       do k = 1, self%n_terms
          associate (n => self%exponents(k))
+            ! a term that is next to nothing reaches the number beyond all radii
+            if (.not. n*self%factors(k) > negligible*target) cycle
             get_end = min(get_end, margin*(target/(n*self%factors(k)))**(1/(n - 0.5_dp)))
          end associate
       end do

@@ -23,6 +23,7 @@ module adfric_indenter_shear
    use adfric_indenter_profiles, only: pressure_at
    use adfric_indenter_shape, only: shape_t, spot_t
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
+   use adfric_numerics_libm, only: expm1
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
@@ -332,8 +333,9 @@ contains
       call self%shape%evaluate(range%high - x, range%is_beyond, spot)
       call self%shape%evaluate(range%high, range%is_beyond, first)
       if (range%is_beyond .and. self%shape%edge < huge(x)) then
-         ! of a sphere u = artanh(a)
-         square = sinh(x)*(first%radius + spot%radius)/(cosh(range%high)*cosh(range%high - x))
+         ! of a sphere u = artanh(a): tanh(high) - tanh(high - x)
+         square = -2*exp(-2*(range%high - x))*expm1(-2*x)/((1 + exp(-2*range%high))*(1 + exp(-2*(range%high - x)))) &
+            & *(first%radius + spot%radius)
       else
          square = x*(2*range%high - x)
       end if
@@ -558,7 +560,8 @@ contains
       real(dp), intent(in) :: length
       !> v(e).
       real(dp), intent(in) :: total
-      real(dp) :: first, start, low, high, change, reach, x, w
+      real(dp), parameter :: straight = 1.0e2_dp
+      real(dp) :: first, start, rate, low, high, change, reach, x, w
       integer :: panel, n_panels, node
 
       energy = 0
@@ -573,9 +576,17 @@ contains
       high = self%ranges(number)%high
       change = min(length, high/2)
       ! t^2 = t0^2 (1 + x/start)
-      start = (self%zone + self%ranges(number)%square_before)/(2*high)
-      if (self%shape%edge < huge(start)) start = start*cosh(high)**2
-      if (start > 0) then
+      start = self%zone + self%ranges(number)%square_before
+      rate = 2*high
+      if (self%shape%edge < huge(start)) rate = 8*self%a*exp(-2*high)/(1 + exp(-2*high))**2
+      if (start > straight*rate*change) then
+         ! v is as good as straight
+         do node = 1, size(gauss_nodes)
+            x = change*(1 + gauss_nodes(node))/2
+            energy = energy + gauss_weights(node)*change/2*loss_at(self, number, x, total)
+         end do
+      else if (start > 0) then
+         start = start/rate
          first = asinh(sqrt(change/start))
          n_panels = max(1, ceiling(first/longest))
          do panel = 1, n_panels
