@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Integrals over the annulus a < x < c of a zone of adhesion:
 !>
-!>     J = int g'(x) arccos(x/c) dx,    I = int g'(x) x/sqrt(c^2 - x^2) dx
+!>     J = int g'(x) arccos(x/c) dx,    I = int g'(x) x/sqrt(c^2 - x^2) dx,    K = int [g(x) - g(a)] sqrt(c^2 - x^2) dx
 !>
-!> J is pi/2 times the gap at c that the profile makes; I is c dJ/dc at given a. With y = sqrt(c^2 - x^2), v = sqrt(x^2 - b^2) and
-!> V = sqrt(c^2 - b^2), beyond a corner b
+!> J is pi/2 times the gap at c that the profile makes; I is c dJ/dc at given a; K = int g' [c^2 arccos(x/c) - x y]/2 dx. With
+!> y = sqrt(c^2 - x^2), v = sqrt(x^2 - b^2) and V = sqrt(c^2 - b^2), beyond a corner b
 !>
 !>     dx g' = dv dg/dv,   v = V cos(t),  y = V sin(t),   0 < t < arctan(s/v_a),   s = sqrt(c^2 - a^2)
 !>
@@ -28,8 +28,8 @@ module adfric_indenter_annulus
 
 contains
 
-   !> J and I.
-   pure subroutine get_annulus(shape, spot, is_beyond, s, opening, intensity)
+   !> J and I, and K where it is asked for.
+   pure subroutine get_annulus(shape, spot, is_beyond, s, opening, intensity, moment)
       !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
       !> What the shape is at the contact.
@@ -40,7 +40,9 @@ contains
       real(dp), intent(in) :: s
       !> Receive J and I.
       real(dp), intent(out) :: opening, intensity
-      real(dp) :: first, largest, c, sums(2), square
+      !> Receives K.
+      real(dp), intent(out), optional :: moment
+      real(dp) :: first, largest, c, sums(3), square
 
       sums = 0
       c = hypot(spot%radius, s)
@@ -57,9 +59,11 @@ contains
       if (largest > 0) call add_outer(shape, first, largest, merge(atan2(s, first), half_pi, is_beyond), sums)
       opening = sums(1)
       intensity = sums(2)
+      if (present(moment)) moment = sums(3)
    end subroutine get_annulus
 
-   !> What lies within the corner, where g' = q x: q c^2 int t sin(t) cos(t) dt and q c^2 int cos(t)^2 dt, x = c cos(t).
+   !> What lies within the corner, where g' = q x and x = c cos(t):
+   !> q c^2 int cos(t) [t sin(t), cos(t), c^2 (t - sin(t) cos(t)) sin(t)/2] dt.
    pure subroutine add_inner(shape, a, c, largest, s, sums)
       !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
@@ -70,7 +74,7 @@ contains
       !> sqrt(c^2 - a^2).
       real(dp), intent(in) :: s
       !> The integrals, to which is added.
-      real(dp), intent(inout) :: sums(2)
+      real(dp), intent(inout) :: sums(3)
       real(dp) :: low, half, t
       integer :: node
 
@@ -79,7 +83,8 @@ contains
       half = (atan2(s, a) - low)/2
       do node = 1, size(gauss_nodes)
          t = low + half*(1 + gauss_nodes(node))
-         sums = sums + shape%inner_rise()*c**2*half*gauss_weights(node)*cos(t)*[t*sin(t), cos(t)]
+         sums = sums + shape%inner_rise()*c**2*half*gauss_weights(node)*cos(t) &
+            & *[t*sin(t), cos(t), c**2*(t - sin(t)*cos(t))*sin(t)/2]
       end do
    end subroutine add_inner
 
@@ -94,7 +99,7 @@ contains
       !> Angle t of the beginning, arctan(s/v_a).
       real(dp), intent(in) :: angle
       !> The integrals, to which is added.
-      real(dp), intent(inout) :: sums(2)
+      real(dp), intent(inout) :: sums(3)
       real(dp) :: next, low, high, closeness
 
       next = 0
@@ -133,8 +138,8 @@ contains
       !> Ends of the range of the variable.
       real(dp), intent(in) :: low, high
       !> The integrals, to which is added.
-      real(dp), intent(inout) :: sums(2)
-      real(dp) :: half, place, v, y, x, slope, part(2)
+      real(dp), intent(inout) :: sums(3)
+      real(dp) :: half, place, v, y, x, slope, angle, part(3)
       integer :: panel, n_panels, node
 
       n_panels = 1
@@ -164,7 +169,8 @@ contains
                slope = 1
             end select
             x = hypot(shape%corner, v)
-            part = part + gauss_weights(node)*shape%rise(v)*slope*[atan2(y, x), x/y]
+            angle = atan2(y, x)
+            part = part + gauss_weights(node)*shape%rise(v)*slope*[angle, x/y, ((x**2 + y**2)*angle - x*y)/2]
          end do
       end do
       sums = sums + half*part

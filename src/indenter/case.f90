@@ -11,7 +11,7 @@ module adfric_indenter_case
    use adfric_indenter_contact, only: branch_stable
    use adfric_indenter_corner_shape, only: corner_shape_t, new_corner_shape, flat_face, flat_cone, flat_paraboloid, rounded_punch, &
       & rounded_cone
-   use adfric_indenter_curve, only: curve_t, control_load, control_approach, control_radius
+   use adfric_indenter_curve, only: curve_t, control_load, control_approach, control_spring, control_radius
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_power_shape, only: power_shape_t, new_power_shape, depth_factor
    use adfric_indenter_sphere_shape, only: sphere_shape_t, new_sphere_shape
@@ -34,7 +34,7 @@ module adfric_indenter_case
       real(dp) :: length_unit = 1, height_unit = 1, modulus = 1
       !> What is held (`control_...`), and one of `branch_...`.
       integer :: control = control_load, branch = branch_stable
-      !> Load, approach or unknown u that is held, reduced.
+      !> Load, approach (of the base of a spring, too) or unknown u that is held, reduced.
       real(dp) :: given = 0
       !> Does a given u lie beyond the corner?
       logical :: is_beyond = .true.
@@ -76,6 +76,7 @@ contains
       self%control = control_radius
       if (is_set(values(v_load))) self%control = control_load
       if (is_set(values(v_approach))) self%control = control_approach
+      if (is_set(values(v_base_approach))) self%control = control_spring
       select case (nint(values(v_kind)))
       case (kind_cone, kind_paraboloid, kind_power, kind_polynomial)
          call resolve_powers(values, work/self%modulus, self)
@@ -267,6 +268,11 @@ contains
          if (values(v_load) > 0) radius = (log(values(v_load)/(2*modulus)) + log(1 + 1/exponents) - logarithms)/(exponents + 1)
       else if (is_set(values(v_approach))) then
          if (values(v_approach) > 0) radius = (log(values(v_approach)) - logarithms)/exponents
+      else if (is_set(values(v_base_approach))) then
+         ! delta and P/k are each at most their sum
+         if (values(v_base_approach) > 0) radius = min((log(values(v_base_approach)) - logarithms)/exponents, &
+            & (log(values(v_base_approach)) + log(values(v_machine_stiffness)/modulus/2) + log(1 + 1/exponents) &
+            & - logarithms)/(exponents + 1))
       else
          radius = log(values(v_contact_radius))
       end if
@@ -283,6 +289,9 @@ contains
          self%given = values(v_load)/self%force_unit()
       else if (self%control == control_approach) then
          self%given = values(v_approach)/self%height_unit
+      else if (self%control == control_spring) then
+         self%given = values(v_base_approach)/self%height_unit
+         self%curve%compliance = self%modulus*self%length_unit/values(v_machine_stiffness)
       else if (is_set(values(v_face_angle))) then
          self%given = tan(values(v_face_angle))
       else
@@ -331,7 +340,9 @@ contains
       real(dp), parameter :: most = 10.0_dp**largest_unit
 
       is_possible = self%height_unit > 1/most .and. self%height_unit < most .and. self%length_unit > 1/most &
-         & .and. self%length_unit < most .and. abs(self%given) < 10.0_dp**largest_number .and. self%curve%tension < most
+         & .and. self%length_unit < most .and. abs(self%given) < 10.0_dp**largest_number .and. self%curve%tension < most &
+         & .and. self%curve%compliance < most
+      if (self%control == control_spring) is_possible = is_possible .and. self%curve%compliance > 1/most
       if (.not. is_possible) return
       select type (curve => self%curve)
       type is (dugdale_curve_t)

@@ -203,7 +203,12 @@ contains
       integer, parameter :: with_face(*) = [kind_flat_cone, kind_flat_paraboloid, kind_rounded_punch]
       integer :: kind, k
 
-      call require_one(variables, values, [v_load, v_approach, v_contact_radius, v_face_angle], .true., problems)
+      call require_one(variables, values, [v_load, v_approach, v_contact_radius, v_face_angle, v_base_approach], .true., problems)
+      if (is_set(values(v_base_approach))) call require(variables, values, [v_machine_stiffness], problems)
+      if (is_set(values(v_machine_stiffness)) .and. .not. is_set(values(v_base_approach))) call problems%add('operating', &
+         & 'machine_stiffness', 'has no meaning without base_approach, the approach of what holds the spring')
+      if (values(v_events) > 0 .and. .not. any(is_set(values([v_approach, v_base_approach])))) call problems%add('output', &
+         & 'events', 'has no meaning at a given load or radius, which makes no cycle; give approach or base_approach')
       do k = v_contact_radius, v_face_angle
          if (is_set(values(k)) .and. nint(values(v_branch)) /= branch_stable) call problems%add('operating', 'branch', &
             & 'has no meaning with '//variables(k)%name//', which belongs to one state')
@@ -240,7 +245,8 @@ contains
          call problems%add('shape', 'radius', 'is so small that adhesion would reach beyond the sphere')
          return
       end if
-      held = v_load - 1 + findloc(is_set(values(v_load:v_face_angle)), .true., 1)
+      held = v_base_approach
+      if (.not. is_set(values(held))) held = v_load - 1 + findloc(is_set(values(v_load:v_face_angle)), .true., 1)
       if (held == v_contact_radius .and. nint(values(v_kind)) == kind_sphere) then
          call problems%add('operating', 'contact_radius', 'is not smaller than the radius of the sphere')
       else if (held == v_contact_radius .and. case%curve%shape%has_face) then

@@ -7,14 +7,16 @@ module adfric_indenter_contact
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_indenter_curve, only: curve_t, state_t, interval_t, find_held, most_intervals, control_load, control_approach, &
-      & control_radius
+   use adfric_indenter_curve, only: curve_t, state_t, interval_t, disc_range_t, find_held, stability_control, most_intervals, &
+      & most_disc_ranges, control_load, control_approach, control_spring, control_radius
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_dugdale_folds, only: find_edge_angle
    use adfric_indenter_shape, only: spot_t
+   use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: contact_t, ends_t, survey_t, find_contact, survey_curve, find_face_angle, branch_stable, branch_inner, branch_unstable
+   public :: contact_t, ends_t, survey_t, find_contact, survey_curve, find_face_angle, held_of, held_by, set_contact, &
+      & set_disc, terms_of, try_interval, try_disc_range, branch_stable, branch_inner, branch_unstable
 
    !> Which state is meant where there are several: the largest stable one, the smallest stable one, the largest unstable one.
    integer, parameter :: branch_stable = 1, branch_inner = 2, branch_unstable = 3
@@ -62,9 +64,25 @@ module adfric_indenter_contact
       integer :: n = 0
       !> The parts, from the smallest contacts to the largest.
       type(interval_t) :: intervals(most_intervals)
+      !> Number of the ranges of discs without touch that are stable.
+      integer :: n_discs = 0
+      !> The ranges, from the smallest discs to the largest.
+      type(disc_range_t) :: discs(most_disc_ranges)
       !> Where contacts end.
       type(ends_t) :: ends
    end type survey_t
+
+   !> What is held by a disc without touch, less what is given.
+   type, extends(equation_t) :: disc_equation_t
+      !> The curve.
+      class(curve_t), allocatable :: curve
+      !> What is held.
+      integer :: control = control_approach
+      !> What is given.
+      real(dp) :: given = 0
+   contains
+      procedure :: evaluate => evaluate_disc
+   end type disc_equation_t
 
 contains
 
@@ -93,13 +111,14 @@ contains
          contact%is_found = .true.
       else
          contact%is_converged = survey%ends%is_converged
+         if (branch == branch_inner) call try_discs(curve, survey, control, given, branch, contact)
          do k = 1, survey%n
+            if (contact%is_found) return
             place = merge(k, survey%n + 1 - k, branch == branch_inner)
             if (survey%intervals(place)%is_stable .eqv. branch == branch_unstable) cycle
             call try_interval(curve, control, given, survey%intervals(place), contact)
-            if (contact%is_found) return
          end do
-         if (control == control_approach .and. branch /= branch_unstable) call try_disc(curve, given, contact)
+         if (.not. contact%is_found .and. branch == branch_stable) call try_discs(curve, survey, control, given, branch, contact)
       end if
    end subroutine find_contact
 
@@ -107,9 +126,9 @@ contains
    pure subroutine try_interval(curve, control, given, interval, contact)
       !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> `control_load` or `control_approach`.
+      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> Load or approach that is given, reduced.
+      !> What is given, reduced.
       real(dp), intent(in) :: given
       !> The interval.
       type(interval_t), intent(in) :: interval
@@ -126,23 +145,142 @@ contains
       contact%is_stable = interval%is_stable
       if (control == control_load) contact%load = given
       if (control == control_approach) contact%approach = given
+      if (control == control_spring) call share_digits(curve, given, contact)
    end subroutine try_interval
 
+   !> Of load and approach, both differences, the one with fewer digits follows from the other and from the base of the spring.
+   pure subroutine share_digits(curve, given, contact)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> Approach of the base.
+      real(dp), intent(in) :: given
+      !> The contact, whose load or approach may be replaced.
+      type(contact_t), intent(inout) :: contact
+      real(dp) :: terms(2)
+
+      terms = terms_of(contact)
+      if (curve%compliance*terms(1) > abs(given) + terms(2)) then
+         contact%load = (given - contact%approach)/curve%compliance
+      else if (terms(2) > abs(given) + curve%compliance*terms(1)) then
+         contact%approach = given - curve%compliance*contact%load
+      end if
+   end subroutine share_digits
+
+   !> Sizes of the terms whose differences are load and approach.
+   pure function terms_of(contact) result(terms)
+      !> The contact.
+      type(contact_t), intent(in) :: contact
+      real(dp) :: terms(2)
+
+      terms = [contact%spot%load + 2*contact%spot%radius*abs(contact%neck), contact%spot%depth + abs(contact%neck)]
+   end function terms_of
+
    !> The state without touch, if there is one.
-   pure subroutine try_disc(curve, approach, contact)
+   pure subroutine try_discs(curve, survey, control, given, branch, contact)
       !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> Approach that is given, reduced.
-      real(dp), intent(in) :: approach
+      !> Its parts under this control.
+      type(survey_t), intent(in) :: survey
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> What is given, reduced.
+      real(dp), intent(in) :: given
+      !> `branch_inner` for the smallest disc, else the largest.
+      integer, intent(in) :: branch
       !> Receives the state, with `is_found`.
+      type(contact_t), intent(inout) :: contact
+      integer :: k
+
+      do k = 1, survey%n_discs
+         if (contact%is_found) return
+         call try_disc_range(curve, control, given, survey%discs(merge(k, survey%n_discs + 1 - k, branch == branch_inner)), contact)
+      end do
+   end subroutine try_discs
+
+   !> The disc within one range, if it has what is held.
+   pure subroutine try_disc_range(curve, control, given, range, contact)
+      !> The curve of the indenter.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> What is given, reduced.
+      real(dp), intent(in) :: given
+      !> The range.
+      type(disc_range_t), intent(in) :: range
+      !> Receives the state, with `is_found`.
+      type(contact_t), intent(inout) :: contact
+      type(disc_equation_t) :: equation
+      type(state_t) :: first, last
+      real(dp) :: c
+      logical :: is_converged
+
+      call curve%get_disc(range%low, first)
+      call curve%get_disc(range%high, last)
+      contact%is_found = given >= held_of(curve, control, first) .and. given < held_of(curve, control, last)
+      if (.not. contact%is_found) return
+      c = range%low
+      is_converged = .true.
+      if (given > held_of(curve, control, first)) then
+         c = (range%low + range%high)/2
+         allocate (equation%curve, source=curve)
+         equation%control = control
+         equation%given = given
+         call find_root(equation, range%low, range%high, .true., c, is_converged)
+      end if
+      call set_disc(curve, control, c, contact)
+      contact%is_stable = .true.
+      contact%is_converged = contact%is_converged .and. is_converged
+      if (control == control_approach) contact%approach = given
+   end subroutine try_disc_range
+
+   !> A state without touch.
+   pure subroutine set_disc(curve, control, c, contact)
+      !> The curve of the indenter.
+      class(curve_t), intent(in) :: curve
+      !> What is held.
+      integer, intent(in) :: control
+      !> Radius of the disc, >= 0.
+      real(dp), intent(in) :: c
+      !> Receives the state.
       type(contact_t), intent(inout) :: contact
       type(state_t) :: state
 
-      call curve%find_disc(approach, state, contact%is_found)
-      if (.not. contact%is_found) return
+      call curve%get_disc(c, state)
       contact%is_beyond = .false.
-      call take_state(state, control_approach, contact)
-   end subroutine try_disc
+      call take_state(state, control, contact)
+   end subroutine set_disc
+
+   !> See `equation_t`.
+   pure subroutine evaluate_disc(self, x, value, slope)
+      !> The equation with its curve.
+      class(disc_equation_t), intent(in) :: self
+      !> Radius c of the disc.
+      real(dp), intent(in) :: x
+      !> What it holds less what is given.
+      real(dp), intent(out) :: value
+      !> Derivative of the value by c.
+      real(dp), intent(out) :: slope
+      type(state_t) :: state
+
+      call self%curve%get_disc(x, state)
+      value = held_of(self%curve, self%control, state) - self%given
+      slope = state%approach_slope
+      if (self%control == control_spring) slope = slope + self%curve%compliance*state%load_slope
+   end subroutine evaluate_disc
+
+   !> What is held in a state: its load, its approach, or that of the base of the spring.
+   pure real(dp) function held_of(curve, control, state)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> The state.
+      type(state_t), intent(in) :: state
+
+      held_of = state%load
+      if (control /= control_load) held_of = state%approach
+      if (control == control_spring) held_of = held_of + curve%compliance*state%load
+   end function held_of
 
    !> What follows from the unknown.
    pure subroutine set_contact(curve, control, u, is_beyond, contact)
@@ -181,7 +319,7 @@ contains
       contact%stiffness = state%stiffness
       contact%adhesion_radius = state%adhesion_radius
       contact%stress = state%stress
-      contact%is_stable = state%is_stable(merge(control_approach, control_load, control == control_approach))
+      contact%is_stable = state%is_stable(stability_control(control))
       contact%is_converged = contact%is_converged .and. state%is_converged
    end subroutine take_state
 
@@ -189,9 +327,9 @@ contains
    pure subroutine find_face_contact(curve, control, given, branch, contact)
       !> The curve of the indenter, which has no piece.
       class(curve_t), intent(in) :: curve
-      !> `control_load` or `control_approach`.
+      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> Load or approach that is given, reduced.
+      !> What is given, reduced.
       real(dp), intent(in) :: given
       !> One of `branch_...`; no state is unstable.
       integer, intent(in) :: branch
@@ -206,17 +344,25 @@ contains
       end select
       contact%spot%radius = 1
       contact%adhesion_radius = 1
-      contact%load = given
-      contact%approach = given/2
-      if (control == control_approach) then
-         contact%load = 2*given
-         contact%approach = given
-      end if
+      contact%approach = given/face_factor(curve, control)
+      contact%load = 2*contact%approach
+      if (control == control_load) contact%load = given
       contact%neck = -contact%approach
       contact%stiffness = 2
       contact%is_stable = .true.
       contact%is_found = branch /= branch_unstable .and. contact%approach >= -curve%tension
    end subroutine find_face_contact
+
+   !> What is held by a flat face of approach 1 that is in contact all over.
+   pure real(dp) function face_factor(curve, control) result(factor)
+      !> The curve of the face.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+
+      factor = merge(2, 1, control == control_load)
+      if (control == control_spring) factor = 1 + 2*curve%compliance
+   end function face_factor
 
    !> A flat face by Dugdale's law: under tension a zone of adhesion a < r < 1 opens at its edge, P = -2 S (th + sin(th) cos(th)),
    !> delta = -2 S sin(th), a = cos(th), until the gap at the edge is the range of adhesion, or until nothing touches. At given
@@ -224,9 +370,9 @@ contains
    pure subroutine find_dugdale_face(curve, control, given, contact)
       !> The curve of the face.
       type(dugdale_curve_t), intent(in) :: curve
-      !> `control_load` or `control_approach`.
+      !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> Load or approach that is given, reduced.
+      !> What is given, reduced.
       real(dp), intent(in) :: given
       !> Receives the contact.
       type(contact_t), intent(inout) :: contact
@@ -238,7 +384,7 @@ contains
       contact%spot%radius = 1
       contact%is_found = .true.
       if (given >= 0) then
-         contact%approach = given/merge(2, 1, control == control_load)
+         contact%approach = given/face_factor(curve, control)
          contact%load = 2*contact%approach
          contact%neck = -contact%approach
          contact%stiffness = 2
@@ -246,17 +392,23 @@ contains
       end if
       last = last_angle(curve)
       contact%stress = curve%stress
-      if (control == control_load) then
-         call find_face_angle(-given/(2*curve%stress), last, th, is_found)
-      else
-         is_found = -given <= 2*curve%stress*sin(last)
-         th = last
-         if (is_found) th = asin(min(1.0_dp, -given/(2*curve%stress)))
-         if (.not. is_found .and. last >= half_pi) is_found = given >= detached_approach(curve)
-      end if
-      contact%is_found = is_found
+      select case (control)
+      case (control_load)
+         call find_face_angle(-given/(2*curve%stress), last, 1.0_dp, 0.0_dp, th, is_found)
+      case (control_approach)
+         call find_face_angle(-given/(2*curve%stress), last, 0.0_dp, 1.0_dp, th, is_found)
+      case default
+         call find_face_angle(-given/(2*curve%stress), last, curve%compliance, 1.0_dp, th, is_found)
+      end select
       contact%load = -2*curve%stress*(th + sin(th)*cos(th))
       contact%approach = -2*curve%stress*sin(th)
+      if (.not. is_found .and. control /= control_load .and. last >= half_pi) then
+         ! nothing touches, and the load is that of the whole face
+         contact%approach = given
+         if (control == control_spring) contact%approach = given - curve%compliance*contact%load
+         is_found = contact%approach >= detached_approach(curve)
+      end if
+      contact%is_found = is_found
       contact%spot%radius = cos(th)
       if (th >= half_pi) contact%spot%radius = 0
       contact%neck = 2*curve%stress*sin(th)
@@ -283,35 +435,52 @@ contains
       detached_approach = -4*curve%stress/pi - curve%range
    end function detached_approach
 
-   !> The angle where th + sin(th) cos(th) has a value.
-   pure subroutine find_face_angle(value, last, th, is_found)
+   !> The angle where p [th + sin(th) cos(th)] + q sin(th) has a value.
+   pure subroutine find_face_angle(value, last, p, q, th, is_found)
       !> The value, > 0.
       real(dp), intent(in) :: value
       !> The largest angle.
       real(dp), intent(in) :: last
+      !> The factors, >= 0, not both 0.
+      real(dp), intent(in) :: p, q
       !> Receives the angle.
       real(dp), intent(out) :: th
       !> Is there one up to the largest?
       logical, intent(out) :: is_found
       integer, parameter :: most_steps = 100
-      real(dp) :: low, high, rest
+      real(dp) :: low, high, rest, largest
       integer :: k
 
       th = last
-      is_found = value <= last + sin(last)*cos(last)
-      if (.not. is_found .or. .not. value < last + sin(last)*cos(last)) return
+      largest = p*(last + sin(last)*cos(last)) + q*sin(last)
+      is_found = value <= largest
+      if (.not. is_found .or. .not. value < largest) return
       low = 0
       high = last
-      th = min(value/2, last)
+      th = min(value/(2*p + q), last)
       do k = 1, most_steps
-         rest = value - th - sin(th)*cos(th)
+         rest = value - p*(th + sin(th)*cos(th)) - q*sin(th)
          if (rest > 0) low = th
          if (.not. rest > 0) high = th
          if (high - low <= 2*epsilon(th)*high .or. .not. abs(rest) > 2*epsilon(rest)*value) return
-         th = th + rest/(2*cos(th)**2)
+         th = th + rest/(2*p*cos(th)**2 + q*cos(th))
          if (.not. (th > low .and. th < high)) th = low + (high - low)/2
       end do
    end subroutine find_face_angle
+
+   !> What is held by a contact, see `held_of`.
+   pure real(dp) function held_by(curve, control, contact)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> The contact.
+      type(contact_t), intent(in) :: contact
+
+      held_by = contact%load
+      if (control /= control_load) held_by = contact%approach
+      if (control == control_spring) held_by = held_by + curve%compliance*contact%load
+   end function held_by
 
    !> The parts of a curve, and where contacts end under what is held.
    pure subroutine survey_curve(curve, control, survey)
@@ -324,12 +493,13 @@ contains
       integer :: held_control
 
       call clear_ends(survey%ends)
-      held_control = merge(control_approach, control_load, control == control_approach)
+      held_control = stability_control(control)
       if (curve%shape%n_pieces == 0) then
          call set_face_ends(curve, held_control, survey%ends)
       else
          call curve%find_intervals(held_control, survey%intervals, survey%n, survey%ends%is_converged)
-         call find_pull_off(curve, held_control, survey%intervals(:survey%n), survey%ends)
+         call curve%find_discs(held_control, survey%discs, survey%n_discs)
+         call find_pull_off(curve, held_control, survey%intervals(:survey%n), survey%discs(:survey%n_discs), survey%ends)
          call find_jumps(curve, held_control, survey%intervals(:survey%n), survey%ends)
       end if
    end subroutine survey_curve
@@ -338,7 +508,7 @@ contains
    pure subroutine set_face_ends(curve, control, ends)
       !> The curve of the face.
       class(curve_t), intent(in) :: curve
-      !> `control_load` or `control_approach`.
+      !> What is held; not `control_radius`.
       integer, intent(in) :: control
       !> Receives the pull-off.
       type(ends_t), intent(inout) :: ends
@@ -350,45 +520,57 @@ contains
          associate (th => last_angle(curve))
             ends%pull_off_load = -2*curve%stress*(th + sin(th)*cos(th))
             ends%pull_off_approach = -2*curve%stress*sin(th)
-            if (control == control_approach .and. th >= half_pi) ends%pull_off_approach = detached_approach(curve)
+            if (control /= control_load .and. th >= half_pi) ends%pull_off_approach = detached_approach(curve)
          end associate
       end select
    end subroutine set_face_ends
 
-   !> The stable state with the least load, or the least approach.
-   pure subroutine find_pull_off(curve, control, intervals, ends)
+   !> The stable state where what is held is least.
+   pure subroutine find_pull_off(curve, control, intervals, discs, ends)
       !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> `control_load` or `control_approach`.
+      !> What is held; not `control_radius`.
       integer, intent(in) :: control
       !> The intervals of the curve.
       type(interval_t), intent(in) :: intervals(:)
+      !> The discs that are stable.
+      type(disc_range_t), intent(in) :: discs(:)
       !> Receives the pull-off.
       type(ends_t), intent(inout) :: ends
-      type(state_t) :: disc
-      real(dp) :: least, held, load, approach
+      type(state_t) :: state
+      real(dp) :: least
       integer :: k
-      logical :: is_disc
 
       least = huge(least)
       do k = 1, size(intervals)
          if (.not. intervals(k)%is_stable) cycle
-         call get_end_state(curve, intervals(k)%is_beyond, intervals(k)%low, load, approach)
-         held = merge(approach, load, control == control_approach)
-         if (held < least) then
-            least = held
-            ends%pull_off_load = load
-            ends%pull_off_approach = approach
-         end if
+         call curve%get_state(intervals(k)%low, intervals(k)%is_beyond, state)
+         call take_least(curve, control, state, least, ends)
       end do
-      if (control == control_approach) then
-         call curve%get_disc_end(disc, is_disc)
-         if (is_disc .and. disc%approach < least) then
-            ends%pull_off_load = disc%load
-            ends%pull_off_approach = disc%approach
-         end if
-      end if
+      do k = 1, size(discs)
+         call curve%get_disc(discs(k)%low, state)
+         call take_least(curve, control, state, least, ends)
+      end do
    end subroutine find_pull_off
+
+   !> Take a state as the pull-off if it is the least one so far.
+   pure subroutine take_least(curve, control, state, least, ends)
+      !> The curve of the indenter.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> The state.
+      type(state_t), intent(in) :: state
+      !> The least that is held so far.
+      real(dp), intent(inout) :: least
+      !> Receives the pull-off.
+      type(ends_t), intent(inout) :: ends
+
+      if (.not. held_of(curve, control, state) < least) return
+      least = held_of(curve, control, state)
+      ends%pull_off_load = state%load
+      ends%pull_off_approach = state%approach
+   end subroutine take_least
 
    !> No end is known.
    pure subroutine clear_ends(ends)
@@ -403,53 +585,38 @@ contains
       ends%jump_outward_approach = not_a_number()
    end subroutine clear_ends
 
-   !> Load and approach of a state.
-   pure subroutine get_end_state(curve, is_beyond, u, load, approach)
-      !> The curve of the indenter.
-      class(curve_t), intent(in) :: curve
-      !> Is u one of those beyond the corner?
-      logical, intent(in) :: is_beyond
-      !> The unknown of the state.
-      real(dp), intent(in) :: u
-      !> Load P and approach delta, reduced.
-      real(dp), intent(out) :: load, approach
-      type(state_t) :: state
-
-      call curve%get_state(u, is_beyond, state)
-      load = state%load
-      approach = state%approach
-   end subroutine get_end_state
-
    !> Jumps between stable parts: inward where a fold has another stable state, smaller and under the same load or approach;
    !> outward from the fold at the end of a stable part.
    pure subroutine find_jumps(curve, control, intervals, ends)
       !> The curve of the indenter.
       class(curve_t), intent(in) :: curve
-      !> `control_load` or `control_approach`.
+      !> What is held; not `control_radius`.
       integer, intent(in) :: control
       !> The intervals of the curve, from the smallest contacts to the largest.
       type(interval_t), intent(in) :: intervals(:)
       !> Receives the jumps.
       type(ends_t), intent(inout) :: ends
-      real(dp) :: load, approach, held, first, last, slope
+      type(state_t) :: fold
+      real(dp) :: held, first, last, slope
       integer :: k, j
 
       do k = 1, size(intervals)
          if (.not. intervals(k)%is_stable) cycle
          if (intervals(k)%ends_at_fold) then
-            call get_end_state(curve, intervals(k)%is_beyond, intervals(k)%high, &
-               & ends%jump_outward_load, ends%jump_outward_approach)
+            call curve%get_state(intervals(k)%high, intervals(k)%is_beyond, fold)
+            ends%jump_outward_load = fold%load
+            ends%jump_outward_approach = fold%approach
          end if
          if (.not. intervals(k)%begins_at_fold) cycle
-         call get_end_state(curve, intervals(k)%is_beyond, intervals(k)%low, load, approach)
-         held = merge(approach, load, control == control_approach)
+         call curve%get_state(intervals(k)%low, intervals(k)%is_beyond, fold)
+         held = held_of(curve, control, fold)
          do j = 1, k - 1
             if (.not. intervals(j)%is_stable) cycle
             call curve%get_held(control, intervals(j)%low, intervals(j)%is_beyond, first, slope)
             call curve%get_held(control, intervals(j)%high, intervals(j)%is_beyond, last, slope)
             if (held < first .or. held > last) cycle
-            ends%jump_inward_load = load
-            ends%jump_inward_approach = approach
+            ends%jump_inward_load = fold%load
+            ends%jump_inward_approach = fold%approach
          end do
       end do
    end subroutine find_jumps

@@ -6,20 +6,27 @@
 !>
 !> A state is stable where a g' > q Dl, q = 3/2 under a given load and 1/2 at a given approach. In each piece of a shape
 !> sqrt(a) g'(a) rises or falls, so each piece has at most one fold, which is bracketed by its ends: no fold is missed.
+!>
+!> A spring of compliance s between the indenter and a base that is held at delta + s P has q = (1 + 3 y)/(2 (1 + y)), y = 2 s a
+!> (`adfric_indenter_spring_pieces` divides its pieces).
 module adfric_indenter_curve
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_indenter_shape, only: shape_t, spot_t
+   use adfric_indenter_shape, only: piece_t, shape_t, spot_t
+   use adfric_indenter_spring_pieces, only: divide_pieces, most_divided_pieces
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: curve_t, state_t, interval_t, find_held
-   public :: control_load, control_approach, control_radius, most_intervals, endless
+   public :: curve_t, state_t, interval_t, find_held, stability_control
+   public :: control_load, control_approach, control_spring, control_radius, most_intervals, endless, disc_range_t, &
+      & most_disc_ranges
 
-   !> What is held.
-   integer, parameter :: control_load = 1, control_approach = 2, control_radius = 3
-   !> Most intervals of a curve; in JKR each piece has at most one fold, so there are six.
+   !> What is held; that of a spring is the approach of its base.
+   integer, parameter :: control_load = 1, control_approach = 2, control_spring = 3, control_radius = 4
+   !> Most intervals of a curve; in JKR each piece has at most one fold, so there are ten.
    integer, parameter :: most_intervals = 16
+   !> Most ranges of discs that are stable.
+   integer, parameter :: most_disc_ranges = 3
    !> End of an interval that has none.
    real(dp), parameter :: endless = huge(1.0_dp)
    !> Slopes of logarithms end at the inverse of this.
@@ -39,8 +46,8 @@ module adfric_indenter_curve
       real(dp) :: neck = 0
       !> Radius c up to which adhesion acts, and its stress there; 0 where it acts in the contact alone.
       real(dp) :: adhesion_radius = 0, stress = 0
-      !> Is the state stable under a given load, and at a given approach?
-      logical :: is_stable(2) = .true.
+      !> Is the state stable under a given load, at a given approach, and on a spring?
+      logical :: is_stable(3) = .true.
       !> Was it found to round-off?
       logical :: is_converged = .true.
    end type state_t
@@ -53,13 +60,23 @@ module adfric_indenter_curve
       real(dp) :: tension = 0
       !> What adhesion outside the contact takes from the load (DMT); else 0.
       real(dp) :: outer_pull = 0
+      !> Compliance of the spring that holds the indenter, E* L/k; of no meaning in another control.
+      real(dp) :: compliance = 0
    contains
       procedure :: get_state
       procedure :: get_held
       procedure :: find_intervals
-      procedure :: find_disc
-      procedure :: get_disc_end
+      procedure :: find_discs
+      procedure :: get_disc
    end type curve_t
+
+   !> Radii of discs of adhesion without touch that are stable; what is held rises with the radius.
+   type :: disc_range_t
+      !> Ends of the range.
+      real(dp) :: low = 0, high = 0
+      !> Does the largest disc touch, so that the contacts follow? Else it is a fold.
+      logical :: touches = .false.
+   end type disc_range_t
 
    !> A part of the curve where all states are stable, or all are unstable. Along it what is held rises, or falls.
    type :: interval_t
@@ -75,23 +92,24 @@ module adfric_indenter_curve
 
    !> sqrt(a) g_u - q sqrt(2 pi W) a_u = 0.
    type, extends(equation_t) :: fold_equation_t
-      !> The shape.
-      class(shape_t), allocatable :: shape
+      !> The curve.
+      class(curve_t), allocatable :: curve
+      !> What is held.
+      integer :: control = control_load
       !> Does u lie beyond the corner?
       logical :: is_beyond = .true.
-      !> q sqrt(2 pi W).
-      real(dp) :: target = 0
    contains
       procedure :: evaluate => evaluate_fold
    end type fold_equation_t
 
-   !> Load or approach along an interval, less what is given. The unknown is ln(u - low), or u.
+   !> Load or approach, that of the indenter or of the base of its spring, along an interval, less what is given. The unknown is
+   !> ln(u - low), or u.
    type, extends(equation_t) :: held_equation_t
       !> The curve.
       class(curve_t), allocatable :: curve
       !> The interval.
       type(interval_t) :: interval
-      !> What is held, `control_load` or `control_approach`.
+      !> What is held; not `control_radius`.
       integer :: control = control_load
       !> What is given, and the value at the beginning of the interval.
       real(dp) :: given = 0, first = 0
@@ -136,6 +154,7 @@ contains
          end if
          state%is_stable(control_load) = is_stable_at(self, spot, control_load)
          state%is_stable(control_approach) = is_stable_at(self, spot, control_approach)
+         state%is_stable(control_spring) = is_stable_at(self, spot, control_spring)
       end associate
    end subroutine get_state
 
@@ -143,13 +162,13 @@ contains
    pure subroutine get_held(self, control, u, is_beyond, held, slope)
       !> The curve.
       class(curve_t), intent(in) :: self
-      !> `control_load` or `control_approach`.
+      !> What is held; not `control_radius`.
       integer, intent(in) :: control
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
       !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
-      !> Load or approach, reduced.
+      !> Load, approach, or approach of the base of the spring, reduced.
       real(dp), intent(out) :: held
       !> Derivative by u; of no meaning at a radius of 0.
       real(dp), intent(out) :: slope
@@ -163,47 +182,68 @@ contains
          held = state%approach
          slope = state%approach_slope
       end if
+      if (control /= control_spring) return
+      held = held + self%compliance*state%load
+      slope = slope + self%compliance*state%load_slope
    end subroutine get_held
 
-   !> The stable state without touch at a given approach: a theory without range has none.
-   pure subroutine find_disc(self, approach, state, is_found)
+   !> The states without touch that are stable, as ranges of their radii: a theory without range has none.
+   pure subroutine find_discs(self, control, discs, n)
       !> The curve.
       class(curve_t), intent(in) :: self
-      !> The approach, reduced.
-      real(dp), intent(in) :: approach
-      !> Receives the state.
-      type(state_t), intent(out) :: state
-      !> Is there such a state?
-      logical, intent(out) :: is_found
+      !> What is held.
+      integer, intent(in) :: control
+      !> Receives the ranges, from the smallest discs to the largest.
+      type(disc_range_t), intent(out) :: discs(most_disc_ranges)
+      !> Receives their number.
+      integer, intent(out) :: n
 
-      is_found = .false.
-      associate (unused => self, unused_too => approach)
+      n = 0
+      associate (unused => self, unused_too => control, unused_ranges => discs)
       end associate
-      state%is_stable = .false.
-   end subroutine find_disc
+   end subroutine find_discs
 
-   !> The stable state without touch of the least approach.
-   pure subroutine get_disc_end(self, state, is_found)
+   !> A state without touch; a theory without range has none.
+   pure subroutine get_disc(self, c, state)
       !> The curve.
       class(curve_t), intent(in) :: self
+      !> Radius of the disc, >= 0.
+      real(dp), intent(in) :: c
       !> Receives the state.
       type(state_t), intent(out) :: state
-      !> Is there such a state?
-      logical, intent(out) :: is_found
 
-      is_found = .false.
-      associate (unused => self)
+      associate (unused => self, unused_too => c)
       end associate
-      state%is_stable = .false.
-   end subroutine get_disc_end
+      state%is_converged = .false.
+   end subroutine get_disc
 
-   !> q of a control: a state is stable where a g' > q Dl.
-   elemental real(dp) function stability_factor(control) result(q)
-      !> What is held; a given radius counts as a given load.
+   !> The control whose stability a state has: a given radius counts as a given load.
+   elemental integer function stability_control(control)
+      !> What is held.
       integer, intent(in) :: control
 
-      q = merge(0.5_dp, 1.5_dp, control == control_approach)
-   end function stability_factor
+      stability_control = merge(control_load, control, control == control_radius)
+   end function stability_control
+
+   !> q of a control, and its derivative by a: a state is stable where a g' > q Dl.
+   pure subroutine get_stability_factor(curve, control, radius, factor, slope)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> What is held; a given radius counts as a given load.
+      integer, intent(in) :: control
+      !> Radius a of contact.
+      real(dp), intent(in) :: radius
+      !> q, and dq/da.
+      real(dp), intent(out) :: factor, slope
+      real(dp) :: y
+
+      slope = 0
+      factor = merge(0.5_dp, 1.5_dp, control == control_approach)
+      if (control /= control_spring) return
+      y = 2*curve%compliance*radius
+      factor = (1 + 3*y)/(2*(1 + y))
+      slope = 2*curve%compliance/(1 + y)**2
+   end subroutine get_stability_factor
 
    !> Is the state at a spot stable?
    pure logical function is_stable_at(curve, spot, control)
@@ -213,9 +253,10 @@ contains
       type(spot_t), intent(in) :: spot
       !> What is held.
       integer, intent(in) :: control
-      real(dp) :: target
+      real(dp) :: target, factor, slope
 
-      target = stability_factor(control)*curve%tension
+      call get_stability_factor(curve, control, spot%radius, factor, slope)
+      target = factor*curve%tension
       is_stable_at = .true.
       if (.not. target > 0) return
       if (spot%radius_slope > 0) then
@@ -238,27 +279,27 @@ contains
       integer, intent(out) :: n
       !> Have all folds been found to round-off?
       logical, intent(out) :: is_converged
-      real(dp) :: target
-      integer :: k
+      type(piece_t) :: pieces(most_divided_pieces)
+      integer :: k, n_pieces
 
       n = 0
       is_converged = .true.
-      target = stability_factor(control)*self%tension
-      do k = 1, self%shape%n_pieces
-         call split_piece(self, control, k, target, intervals, n, is_converged)
+      n_pieces = self%shape%n_pieces
+      pieces(:n_pieces) = self%shape%pieces(:n_pieces)
+      if (control == control_spring) call divide_pieces(self%shape, self%compliance, pieces, n_pieces)
+      do k = 1, n_pieces
+         call split_piece(self, control, pieces(k), intervals, n, is_converged)
       end do
    end subroutine find_intervals
 
    !> Add the intervals of a piece.
-   pure subroutine split_piece(curve, control, place, target, intervals, n, is_converged)
+   pure subroutine split_piece(curve, control, piece, intervals, n, is_converged)
       !> The curve.
       class(curve_t), intent(in) :: curve
       !> What is held.
       integer, intent(in) :: control
-      !> Place of the piece in the shape.
-      integer, intent(in) :: place
-      !> q sqrt(2 pi W), which sqrt(a) g' is at a fold.
-      real(dp), intent(in) :: target
+      !> A piece where sqrt(a) g'/q rises, or falls.
+      type(piece_t), intent(in) :: piece
       !> The intervals; those of the piece are added.
       type(interval_t), intent(inout) :: intervals(:)
       !> Number of intervals.
@@ -266,42 +307,41 @@ contains
       !> Becomes false if a fold is not found to round-off.
       logical, intent(inout) :: is_converged
       type(spot_t) :: spot
-      real(dp) :: high, fold
+      real(dp) :: high, fold, largest
       logical :: is_stable, ends_stable, is_found
 
-      associate (piece => curve%shape%pieces(place))
-         call curve%shape%evaluate(piece%low, piece%is_beyond, spot)
-         is_stable = is_stable_at(curve, spot, control)
-         high = piece%high
-         ends_stable = .true.
-         if (high < endless) then
-            call curve%shape%evaluate(high, piece%is_beyond, spot)
-            ends_stable = is_stable_at(curve, spot, control)
-         end if
-         n = n + 1
-         intervals(n) = interval_t(piece%is_beyond, is_stable, .false., .false., piece%low, piece%high)
-         if (is_stable .eqv. ends_stable) return
-         if (.not. high < endless) high = max(2*piece%low, curve%shape%get_end(target))
-         call find_fold(curve%shape, piece%is_beyond, target, piece%low, high, ends_stable, fold, is_found)
-         is_converged = is_converged .and. is_found
-         intervals(n)%high = fold
-         intervals(n)%ends_at_fold = .true.
-         n = n + 1
-         intervals(n) = interval_t(piece%is_beyond, ends_stable, .true., .false., fold, piece%high)
-      end associate
+      call curve%shape%evaluate(piece%low, piece%is_beyond, spot)
+      is_stable = is_stable_at(curve, spot, control)
+      high = piece%high
+      ends_stable = .true.
+      if (high < endless) then
+         call curve%shape%evaluate(high, piece%is_beyond, spot)
+         ends_stable = is_stable_at(curve, spot, control)
+      end if
+      n = n + 1
+      intervals(n) = interval_t(piece%is_beyond, is_stable, .false., .false., piece%low, piece%high)
+      if (is_stable .eqv. ends_stable) return
+      largest = merge(0.5_dp, 1.5_dp, control == control_approach)
+      if (.not. high < endless) high = max(2*piece%low, curve%shape%get_end(largest*curve%tension))
+      call find_fold(curve, control, piece%is_beyond, piece%low, high, ends_stable, fold, is_found)
+      is_converged = is_converged .and. is_found
+      intervals(n)%high = fold
+      intervals(n)%ends_at_fold = .true.
+      n = n + 1
+      intervals(n) = interval_t(piece%is_beyond, ends_stable, .true., .false., fold, piece%high)
    end subroutine split_piece
 
    !> The fold between two places of a piece.
-   pure subroutine find_fold(shape, is_beyond, target, low, high, rises, fold, is_converged)
-      !> The shape.
-      class(shape_t), intent(in) :: shape
+   pure subroutine find_fold(curve, control, is_beyond, low, high, rises, fold, is_converged)
+      !> The curve.
+      class(curve_t), intent(in) :: curve
+      !> What is held.
+      integer, intent(in) :: control
       !> Does the piece lie beyond the corner?
       logical, intent(in) :: is_beyond
-      !> q sqrt(2 pi W).
-      real(dp), intent(in) :: target
       !> Ends of the bracket.
       real(dp), intent(in) :: low, high
-      !> Does sqrt(a) g' rise along the piece?
+      !> Does sqrt(a) g'/q rise along the piece?
       logical, intent(in) :: rises
       !> Receives the unknown u of the fold.
       real(dp), intent(out) :: fold
@@ -310,9 +350,9 @@ contains
       real(dp), parameter :: near_end = 1.0_dp - 1.0e-6_dp
       type(fold_equation_t) :: equation
 
-      allocate (equation%shape, source=shape)
+      allocate (equation%curve, source=curve)
+      equation%control = control
       equation%is_beyond = is_beyond
-      equation%target = target
       ! that of a single power
       fold = high*near_end
       call find_root(equation, low, high, rises, fold, is_converged)
@@ -320,7 +360,7 @@ contains
 
    !> See `equation_t`.
    pure subroutine evaluate_fold(self, x, value, slope)
-      !> The equation with its shape.
+      !> The equation with its curve.
       class(fold_equation_t), intent(in) :: self
       !> The unknown u, > 0.
       real(dp), intent(in) :: x
@@ -329,23 +369,25 @@ contains
       !> Derivative of the value by u.
       real(dp), intent(out) :: slope
       type(spot_t) :: spot
-      real(dp) :: root
+      real(dp) :: root, factor, factor_slope
 
-      call self%shape%evaluate(x, self%is_beyond, spot)
+      call self%curve%shape%evaluate(x, self%is_beyond, spot)
+      call get_stability_factor(self%curve, self%control, spot%radius, factor, factor_slope)
       root = sqrt(spot%radius)
-      value = root*spot%depth_slope - self%target*spot%radius_slope
-      slope = root*spot%depth_curve + spot%depth_slope*spot%radius_slope/(2*root) - self%target*spot%radius_curve
+      value = root*spot%depth_slope - factor*self%curve%tension*spot%radius_slope
+      slope = root*spot%depth_curve + spot%depth_slope*spot%radius_slope/(2*root) &
+         & - self%curve%tension*(factor*spot%radius_curve + factor_slope*spot%radius_slope**2)
    end subroutine evaluate_fold
 
-   !> The state of an interval under which a load or an approach is held.
+   !> The state of an interval where a load or an approach is held.
    pure subroutine find_held(curve, control, interval, given, u, is_found, is_converged)
       !> The curve.
       class(curve_t), intent(in) :: curve
-      !> `control_load` or `control_approach`.
+      !> What is held; not `control_radius`.
       integer, intent(in) :: control
       !> The interval.
       type(interval_t), intent(in) :: interval
-      !> Load or approach that is given, reduced.
+      !> What is given, reduced.
       real(dp), intent(in) :: given
       !> Receives the unknown of the state.
       real(dp), intent(out) :: u

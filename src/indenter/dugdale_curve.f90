@@ -11,17 +11,18 @@
 !>     F_P = 2 a I/c - 4 S [c th^2 + a (1 - cos(th))],    F_d = 2 I/c - 4 S (1 - cos(th))
 !>     N = 2 I sin(th)/c + 4 S [th - sin(th) (1 - cos(th))]
 !>
-!> Q and N are positive, so a state is stable under load where F_P > 0, at given approach where F_d > 0. Neither contains g'(a), and
-!> their terms are positive but for the one difference that makes a fold.
+!> Q and N are positive, so a state is stable under load where F_P > 0, at given approach where F_d > 0, and on a spring of compliance s
+!> where F_d + 2 s F_P > 0. None contains g'(a), and their terms are positive but for the one difference that makes a fold.
 module adfric_indenter_dugdale_curve
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_indenter_annulus, only: get_annulus
-   use adfric_indenter_curve, only: curve_t, state_t, interval_t, most_intervals, control_load, control_approach
+   use adfric_indenter_curve, only: curve_t, state_t, interval_t, disc_range_t, most_intervals, most_disc_ranges, control_load, &
+      & control_approach, control_spring, control_radius, stability_control
+   use adfric_indenter_dugdale_discs, only: find_stable_discs
    use adfric_indenter_dugdale_folds, only: margins_t, find_stable_parts
    use adfric_indenter_shape, only: spot_t, within_edge
-   use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
    public :: dugdale_curve_t
@@ -33,20 +34,10 @@ module adfric_indenter_dugdale_curve
    contains
       procedure :: get_state
       procedure :: find_intervals
-      procedure :: find_disc
-      procedure :: get_disc_end
+      procedure :: find_discs
+      procedure :: get_disc
       procedure :: has_room
    end type dugdale_curve_t
-
-   !> Approach of a disc of adhesion without touch, of radius c, less what is given.
-   type, extends(equation_t) :: disc_equation_t
-      !> The curve.
-      type(dugdale_curve_t) :: curve
-      !> The approach that is given.
-      real(dp) :: approach = 0
-   contains
-      procedure :: evaluate => evaluate_disc
-   end type disc_equation_t
 
    !> The differences that make folds, along the curve.
    type, extends(margins_t) :: dugdale_margins_t
@@ -90,7 +81,7 @@ contains
          state%approach_slope = q*f_approach/n
          state%stiffness = not_a_number()
          if (abs(f_approach) > 0) state%stiffness = 2*f_load/f_approach
-         state%is_stable = [f_load > 0, f_approach > 0]
+         state%is_stable = [f_load > 0, f_approach > 0, f_approach + 2*self%compliance*f_load > 0]
       end associate
    end subroutine get_state
 
@@ -230,12 +221,34 @@ contains
       allocate (margins%curve%shape, source=self%shape)
       margins%curve%stress = self%stress
       margins%curve%range = self%range
-      margins%control = merge(control_approach, control_load, control == control_approach)
+      margins%curve%compliance = self%compliance
+      margins%control = stability_control(control)
       call find_stable_parts(margins, self%shape, self%stress, self%range, intervals, n, is_converged)
    end subroutine find_intervals
 
-   !> A disc of adhesion without touch, of radius c: P = -pi S c^2, delta = f(c) - 4 S c/pi - h. It is stable at given approach where
-   !> f'(c) > 4 S/pi.
+   !> See `curve_t`.
+   pure subroutine find_discs(self, control, discs, n)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> What is held.
+      integer, intent(in) :: control
+      !> Receives the ranges, from the smallest discs to the largest.
+      type(disc_range_t), intent(out) :: discs(most_disc_ranges)
+      !> Receives their number.
+      integer, intent(out) :: n
+      type(state_t) :: touching
+      real(dp) :: pull
+
+      n = 0
+      if (control == control_load .or. control == control_radius) return
+      call self%get_state(0.0_dp, .not. self%shape%corner > 0, touching)
+      if (.not. touching%is_converged) return
+      pull = 0
+      if (control == control_spring) pull = 2*pi*self%compliance*self%stress
+      call find_stable_discs(self%shape, 4*self%stress/pi, pull, touching%adhesion_radius, discs, n)
+   end subroutine find_discs
+
+   !> See `curve_t`: P = -pi S c^2, delta = f(c) - 4 S c/pi - h.
    pure subroutine get_disc(self, c, state)
       !> The curve.
       class(dugdale_curve_t), intent(in) :: self
@@ -246,120 +259,19 @@ contains
       real(dp) :: height, slope
 
       call self%shape%get_profile(c, height, slope)
+      call self%shape%evaluate(0.0_dp, .not. self%shape%corner > 0, state%spot)
       state%spot%radius_slope = 0
       state%load = -pi*self%stress*c**2
       state%approach = height - 4*self%stress*c/pi - self%range
       state%neck = 2*self%stress*c
       state%adhesion_radius = c
       state%stress = self%stress
-      slope = slope - 4*self%stress/pi
-      state%is_stable = [.false., slope > 0]
+      state%load_slope = -2*pi*self%stress*c
+      state%approach_slope = slope - 4*self%stress/pi
+      state%is_stable = [.false., state%approach_slope > 0, state%approach_slope + self%compliance*state%load_slope > 0]
       state%stiffness = not_a_number()
-      if (abs(slope) > 0) state%stiffness = -2*pi*self%stress*c/slope
+      if (abs(state%approach_slope) > 0) state%stiffness = state%load_slope/state%approach_slope
    end subroutine get_disc
-
-   !> The discs that are stable at given approach: their radii, from where f'(c) = 4 S/pi to the disc that touches. f' rises.
-   pure subroutine get_stable_discs(self, least, largest, is_there)
-      !> The curve.
-      class(dugdale_curve_t), intent(in) :: self
-      !> Ends of the range of radii.
-      real(dp), intent(out) :: least, largest
-      !> Are there such discs?
-      logical, intent(out) :: is_there
-      integer, parameter :: most_halvings = 1100
-      type(state_t) :: touching
-      real(dp) :: height, slope, middle, high
-      integer :: k
-
-      least = 0
-      call self%get_state(0.0_dp, .not. self%shape%corner > 0, touching)
-      largest = touching%adhesion_radius
-      is_there = touching%is_converged .and. touching%is_stable(control_approach)
-      if (.not. is_there) return
-      high = largest
-      do k = 1, most_halvings
-         middle = (least + high)/2
-         if (.not. (middle > least .and. middle < high)) exit
-         call self%shape%get_profile(middle, height, slope)
-         if (slope > 4*self%stress/pi) then
-            high = middle
-         else
-            least = middle
-         end if
-         if (.not. high > 1.0e-30_dp*largest) exit
-      end do
-      least = high
-      if (.not. high > 1.0e-30_dp*largest) least = 0
-   end subroutine get_stable_discs
-
-   !> See `curve_t`.
-   pure subroutine find_disc(self, approach, state, is_found)
-      !> The curve.
-      class(dugdale_curve_t), intent(in) :: self
-      !> The approach, reduced.
-      real(dp), intent(in) :: approach
-      !> Receives the state.
-      type(state_t), intent(out) :: state
-      !> Is there such a state?
-      logical, intent(out) :: is_found
-      type(disc_equation_t) :: equation
-      type(state_t) :: first, last
-      real(dp) :: least, largest, c
-      logical :: is_converged
-
-      call get_stable_discs(self, least, largest, is_found)
-      if (.not. is_found) return
-      call get_disc(self, least, first)
-      call get_disc(self, largest, last)
-      is_found = approach >= first%approach .and. approach < last%approach .and. least < largest
-      if (.not. is_found) return
-      allocate (equation%curve%shape, source=self%shape)
-      equation%curve%stress = self%stress
-      equation%curve%range = self%range
-      equation%approach = approach
-      c = (least + largest)/2
-      is_converged = .true.
-      if (approach > first%approach) then
-         call find_root(equation, least, largest, .true., c, is_converged)
-      else
-         c = least
-      end if
-      call get_disc(self, c, state)
-      state%approach = approach
-      state%is_stable(control_approach) = .true.
-      state%is_converged = is_converged
-   end subroutine find_disc
-
-   !> See `curve_t`.
-   pure subroutine get_disc_end(self, state, is_found)
-      !> The curve.
-      class(dugdale_curve_t), intent(in) :: self
-      !> Receives the state.
-      type(state_t), intent(out) :: state
-      !> Is there such a state?
-      logical, intent(out) :: is_found
-      real(dp) :: least, largest
-
-      call get_stable_discs(self, least, largest, is_found)
-      if (is_found) call get_disc(self, least, state)
-   end subroutine get_disc_end
-
-   !> See `equation_t`.
-   pure subroutine evaluate_disc(self, x, value, slope)
-      !> The equation with its curve.
-      class(disc_equation_t), intent(in) :: self
-      !> Radius c of the disc.
-      real(dp), intent(in) :: x
-      !> Its approach less what is given.
-      real(dp), intent(out) :: value
-      !> Derivative of the value by c.
-      real(dp), intent(out) :: slope
-      real(dp) :: height
-
-      call self%curve%shape%get_profile(x, height, slope)
-      value = height - 4*self%curve%stress*x/pi - self%curve%range - self%approach
-      slope = slope - 4*self%curve%stress/pi
-   end subroutine evaluate_disc
 
    !> See `margins_t`.
    pure subroutine get_margin(self, u, is_beyond, margin, adhesion_radius, is_converged)
@@ -369,14 +281,14 @@ contains
       real(dp), intent(in) :: u
       !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
-      !> F_P or F_d over the sum of its terms, between -1 and 1.
+      !> F_P, F_d or F_d + 2 s F_P over the sum of its terms, between -1 and 1.
       real(dp), intent(out) :: margin
       !> c.
       real(dp), intent(out) :: adhesion_radius
       !> Was the zone found?
       logical, intent(out) :: is_converged
       type(spot_t) :: spot
-      real(dp) :: s, c, th, opening, intensity, gain, loss
+      real(dp) :: s, c, th, opening, intensity, gain, loss, shares(2)
 
       call self%curve%shape%evaluate(u, is_beyond, spot)
       call find_zone(self%curve, spot, is_beyond, s, opening, intensity, is_converged)
@@ -388,10 +300,17 @@ contains
       adhesion_radius = c
       gain = intensity
       loss = 2*self%curve%stress*(s*s/(c + spot%radius))
-      if (self%control == control_load) then
-         gain = gain*spot%radius
-         loss = spot%radius*loss + 2*self%curve%stress*(c*th)**2
-      end if
+      ! of F_d c/2 and of what F_P has beside it
+      select case (self%control)
+      case (control_load)
+         shares = [spot%radius, 1.0_dp]
+      case (control_approach)
+         shares = [1.0_dp, 0.0_dp]
+      case default
+         shares = [1 + 2*self%curve%compliance*spot%radius, 2*self%curve%compliance]
+      end select
+      gain = shares(1)*gain
+      loss = shares(1)*loss + shares(2)*2*self%curve%stress*(c*th)**2
       margin = (gain - loss)/(gain + loss)
    end subroutine get_margin
 

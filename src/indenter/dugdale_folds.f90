@@ -13,14 +13,14 @@
 !> at the largest contact then shows whether there is a fold. This holds for the cone, r^n with n >= 1 and sums of them, the sphere, and
 !> the rounded punch.
 !>
-!> For the other kinds nobody has proved how many folds there are. They are found by the sign of the difference over its terms, a number
-!> between -1 and 1, which is taken at places close to each other from the smallest contact, a = 0, to one that is stable in JKR with
-!> much to spare. Each change of sign is a fold; where the number comes close to 0 and turns, its extreme value is sought between the
+!> For the other kinds, and on a spring (`control_spring`), nobody has proved how many folds there are. They are found by the sign of
+!> the difference over its terms, a number between -1 and 1, which is taken at places close to each other from the smallest contact, a = 0,
+!> to one that is stable in JKR with much to spare. Each change of sign is a fold; where the number comes close to 0 and turns, its extreme value is sought between the
 !> places, so that two folds side by side are seen, too.
 module adfric_indenter_dugdale_folds
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
-   use adfric_indenter_curve, only: interval_t, endless, control_load, control_approach
+   use adfric_indenter_curve, only: interval_t, endless, control_load, control_approach, control_spring
    use adfric_indenter_shape, only: shape_t, within_edge
    implicit none (type, external)
    private
@@ -35,7 +35,7 @@ module adfric_indenter_dugdale_folds
 
    !> The difference that makes folds, along a curve.
    type, abstract :: margins_t
-      !> `control_load` or `control_approach`.
+      !> What is held; not `control_radius`.
       integer :: control = control_load
    contains
       procedure(get_margin_i), deferred :: get_margin
@@ -126,7 +126,7 @@ contains
       integer :: control
 
       ! beside a vertical edge the last place may lie below the fold, and the way there is steep
-      places%has_one_fold = shape%has_rising_slope .and. .not. shape%edge < endless
+      places%has_one_fold = shape%has_rising_slope .and. .not. shape%edge < endless .and. margins%control /= control_spring
       control = margins%control
       margins%control = control_approach
       call margins%get_margin(0.0_dp, .not. shape%corner > 0, margin, c, is_converged)
@@ -134,7 +134,7 @@ contains
       if (.not. is_converged) return
       ! a fold under load near a = 0 is at a/c = (pi^2/4) S 2 c/I
       least = smallest_share*c
-      if (control == control_load) least = min(least, 0.02_dp*c*max(1 - margin, epsilon(c))/(1 + margin + epsilon(c)))
+      if (control /= control_approach) least = min(least, 0.02_dp*c*max(1 - margin, epsilon(c))/(1 + margin + epsilon(c)))
       most = spare*max(shape%get_end(1.5_dp*sqrt(two_pi*stress*range)), c)
       if (shape%edge < endless) most = shape%unknown_of(within_edge*shape%edge)
       if (places%has_one_fold) call reach_stability(margins, most, is_converged)
@@ -252,7 +252,8 @@ contains
 
       n = 1
       is_converged = .true.
-      intervals(1) = interval_t(places%is_beyond(1), values(1) > 0, .false., .false., 0.0_dp, endless)
+      ! within a face contacts begin where their zone reaches its edge
+      intervals(1) = interval_t(places%is_beyond(1), values(1) > 0, .false., .false., places%u(1), endless)
       do k = 1, last - 1
          if (n > size(intervals) - 3) is_converged = .false.
          if (.not. is_converged) return

@@ -11,8 +11,10 @@ module adfric_indenter_model
    use adfric_indenter_axis_stress, only: get_axis_stress
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_indenter_check, only: check_indenter_values
-   use adfric_indenter_contact, only: contact_t, ends_t, survey_t, find_contact, survey_curve
-   use adfric_indenter_curve, only: curve_t, control_approach
+   use adfric_indenter_contact, only: contact_t, ends_t, survey_t, find_contact, survey_curve, terms_of
+   use adfric_indenter_curve, only: control_approach, control_load, control_radius, control_spring, stability_control
+   use adfric_indenter_energy, only: elastic_energy
+   use adfric_indenter_loop, only: find_loop, loop_t
    use adfric_indenter_profiles, only: pressure_at, gap_at
    use adfric_indenter_shear, only: find_shear_slip, find_sliding, resistance_t, shear_slip_t, shear_stress_at
    use adfric_indenter_slip, only: find_indenter_slip, indenter_slip_t
@@ -53,8 +55,11 @@ module adfric_indenter_model
       type(shear_slip_t) :: shear
       !> The survey of its curve; it serves the next point, too, if that has the same curve and control.
       type(survey_t) :: survey
-      !> Values of the variables up to the theory, which the curve follows from where there is a range of adhesion.
-      real(dp) :: values(v_theory) = 0
+      !> Values of the variables up to the theory, and the stiffness of the spring, which the curve follows from where there is a range
+      !> of adhesion.
+      real(dp) :: values(v_theory + 1) = 0
+      !> What happens in a cycle of approach and retraction.
+      type(loop_t) :: loop
       !> Has a survey been made?
       logical :: is_surveyed = .false.
    end type indenter_state_t
@@ -145,15 +150,20 @@ contains
       call resolve_case(values, found%case)
       if (.not. is_possible(values, found%case)) return
       associate (case => found%case, contact => found%contact)
-         found%values = values(:v_theory)
+         found%values = [values(:v_theory), values(v_machine_stiffness)]
          call take_survey(state, found)
-         if (.not. found%is_surveyed) call survey_curve(case%curve, case%control, found%survey)
+         if (.not. found%is_surveyed) then
+            call survey_curve(case%curve, case%control, found%survey)
+            if (values(v_events) > 0) call find_loop(case%curve, found%survey, case%control, found%loop)
+         end if
          found%is_surveyed = .true.
          call store_ends(case, found%survey%ends, results)
+         if (values(v_events) > 0) call store_events(case, found%loop, results)
          call find_contact(case%curve, found%survey, case%control, case%given, case%is_beyond, case%branch, contact)
          ! the way to u and back is not exact
          if (case%radius > 0) contact%spot%radius = case%radius
-         if (.not. (contact%is_converged .and. found%survey%ends%is_converged)) status = status_not_converged
+         if (.not. (contact%is_converged .and. found%survey%ends%is_converged .and. found%loop%is_converged)) &
+            & status = status_not_converged
          if (contact%is_found .and. status /= status_not_converged) then
             status = status_solved
             error_estimate = estimate_error(case, contact, found%survey%ends)
@@ -180,8 +190,10 @@ contains
       select type (state)
       type is (indenter_state_t)
          found%is_surveyed = state%is_surveyed .and. .not. any(abs(state%values - found%values) > 0) &
-            & .and. (state%case%control == control_approach .eqv. found%case%control == control_approach)
-         if (found%is_surveyed) found%survey = state%survey
+            & .and. stability_control(state%case%control) == stability_control(found%case%control)
+         if (.not. found%is_surveyed) return
+         found%survey = state%survey
+         found%loop = state%loop
       end select
    end subroutine take_survey
 
@@ -199,6 +211,23 @@ contains
       results([r_pull_off_approach, r_jump_inward_approach, r_jump_outward_approach]) = case%height_unit &
          & *[ends%pull_off_approach, ends%jump_inward_approach, ends%jump_outward_approach]
    end subroutine store_ends
+
+   !> What happens in a cycle, in SI units. Without adhesion nothing jumps.
+   pure subroutine store_events(case, loop, results)
+      !> The point with its units.
+      type(indenter_case_t), intent(in) :: case
+      !> What happens, reduced.
+      type(loop_t), intent(in) :: loop
+      !> Receives it; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+
+      results(r_loop_energy) = 0
+      if (case%theory == theory_none) return
+      results(r_loop_energy) = loop%energy*case%force_unit()*case%height_unit
+      results(r_jump_in_base_approach) = loop%jump_in*case%height_unit
+      results(r_jump_in_load) = loop%jump_in_load*case%force_unit()
+      results(r_pull_off_base_approach) = loop%pull_off*case%height_unit
+   end subroutine store_events
 
    !> Results of a contact, in SI units. What was given comes back to the last digit.
    pure subroutine store_contact(case, contact, values, results)
@@ -219,6 +248,7 @@ contains
          if (is_set(values(v_load))) results(r_load) = values(v_load)
          results(r_approach) = contact%approach*case%height_unit
          if (is_set(values(v_approach))) results(r_approach) = values(v_approach)
+         if (is_set(values(v_base_approach))) results(r_base_approach) = values(v_base_approach)
          results(r_contact_radius) = radius
          results(r_contact_area) = pi*radius**2
          if (a > 0) results(r_mean_pressure) = contact%load/(pi*a**2)*case%modulus*(case%height_unit/case%length_unit)
@@ -334,22 +364,6 @@ contains
       ratio = 1 + case%modulus*poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))/4
    end function tangential_compliance
 
-   !> U = int [delta - g(x)]^2 dx from 0 to a, and of the stress beside the contact, reduced.
-   pure real(dp) function elastic_energy(curve, contact) result(energy)
-      !> The curve with its shape.
-      class(curve_t), intent(in) :: curve
-      !> The contact.
-      type(contact_t), intent(in) :: contact
-
-      energy = curve%shape%energy(contact%u, contact%is_beyond)
-      energy = energy + contact%neck*(contact%neck*contact%spot%radius - contact%spot%load)
-      if (.not. contact%stress > 0) return
-      ! int (2 S)^2 (c^2 - x^2) dx from a to c, with c - a = s^2/(c + a), s = neck/(2 S)
-      associate (a => contact%spot%radius, c => contact%adhesion_radius)
-         energy = energy + (contact%neck**2/(2*contact%stress*(c + a)))**2*(2*c + a)/3
-      end associate
-   end function elastic_energy
-
    !> Round-off of what is held moves the contact along the curve, at the end of stability by the root of round-off; load and approach
    !> are differences. The largest relative error of radius, load and approach, the latter two against at least a tenth of pull-off.
    pure real(dp) function estimate_error(case, contact, ends) result(error)
@@ -360,28 +374,38 @@ contains
       !> Where contacts end.
       type(ends_t), intent(in) :: ends
       real(dp), parameter :: round_off = 2*epsilon(1.0_dp), least_share = 0.1_dp
-      real(dp) :: terms(2), sizes(2), shift
+      real(dp) :: terms(2), best(2), sizes(2), shares(2), shift, slope
       integer :: k
 
       error = round_off
       associate (spot => contact%spot)
-         terms = [spot%load + 2*spot%radius*abs(contact%neck), spot%depth + abs(contact%neck)]
+         terms = terms_of(contact)
          sizes = abs([contact%load, contact%approach])
          ! where no contact is stable there is no pull-off
          if (.not. ieee_is_nan(ends%pull_off_load)) then
             sizes = max(sizes, least_share*abs([ends%pull_off_load, ends%pull_off_approach]))
          end if
+         best = terms
+         if (case%control == control_spring) best = min(terms, [(abs(case%given) + terms(2))/case%curve%compliance, &
+            & abs(case%given) + case%curve%compliance*terms(1)])
          do k = 1, 2
-            if (sizes(k) > 0) error = max(error, 2*round_off*terms(k)/sizes(k))
+            if (sizes(k) > 0) error = max(error, 2*round_off*best(k)/sizes(k))
          end do
-         if (case%control > control_approach .or. .not. contact%u > 0 .or. case%curve%shape%n_pieces == 0) return
+         if (case%control == control_radius .or. .not. contact%u > 0 .or. case%curve%shape%n_pieces == 0) return
          ! change of u that round-off of what is held makes
+         shares = 0
+         shares(merge(1, 2, case%control == control_load)) = 1
+         if (case%control == control_spring) shares(1) = case%curve%compliance
          shift = sqrt(round_off)*contact%u
-         k = case%control
-         if (round_off*terms(k) < shift*abs(contact%slopes(k))) shift = round_off*terms(k)/abs(contact%slopes(k))
+         slope = abs(sum(shares*contact%slopes))
+         if (round_off*sum(shares*terms) < shift*slope) shift = round_off*sum(shares*terms)/slope
          error = error + shift*spot%radius_slope/spot%radius
-         k = 3 - k
-         if (sizes(k) > 0) error = error + shift*abs(contact%slopes(k))/sizes(k)
+         do k = 1, 2
+            ! what is given has no such error
+            if (sizes(k) > 0 .and. k /= case%control) error = error + shift*abs(contact%slopes(k))/sizes(k)
+         end do
+         ! no digits at all
+         error = min(error, 1.0_dp)
       end associate
    end function estimate_error
 

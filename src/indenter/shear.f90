@@ -433,7 +433,7 @@ contains
          if (force > last%force) cycle
          if (.not. force < last%force) return
          if (self%ranges(number)%is_beside) then
-            call find_face_angle(force/(2*self%uniform*self%b**2), end_of_range, x, is_found)
+            call find_face_angle(force/(2*self%uniform*self%b**2), end_of_range, 1.0_dp, 0.0_dp, x, is_found)
             return
          end if
          call get_place(self, number, 0.0_dp, first)

@@ -18,8 +18,8 @@ module adfric_indenter_variables
       & v_work_of_adhesion = 21, v_adhesion_stress = 22, v_adhesion_range = 23, v_lambda = 24, v_theory = 25, v_load = 26, &
       & v_approach = 27, v_contact_radius = 28, v_face_angle = 29, v_branch = 30, v_profiles = 31, v_n_r = 32, v_r_max = 33, &
       & v_tangential_force = 34, v_friction_coefficient = 35, v_shear_strength = 36, v_pressure_factor = 37, v_edge_fraction = 38, &
-      & v_position_z = 39
-   integer, parameter, public :: n_indenter_variables = 39
+      & v_position_z = 39, v_base_approach = 40, v_machine_stiffness = 41, v_events = 42
+   integer, parameter, public :: n_indenter_variables = 42
 
    !> Places of the words in the choices.
    integer, parameter, public :: kind_flat = 1, kind_cone = 2, kind_paraboloid = 3, kind_power = 4, kind_sphere = 5, &
@@ -35,8 +35,9 @@ module adfric_indenter_variables
       & r_jump_inward_approach = 11, r_jump_outward_load = 12, r_jump_outward_approach = 13, r_stable = 14, r_theory_used = 15, &
       & r_adhesion_radius = 16, r_stick_fraction = 17, r_tangential_displacement = 18, r_tangential_stiffness = 19, &
       & r_cycle_energy = 20, r_friction_area = 21, r_friction_force = 22, r_stress_zz = 23, &
-      & r_stress_rr = 24
-   integer, parameter, public :: n_indenter_results = 24
+      & r_stress_rr = 24, r_base_approach = 25, r_jump_in_base_approach = 26, r_jump_in_load = 27, r_pull_off_base_approach = 28, &
+      & r_loop_energy = 29
+   integer, parameter, public :: n_indenter_results = 29
    !> Places of the profiles; that of the shear stress comes from the rows of friction.
    public :: p_shear_stress
    integer, parameter, public :: p_pressure = 1, p_gap = 2
@@ -91,6 +92,12 @@ contains
          & lower=0.0_dp, upper=1.0_dp)
       v(v_position_z) = above_zero(group='position', name='position_z', unit='m', &
          & meaning='depth below the middle of the contact where the stresses on the axis are')
+      v(v_base_approach) = any_number(group='operating', name='base_approach', unit='m', &
+         & meaning='approach + load/machine_stiffness, instead of the load: that of what holds the spring')
+      v(v_machine_stiffness) = above_zero(group='operating', name='machine_stiffness', unit='N/m', &
+         & meaning='k of the spring (a cantilever, a machine) between the indenter and its base')
+      v(v_events) = switch(group='output', name='events', &
+         & meaning='find where contact jumps in, and what a cycle of approach and retraction takes', default=.false.)
    end function get_indenter_variables
 
    !> The rows of the shape.
@@ -172,6 +179,15 @@ contains
       r(r_stress_zz) = result_row(name='stress_zz', unit='Pa', long_name='stress along the axis at position_z, tension positive')
       r(r_stress_rr) = result_row(name='stress_rr', unit='Pa', &
          & long_name='stress across the axis at position_z, tension positive; in the body of poisson_ratio')
+      r(r_base_approach) = result_row(name='base_approach', unit='m', long_name='approach of the base of the spring')
+      r(r_jump_in_base_approach) = result_row(name='jump_in_base_approach', unit='m', &
+         & long_name='approach of the base, or of an indenter without spring, at which contact jumps in; ' &
+         & //'of several jumps, that of the one that takes most energy')
+      r(r_jump_in_load) = result_row(name='jump_in_load', unit='N', long_name='load right after contact has jumped in')
+      r(r_pull_off_base_approach) = result_row(name='pull_off_base_approach', unit='m', &
+         & long_name='approach of the base, or of an indenter without spring, at which the contact separates')
+      r(r_loop_energy) = result_row(name='loop_energy', unit='J', &
+         & long_name='energy that the jumps of a cycle of approach and retraction take')
    end function get_indenter_results
 
    !> The table of profiles.

@@ -11,7 +11,7 @@ module indenter_cases
    public :: new_indenter, new_named, hold, kind_of, n_kinds, size_of
 
    !> What can be held.
-   integer, parameter :: controls(*) = [v_load, v_approach, v_contact_radius, v_face_angle]
+   integer, parameter :: controls(*) = [v_load, v_approach, v_contact_radius, v_face_angle, v_base_approach]
    integer, parameter :: n_kinds = 10
 
 contains
