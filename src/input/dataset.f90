@@ -3,12 +3,13 @@
 module adfric_input_dataset
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
-   use adfric_base_units, only: unit_t, read_unit, is_same_quantity, to_si
+   use adfric_base_units, only: unit_t, to_si
    use adfric_base_text, only: longest_name, show_number, show_text
    use adfric_hdf5_samples, only: read_numbers
    use adfric_input_attributes, only: add_attributes
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
+   use adfric_input_unit_match, only: match_units
    use adfric_model_table, only: variable_t
    use adfric_run_dataset, only: dataset_t
    use adfric_system_checksum, only: checksum_t
@@ -120,25 +121,20 @@ contains
       real(dp), intent(inout) :: values(:, :)
       !> In: empty. Out: why the values cannot be converted; empty if that is done.
       character(:), allocatable, intent(inout) :: flaw
-      type(unit_t) :: given, si
-      logical :: is_known, is_si
+      type(unit_t) :: unit
       integer :: j
 
       if (len(units) == 0) return
-      call read_unit(units, given, is_known)
-      call read_unit(wanted, si, is_si)
-      if (.not. is_known) then
-         flaw = 'the units '''//show_text(units)//''' of the dataset are not known'
-      else if (.not. (is_si .and. is_same_quantity(given, si))) then
-         flaw = 'the units '''//show_text(units)//''' of the dataset are of another quantity'
-      else if (maxval(abs(values)) > largest) then
+      call match_units(units, wanted, 'dataset', unit, flaw)
+      if (len(flaw) > 0) return
+      if (maxval(abs(values)) > largest) then
          ! it might be beyond all numbers once it is converted
          flaw = 'a value of the dataset is out of range, '//show_number(maxval(abs(values)))//' '//show_text(units)
-      else
-         do j = 1, size(values, 2)
-            values(:, j) = to_si(values(:, j), given)
-         end do
+         return
       end if
+      do j = 1, size(values, 2)
+         values(:, j) = to_si(values(:, j), unit)
+      end do
    end subroutine convert_units
 
    !> What to say of a value out of range.

@@ -2,16 +2,19 @@
 !> A file as a text, byte by byte: a regular file, or what has no known length, such as a pipe.
 module adfric_input_whole_file
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t, c_null_char
-   use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_error, only: error_t, set_error, input_failure, file_failure
    use adfric_base_kinds, only: i8
+   use adfric_base_text, only: show_count
    use adfric_system_files, only: kind_of_path, path_free, error_text
    use adfric_system_file_bytes, only: size_of_file
    implicit none (type, external)
    private
    public :: read_whole_file
 
+   !> Bytes of a MiB.
+   integer, parameter :: mebibyte = 1024**2
    !> More than anybody writes: something else was given by mistake [bytes].
-   integer, parameter :: largest_file = 100*1024**2
+   integer, parameter :: largest_file = 100*mebibyte
    !> Room at first for what has no known length [bytes].
    integer, parameter :: first_room = 65536
 
@@ -51,50 +54,69 @@ module adfric_input_whole_file
 contains
 
    !> Read a file.
-   subroutine read_whole_file(path, text, error)
+   subroutine read_whole_file(path, text, error, thing, largest)
       !> Name of the file, as the user gave it.
       character(*), intent(in) :: path
       !> All of its bytes.
       character(:), allocatable, intent(out) :: text
       !> It cannot be read, or is too large.
       type(error_t), allocatable, intent(out) :: error
+      !> What the file should be, for messages; not present: an input. An input that cannot be read is a failure of the input,
+      !> anything else one of files.
+      character(*), intent(in), optional :: thing
+      !> Size that it may have [bytes], less than 2**30; not present: that of an input.
+      integer, intent(in), optional :: largest
+      character(:), allocatable :: name
       integer(c_int) :: file, number
-      integer :: room
+      integer :: room, limit, code
 
+      name = 'input'
+      code = input_failure
+      if (present(thing)) then
+         name = thing
+         code = file_failure
+      end if
+      limit = largest_file
+      if (present(largest)) limit = largest
       if (kind_of_path(path) == path_free) then
-         call set_error(error, input_failure, path//': cannot open the input, there is no such file')
+         call set_error(error, code, path//': cannot open the '//name//', there is no such file')
          return
       end if
       file = c_open(path//c_null_char)
       if (file < 0) then
-         call set_error(error, input_failure, path//': cannot open the input, '//error_text(-file))
+         call set_error(error, code, path//': cannot open the '//name//', '//error_text(-file))
          return
       end if
       ! one byte more than there should be, to meet the end
-      room = room_for(size_of_file(path))
+      room = room_for(size_of_file(path), limit)
       allocate (character(room) :: text)
-      call read_to_end(file, text, number)
+      call read_to_end(file, limit, text, number)
       call c_close(file)
       if (number /= 0) then
-         call set_error(error, input_failure, path//': cannot read the input, '//error_text(number))
-      else if (len(text) > largest_file) then
-         call set_error(error, input_failure, path//': cannot be an input, it is larger than 100 MiB')
+         call set_error(error, code, path//': cannot read the '//name//', '//error_text(number))
+      else if (len(text) > limit) then
+         call set_error(error, code, path//': cannot be '//trim(merge('an', 'a ', name == 'input'))//' '//name// &
+            ', it is larger than '//show_count(limit/mebibyte)//' MiB')
       end if
    end subroutine read_whole_file
 
    !> Room for a file of such a size and one byte more [bytes], but no more than is read.
-   pure integer function room_for(size)
+   pure integer function room_for(size, limit)
       !> [bytes]; less than 1 if it is not known.
       integer(i8), intent(in) :: size
+      !> Size that the file may have [bytes].
+      integer, intent(in) :: limit
 
       room_for = first_room
-      if (size > 0) room_for = int(min(size, int(largest_file, i8))) + 1
+      if (size > 0) room_for = int(min(size, int(limit, i8))) + 1
    end function room_for
 
    !> Read to the end of a file, or one byte more than is allowed.
-   subroutine read_to_end(file, text, number)
+   subroutine read_to_end(file, limit, text, number)
       !> Number of the open file.
       integer(c_int), intent(in) :: file
+      !> Size that the file may have [bytes].
+      integer, intent(in) :: limit
       !> Room that grows as it is needed; then what has been read.
       character(:), allocatable, intent(inout) :: text
       !> 0 or an error number.
@@ -107,8 +129,8 @@ contains
       number = 0
       do
          if (n == len(text)) then
-            if (n > largest_file) exit
-            allocate (character(min(2*n, largest_file + 1)) :: larger)
+            if (n > limit) exit
+            allocate (character(min(2*n, limit + 1)) :: larger)
             larger(:n) = text
             call move_alloc(larger, text)
          end if
