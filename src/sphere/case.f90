@@ -4,6 +4,7 @@ module adfric_sphere_case
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_material_contact_modulus, only: contact_modulus_of
+   use adfric_material_interaction_rows, only: slip_energy_ratio_of
    use adfric_sphere_contact, only: theory_hertz, control_load, control_approach, control_radius
    use adfric_sphere_units, only: get_sphere_units
    use adfric_sphere_variables
@@ -115,9 +116,8 @@ contains
       self%strength = values(v_shear_strength)/self%stress_unit
       if (is_set(values(v_poisson_ratio))) self%poisson = values(v_poisson_ratio)
       self%interaction = values(v_interaction)
-      if (is_set(values(v_slip_energy_ratio))) self%slip_energy_ratio = values(v_slip_energy_ratio)
-      if (is_set(values(v_critical_slip)) .and. get_work(values) > 0) self%slip_energy_ratio = &
-         & values(v_shear_strength)*values(v_critical_slip)/get_work(values)
+      self%slip_energy_ratio = slip_energy_ratio_of(values(v_interaction:v_slip_energy_ratio), values(v_shear_strength), &
+         & get_work(values))
       self%is_force_given = is_set(values(v_tangential_force))
       self%is_displacement_given = is_set(values(v_tangential_displacement))
       if (self%is_force_given) self%tangential = values(v_tangential_force)/self%force_unit

@@ -9,7 +9,7 @@ module adfric_sphere_check
    use adfric_model_table, only: variable_t, kind_real
    use adfric_sphere_case, only: sphere_case_t, resolve_case, theory_auto
    use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale, control_radius, branch_stable
-   use adfric_sphere_interaction, only: is_valid_interaction
+   use adfric_material_interaction, only: is_valid_interaction
    use adfric_sphere_variables
    implicit none (type, external)
    private

@@ -9,7 +9,7 @@ module adfric_sphere_jkr
    use adfric_sphere_contact, only: contact_t, theory_t, branch_stable, control_approach
    implicit none (type, external)
    private
-   public :: jkr_t
+   public :: jkr_t, jkr_ratio_of_load, jkr_ratio_of_approach
 
    !> JKR for one X.
    type, extends(theory_t) :: jkr_t
@@ -146,5 +146,23 @@ contains
       value = (x**3 - self%tension)*x - self%approach
       slope = 4*x**3 - self%tension
    end subroutine evaluate
+
+   !> JKR: the least X with which a contact carries a load (J 4.10). With `largest_interaction` of g0 it gives the largest
+   !> alpha for which sliding contact exists, if it is not above 1.
+   elemental real(dp) function jkr_ratio_of_load(load) result(ratio)
+      !> Load P, reduced; only tension, P < 0, needs adhesion.
+      real(dp), intent(in) :: load
+
+      ratio = max(-2*load/3, 0.0_dp)
+   end function jkr_ratio_of_load
+
+   !> JKR: the least X with which a contact has an approach, -3 (X/6)^(2/3).
+   elemental real(dp) function jkr_ratio_of_approach(approach) result(ratio)
+      !> Approach delta, reduced; only separation, delta < 0, needs adhesion.
+      real(dp), intent(in) :: approach
+
+      ratio = max(-approach, 0.0_dp)/3
+      ratio = 6*ratio*sqrt(ratio)
+   end function jkr_ratio_of_approach
 
 end module adfric_sphere_jkr

@@ -18,7 +18,7 @@ module adfric_sphere_model
    use adfric_sphere_contact, only: theory_maugis_dugdale, theory_dmt
    use adfric_sphere_point, only: sphere_point_t, sphere_memory_t, solve_point
    use adfric_sphere_profiles, only: contact_profile_t, new_profile
-   use adfric_sphere_static_friction, only: shear_traction
+   use adfric_material_slip_annulus, only: shear_traction
    use adfric_sphere_variables
    implicit none (type, external)
    private

@@ -10,8 +10,9 @@ module adfric_sphere_peeling
    use adfric_base_constants, only: half_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_sphere_contact, only: contact_t, theory_t
-   use adfric_sphere_interaction, only: is_valid_interaction
-   use adfric_sphere_static_friction, only: slip_core, largest_slip_core, angle_of_gamma, mean_slip, largest_slip
+   use adfric_material_interaction, only: is_valid_interaction
+   use adfric_material_slip_annulus, only: slip_core, largest_slip_core, angle_of_gamma
+   use adfric_sphere_static_friction, only: mean_slip, largest_slip
    use adfric_sphere_peeling_path, only: friction_t, path_t, waypoint_t, new_path, get_waypoint, quantity_of, core_along, &
       & force_along, displacement_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
    use adfric_sphere_peeling_search, only: find_end, find_state, find_peak, get_capped

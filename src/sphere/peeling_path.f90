@@ -14,8 +14,9 @@ module adfric_sphere_peeling_path
    use adfric_base_constants, only: half_pi
    use adfric_numerics_scalar_root, only: equation_t
    use adfric_sphere_contact, only: contact_t, theory_t, control_load, branch_stable, find_contact, friction_radius
-   use adfric_sphere_interaction, only: adhesion_ratio, largest_slip_energy
-   use adfric_sphere_static_friction, only: force_of_angle, angle_of_slip, slip_factor, largest_slip_core
+   use adfric_material_interaction, only: adhesion_ratio, largest_slip_energy
+   use adfric_material_slip_annulus, only: force_of_angle, angle_of_slip, largest_slip_core
+   use adfric_sphere_static_friction, only: slip_factor
    implicit none (type, external)
    private
    public :: friction_t, path_t, waypoint_t

@@ -8,8 +8,8 @@ module adfric_sphere_peeling_search
    use adfric_base_constants, only: half_pi
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_sphere_contact, only: contact_t, theory_t, control_load, control_approach, branch_stable
-   use adfric_sphere_interaction, only: slip_energy_of_ratio
-   use adfric_sphere_static_friction, only: angle_of_force, angle_of_slip, slip_of_angle, largest_slip_core
+   use adfric_material_interaction, only: slip_energy_of_ratio
+   use adfric_material_slip_annulus, only: angle_of_force, angle_of_slip, slip_of_angle, largest_slip_core
    use adfric_sphere_peeling_path, only: path_t, waypoint_t, get_waypoint, complete_waypoint, quantity_of, rate_of, &
       & core_along, force_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
    implicit none (type, external)

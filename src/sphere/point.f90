@@ -7,11 +7,11 @@ module adfric_sphere_point
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_sphere_case, only: sphere_case_t, theory_auto
    use adfric_sphere_contact, only: contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, friction_radius
-   use adfric_sphere_interaction, only: adhesion_ratio
+   use adfric_material_interaction, only: adhesion_ratio
    use adfric_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
       & find_friction_events, forget_events, given_force, given_displacement
-   use adfric_sphere_static_friction, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement, &
-      & slip_factor, mean_slip, largest_slip
+   use adfric_material_slip_annulus, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement
+   use adfric_sphere_static_friction, only: slip_factor, mean_slip, largest_slip
    use adfric_sphere_theory_choice, only: new_theory, choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
    implicit none (type, external)
    private

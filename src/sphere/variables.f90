@@ -3,6 +3,7 @@
 module adfric_sphere_variables
    use adfric_base_kinds, only: dp
    use adfric_material_contact_modulus, only: set_modulus_rows
+   use adfric_material_interaction_rows, only: set_interaction_rows
    use adfric_model_rows, only: above_zero, choice, poisson_ratio, switch, whole_number, result_row, any_number
    use adfric_model_table, only: variable_t, result_t, profile_t
    implicit none (type, external)
@@ -58,13 +59,7 @@ contains
       v(v_poisson_ratio) = poisson_ratio(group='friction', name='poisson_ratio', meaning='Poisson''s ratio')
       v(v_edge_fraction) = any_number(group='friction', name='edge_fraction', unit='-', &
          & meaning='x: friction acts up to the radius b = a + x (c - a)', default=0.4_dp, lower=0.0_dp, upper=1.0_dp)
-      v(v_interaction) = any_number(group='friction', name='interaction', unit='-', &
-         & meaning='alpha, the share of the work of slip that adhesion loses; 0: friction leaves adhesion alone', default=0.0_dp, &
-         & lower=0.0_dp)
-      v(v_critical_slip) = above_zero(group='friction', name='critical_slip', unit='m', &
-         & meaning='s0, after which slip takes no more from adhesion')
-      v(v_slip_energy_ratio) = above_zero(group='friction', name='slip_energy_ratio', unit='-', &
-         & meaning='g0 = tau0 s0/w, instead of the critical slip')
+      call set_interaction_rows(v(v_interaction:v_slip_energy_ratio))
 
       v(v_load) = any_number(group='operating', name='load', unit='N', meaning='load, pressing positive')
       v(v_approach) = any_number(group='operating', name='approach', unit='m', meaning='approach, instead of the load')

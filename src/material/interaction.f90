@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The share X of adhesion that friction leaves, J 4.5-4.7.
+!> The share X of adhesion that friction leaves (K. L. Johnson, Proc. R. Soc. Lond. A 453, 1997, 163: J 4.5-4.7).
 !>
 !> Slip works against the strength over the range of adhesion: g = tau0 s/w, at most g0 = tau0 s0/w. Of that work the
 !> share alpha comes out of adhesion:
@@ -7,14 +7,13 @@
 !>     X = w'/w = sqrt((1 + g)^2 - 2 alpha g) - g                                  (J 4.7)
 !>
 !> which is real for alpha <= (1 + g)^2/(2g), and not negative for alpha <= 1 + 1/(2g), the narrower limit for g > 0.
-module adfric_sphere_interaction
+module adfric_material_interaction
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts
    implicit none (type, external)
    private
    public :: get_adhesion_ratio, adhesion_ratio, is_valid_interaction, slip_energy_of_ratio
    public :: reversible_interaction, largest_interaction, largest_slip_energy
-   public :: jkr_ratio_of_load, jkr_ratio_of_approach
 
 contains
 
@@ -110,22 +109,4 @@ contains
       if (interaction > 1) slip_energy = 1/(2*(interaction - 1))
    end function largest_slip_energy
 
-   !> JKR: the least X with which a contact carries a load (J 4.10). With `largest_interaction` of g0 it gives the largest
-   !> alpha for which sliding contact exists, if it is not above 1.
-   elemental real(dp) function jkr_ratio_of_load(load) result(ratio)
-      !> Load P, reduced; only tension, P < 0, needs adhesion.
-      real(dp), intent(in) :: load
-
-      ratio = max(-2*load/3, 0.0_dp)
-   end function jkr_ratio_of_load
-
-   !> JKR: the least X with which a contact has an approach, -3 (X/6)^(2/3).
-   elemental real(dp) function jkr_ratio_of_approach(approach) result(ratio)
-      !> Approach delta, reduced; only separation, delta < 0, needs adhesion.
-      real(dp), intent(in) :: approach
-
-      ratio = max(-approach, 0.0_dp)/3
-      ratio = 6*ratio*sqrt(ratio)
-   end function jkr_ratio_of_approach
-
-end module adfric_sphere_interaction
+end module adfric_material_interaction
