@@ -1,27 +1,21 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> An indenter whose contact resists shear by tau0 + alpha p: the force at which it slides, and the partial slip below it, reduced.
 !>
-!> Friction acts on r < b, b = a + x (c - a), x the edge fraction. Maugis's pressure is that of a contact without adhesion and a stress
-!> -S on r < c, and of what both leave between them, p + S > 0 for r < a. So the shear stress in sliding is a uniform one,
-!> t = tau0 - alpha S, on r < b, and alpha (p + S) on r < a. Each is a punch whose edge slips first: with m the ratio of the tangential
-!> to the normal compliance, and e the radius that sticks, the force and the displacement u = m v are
-!>
-!>     T = 2 t [b^2 arccos(e/b) + e sqrt(b^2 - e^2)] + alpha {P1(a) - P1(e) + 4 S [K(a) - K(e)]}
-!>     v = 2 t sqrt(b^2 - e^2) + alpha {g(a) - g(e) + 2 S [sqrt(c^2 - e^2) - sqrt(c^2 - a^2)]}
-!>     K(x) = [c^2 arcsin(x/c) - x sqrt(c^2 - x^2)]/2
-!>
-!> with the terms of alpha for e < a alone. All terms are positive and fall with e where alpha S <= tau0, and dT = 2 e dv, so there is
-!> one e for each T up to that of sliding. In a cycle between T and -T a ring ds slips by v(e) - v(s) under the force 2 v(s) ds:
+!> Force T and displacement u = m v follow from the radius e that sticks (`adfric_material_shear_sums`); t, S and g are of that module.
+!> All terms are positive and fall with e where alpha S <= tau0, and dT = 2 e dv, so there is one e for each T up to that of sliding.
+!> In a cycle between T and -T a ring ds slips by v(e) - v(s) under the force 2 v(s) ds:
 !>
 !>     W = 8 m int v(s) [v(e) - v(s)] ds,  e < s < b
 !>
 !> A face without an edge that rises has a pressure that is infinite at its edge; alpha p then holds it by 2 alpha P/2a as a whole.
 module adfric_indenter_shear
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: half_pi, pi
+   use adfric_base_constants, only: pi
    use adfric_indenter_contact, only: contact_t, find_face_angle
    use adfric_indenter_profiles, only: pressure_at
    use adfric_indenter_shape, only: shape_t, spot_t
+   use adfric_material_shear_sums, only: shear_sums_t, set_shear_radii, sliding_force, stress_in_stick, sum_displacement, &
+      & sum_force, sum_rest
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_numerics_libm, only: expm1
    use adfric_numerics_scalar_root, only: equation_t, find_root
@@ -75,15 +69,13 @@ module adfric_indenter_shear
    end type shear_slip_t
 
    !> A contact that resists shear.
-   type :: sheared_t
+   type, extends(shear_sums_t) :: sheared_t
       !> The shape of the indenter.
       class(shape_t), allocatable :: shape
       !> Its contact.
       type(contact_t) :: contact
-      !> Radii a, b, c; b^2 - a^2, c^2 - a^2.
-      real(dp) :: a = 0, b = 0, c = 0, zone = 0, whole_zone = 0
-      !> t, alpha, S, and what alpha p of a flat face holds as a whole.
-      real(dp) :: uniform = 0, factor = 0, stress = 0, face = 0
+      !> What alpha p of a flat face holds as a whole.
+      real(dp) :: face = 0
       !> Number of the ranges.
       integer :: n = 0
       !> The ranges, from b down to 0.
@@ -128,36 +120,30 @@ contains
       real(dp), intent(out) :: radius
       !> Receives tau0 pi b^2 + alpha times the load that r < b carries; 0 without contact, and never below.
       real(dp), intent(out) :: force
-      real(dp) :: a, zone, whole_zone
+      type(shear_sums_t) :: sums
 
-      call get_radii(resistance, contact, a, radius, zone, whole_zone)
-      force = 0
-      if (.not. radius > 0) return
-      force = resistance%strength*pi*radius**2 + resistance%factor*(contact%load + outer_pull &
-         & + pi*contact%stress*(whole_zone - zone))
-      force = max(force, 0.0_dp)
+      call set_resistance(resistance, contact, sums)
+      radius = sums%b
+      force = sliding_force(sums, resistance%strength, contact%load + outer_pull)
    end subroutine find_sliding
 
-   !> a and b, with b^2 - a^2 and c^2 - a^2.
-   pure subroutine get_radii(resistance, contact, a, b, zone, whole_zone)
+   !> Radii and stresses of a contact that resists.
+   pure subroutine set_resistance(resistance, contact, sums)
       !> How the contact resists.
       type(resistance_t), intent(in) :: resistance
       !> The contact.
       type(contact_t), intent(in) :: contact
-      !> Receive the radii of contact and of friction.
-      real(dp), intent(out) :: a, b
-      !> Receive b^2 - a^2 and c^2 - a^2.
-      real(dp), intent(out) :: zone, whole_zone
-      real(dp) :: width
+      !> Receives radii and stresses.
+      class(shear_sums_t), intent(inout) :: sums
+      real(dp) :: whole_zone
 
-      a = contact%spot%radius
       whole_zone = 0
       if (contact%stress > 0) whole_zone = (contact%neck/(2*contact%stress))**2
-      width = 0
-      if (whole_zone > 0) width = resistance%edge_fraction*whole_zone/(contact%adhesion_radius + a)
-      b = a + width
-      zone = width*(a + b)
-   end subroutine get_radii
+      call set_shear_radii(sums, contact%spot%radius, contact%adhesion_radius, whole_zone, resistance%edge_fraction)
+      sums%stress = contact%stress
+      sums%factor = resistance%factor
+      sums%uniform = max(resistance%strength - resistance%factor*contact%stress, 0.0_dp)
+   end subroutine set_resistance
 
    !> The slip of a contact under a force.
    pure subroutine find_shear_slip(shape, resistance, contact, force, slip, is_converged)
@@ -222,12 +208,7 @@ contains
 
       allocate (self%shape, source=shape)
       self%contact = contact
-      call get_radii(resistance, contact, self%a, self%b, self%zone, self%whole_zone)
-      self%stress = contact%stress
-      self%c = self%a
-      if (self%stress > 0) self%c = contact%adhesion_radius
-      self%factor = resistance%factor
-      self%uniform = max(resistance%strength - self%factor*self%stress, 0.0_dp)
+      call set_resistance(resistance, contact, self)
       if (shape%n_pieces == 0) self%face = self%factor*max(-contact%neck, 0.0_dp)
       if (self%zone > 0) call add_range(self, range_t(is_beside=.true., outer=self%b, inner=self%a))
       if (.not. self%a > 0) return
@@ -275,7 +256,7 @@ contains
       !> Receives what is there.
       type(place_t), intent(out) :: place
       type(spot_t) :: spot
-      real(dp) :: square, depth, load, s
+      real(dp) :: square, depth, load, slope
 
       associate (range => self%ranges(number))
          if (range%is_beside) then
@@ -291,19 +272,12 @@ contains
          place%e = spot%radius
          place%e_slope = spot%radius_slope
          place%t = sqrt(self%zone + square)
-         s = sqrt(self%whole_zone + square)
-         place%force = 2*self%uniform*(self%b**2*atan2(place%t, place%e) + place%e*place%t) &
-            & + self%factor*(load + 4*self%stress*segment(self, place%e, s, square)) + 2*self%a*self%face
-         place%displacement = 2*self%uniform*place%t + self%factor*depth + self%face
-         place%slope = self%factor*spot%depth_slope
-         if (place%t > 0) place%slope = place%slope + 2*self%uniform*place%e*spot%radius_slope/place%t
+         place%force = sum_force(self, place%e, square, load) + 2*self%a*self%face
+         call sum_displacement(self, square, depth, place%displacement, slope)
+         place%displacement = place%displacement + self%face
+         place%slope = self%factor*spot%depth_slope + slope*(2*place%e*spot%radius_slope)
          ! what is left below e
-         place%rest = 2*self%uniform*core(self%b, place%e, place%t) + self%factor*spot%load
-         if (self%stress > 0) then
-            place%displacement = place%displacement + 2*self%factor*self%stress*square/(s + sqrt(self%whole_zone))
-            place%slope = place%slope + 2*self%factor*self%stress*place%e*spot%radius_slope/s
-            place%rest = place%rest + 2*self%factor*self%stress*core(self%c, place%e, s)
-         end if
+         place%rest = sum_rest(self, place%e, square, spot%load)
       end associate
    end subroutine get_place
 
@@ -349,39 +323,6 @@ contains
          load = range%load_before + (first%load - spot%load)
       end if
    end subroutine descend
-
-   !> K(a) - K(e) = c^2 int sin(y)^2 dy between the angles arcsin(x/c): their difference has its own digits.
-   pure real(dp) function segment(self, e, s, square)
-      !> The contact.
-      type(sheared_t), intent(in) :: self
-      !> e, at most a.
-      real(dp), intent(in) :: e
-      !> sqrt(c^2 - e^2).
-      real(dp), intent(in) :: s
-      !> a^2 - e^2.
-      real(dp), intent(in) :: square
-      real(dp) :: edge, width, cosine, first
-
-      segment = 0
-      if (.not. (self%stress > 0 .and. square > 0)) return
-      edge = sqrt(self%whole_zone)
-      cosine = (edge*s + self%a*e)*(self%a*s + e*edge)
-      width = atan2(square*self%c**2, cosine)
-      first = atan2(e, s)
-      segment = self%c**2*sum(gauss_weights*sin(first + width*(1 + gauss_nodes)/2)**2)*width/2
-   end function segment
-
-   !> r^2 arcsin(e/r) - e sqrt(r^2 - e^2) = 2 r^2 int sin(y)^2 dy, 0 < y < arcsin(e/r): a small one has its own digits.
-   pure real(dp) function core(r, e, s)
-      !> r, and e, at most r.
-      real(dp), intent(in) :: r, e
-      !> sqrt(r^2 - e^2).
-      real(dp), intent(in) :: s
-      real(dp) :: angle
-
-      angle = atan2(e, s)
-      core = 2*r**2*sum(gauss_weights*sin(angle*(1 + gauss_nodes)/2)**2)*angle/2
-   end function core
 
    !> What g and P1 lose along the beginning of a range of u.
    pure subroutine integrate_profile(shape, is_beyond, high, length, depth, load)
@@ -655,27 +596,24 @@ contains
       type(shear_slip_t), intent(in) :: slip
       !> Distance from the axis, reduced, >= 0.
       real(dp), intent(in) :: r
-      real(dp) :: a, b, zone, whole_zone, s, inner
+      type(shear_sums_t) :: sums
+      real(dp) :: pressure, stick
 
       stress = 0
-      call get_radii(resistance, contact, a, b, zone, whole_zone)
-      if (r > b) return
+      call set_resistance(resistance, contact, sums)
+      if (r > sums%b) return
       if (slip%displacement > 0 .and. .not. slip%energy > 0 .and. shape%n_pieces == 0 .and. slip%ratio >= 1) then
          ! a face that sticks as a whole
-         if (r < a) stress = slip%displacement/(pi*sqrt((a - r)*(a + r)))
+         if (r < sums%a) stress = slip%displacement/(pi*sqrt((sums%a - r)*(sums%a + r)))
       else if (r >= slip%radius) then
          stress = resistance%strength
          if (resistance%factor > 0) stress = stress + resistance%factor*pressure_at(shape, contact, r)
       else
-         associate (e => slip%radius)
-            inner = sqrt((e - r)*(e + r))
-            stress = 2/pi*(resistance%strength - resistance%factor*contact%stress) &
-               & *atan2(sqrt(max((b - e)*(b + e), 0.0_dp)), inner)
-            if (.not. (resistance%factor > 0 .and. e < a)) return
-            s = sqrt(whole_zone + (a - e)*(a + e))
-            stress = stress + resistance%factor*(pressure_at(shape, contact, r) + contact%stress*(1 - atan2(inner, s)/half_pi))
-            if (slip%stick%spot%radius > 0) stress = stress - resistance%factor*pressure_at(shape, slip%stick, r)
-         end associate
+         pressure = 0
+         stick = 0
+         if (resistance%factor > 0) pressure = pressure_at(shape, contact, r)
+         if (resistance%factor > 0 .and. slip%stick%spot%radius > 0) stick = pressure_at(shape, slip%stick, r)
+         stress = stress_in_stick(sums, slip%radius, r, pressure, stick)
       end if
    end function shear_stress_at
 

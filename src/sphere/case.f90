@@ -31,6 +31,8 @@ module adfric_sphere_case
       logical :: has_friction = .false., is_sliding = .false.
       !> Shear strength in the scale of lambda, Poisson's ratio, x, alpha, g0.
       real(dp) :: strength = 0, poisson = 0, edge_fraction = 0.4_dp, interaction = 0, slip_energy_ratio = huge(1.0_dp)
+      !> alpha of the shear stress tau0 + alpha p.
+      real(dp) :: pressure_factor = 0
       !> Tangential force or displacement, where one is given.
       logical :: is_force_given = .false., is_displacement_given = .false.
       !> That force or displacement, reduced.
@@ -114,6 +116,7 @@ contains
       self%has_friction = is_set(values(v_shear_strength))
       if (.not. self%has_friction) return
       self%strength = values(v_shear_strength)/self%stress_unit
+      if (is_set(values(v_pressure_factor))) self%pressure_factor = values(v_pressure_factor)
       if (is_set(values(v_poisson_ratio))) self%poisson = values(v_poisson_ratio)
       self%interaction = values(v_interaction)
       self%slip_energy_ratio = slip_energy_ratio_of(values(v_interaction:v_slip_energy_ratio), values(v_shear_strength), &

@@ -5,10 +5,11 @@ module adfric_sphere_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_material_contact_modulus, only: check_contact_modulus
+   use adfric_material_shear_strength_rows, only: check_shear
    use adfric_model_check, only: require, require_one
    use adfric_model_table, only: variable_t, kind_real
    use adfric_sphere_case, only: sphere_case_t, resolve_case, theory_auto
-   use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale, control_radius, branch_stable
+   use adfric_sphere_contact, only: theory_hertz, theory_jkr, theory_maugis_dugdale, control_radius, branch_stable
    use adfric_material_interaction, only: is_valid_interaction
    use adfric_sphere_variables
    implicit none (type, external)
@@ -89,7 +90,7 @@ contains
 
       !> Friction: the variables that need a shear strength, and those that exclude each other.
       subroutine check_friction()
-         integer, parameter :: with_strength(*) = [v_poisson_ratio, v_critical_slip, v_slip_energy_ratio, &
+         integer, parameter :: with_strength(*) = [v_pressure_factor, v_poisson_ratio, v_critical_slip, v_slip_energy_ratio, &
             & v_tangential_force, v_tangential_displacement]
          logical :: is_static, is_moved
          integer :: k
@@ -120,7 +121,24 @@ contains
                call add(v_interaction, 'needs adhesion to act on')
             end if
          end if
+         if (is_set(values(v_pressure_factor))) call check_pressure_factor(is_static .and. (is_moved .or. values(v_events) > 0))
       end subroutine check_friction
+
+      !> A strength that grows with pressure: what has no meaning beside it.
+      subroutine check_pressure_factor(slips)
+         !> Is there partial slip?
+         logical, intent(in) :: slips
+
+         if (.not. values(v_pressure_factor) > 0) return
+         if (slips .and. nint(values(v_theory)) - 2 == theory_jkr) call add(v_pressure_factor, &
+            & 'has no partial slip in JKR, whose tension at the edge is infinite; give adhesion a range')
+         if (.not. values(v_interaction) > 0) return
+         if (slips) call add(v_pressure_factor, &
+            & 'stands beside interaction > 0: what slip takes from adhesion on the way to sliding is known of a constant ' &
+            & //'strength alone; allowed with it: 0 [-], or state = ''sliding'' without events')
+         if (is_set(values(v_critical_slip))) call add(v_critical_slip, &
+            & 'has no meaning with pressure_factor > 0, where the stress at the edge is not tau0; give slip_energy_ratio')
+      end subroutine check_pressure_factor
 
       !> Values that are possible one by one, and not together.
       subroutine check_reduced()
@@ -147,6 +165,10 @@ contains
             call add(held(resolved%control), 'is too large for this sphere')
          end if
          if (resolved%has_friction .and. .not. is_plain(resolved%strength)) call add(v_shear_strength, 'is beyond all spheres')
+         if (resolved%pressure_factor > 0 .and. (resolved%theory == theory_auto .or. resolved%theory == theory_maugis_dugdale)) then
+            call check_shear(variables(v_shear_strength:v_pressure_factor), [resolved%strength, resolved%pressure_factor], &
+               & resolved%lambda, problems)
+         end if
          if (.not. abs(resolved%tangential) < largest) call add(merge(v_tangential_force, v_tangential_displacement, &
             & resolved%is_force_given), 'is too large for this sphere')
          if (resolved%interaction > 0 .and. resolved%slip_energy_ratio < huge(1.0_dp)) then

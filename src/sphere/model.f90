@@ -19,6 +19,7 @@ module adfric_sphere_model
    use adfric_sphere_point, only: sphere_point_t, sphere_memory_t, solve_point
    use adfric_sphere_profiles, only: contact_profile_t, new_profile
    use adfric_material_slip_annulus, only: shear_traction
+   use adfric_sphere_shear_slip, only: shear_stress_of
    use adfric_sphere_variables
    implicit none (type, external)
    private
@@ -265,7 +266,9 @@ contains
       call new_profile(profile, memory%theory, point%contact)
       r = axes(1)%coordinates/case%length_unit
       profiles(:, 1, 1) = profile%pressure(r)*case%stress_unit
-      if (case%has_friction) then
+      if (case%pressure_factor > 0 .and. point%friction_radius > 0) then
+         profiles(:, 1, 2) = shear_stress_of(point%sheared, point%gamma, r, profile%pressure(r))*case%stress_unit
+      else if (case%has_friction) then
          profiles(:, 1, 2) = case%strength*case%stress_unit*shear_traction(r, point%friction_radius, point%gamma)
       end if
       profiles(:, 1, 3) = profile%gap(r)*case%approach_unit

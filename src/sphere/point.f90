@@ -11,6 +11,8 @@ module adfric_sphere_point
    use adfric_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
       & find_friction_events, forget_events, given_force, given_displacement
    use adfric_material_slip_annulus, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement
+   use adfric_sphere_shear_slip, only: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip_of_force, &
+      & find_slip_of_displacement
    use adfric_sphere_static_friction, only: slip_factor, mean_slip, largest_slip
    use adfric_sphere_theory_choice, only: new_theory, choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
    implicit none (type, external)
@@ -33,6 +35,8 @@ module adfric_sphere_point
       real(dp) :: gamma = 1, friction_force = 0, displacement = 0, slip = 0, largest_slip = 0
       !> Events of the static phase; NaN where they are not asked for, or do not happen.
       type(friction_events_t) :: events
+      !> Radii and stresses of a contact whose strength grows with pressure.
+      type(sheared_sphere_t) :: sheared
    end type sphere_point_t
 
    !> What one point of a block hands on to the next, to save time.
@@ -83,8 +87,9 @@ contains
             & merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
          call take_state(state, point)
       else
-         ! with events X changes on the way, and with it what could be proved
-         if (case%theory == theory_auto .and. .not. needs_events) call try_limit(case, memory, point)
+         ! with events X changes on the way, and with it what could be proved; nothing is proved of what r < b carries
+         if (case%theory == theory_auto .and. .not. (needs_events .or. case%pressure_factor > 0)) &
+            & call try_limit(case, memory, point)
          memory%theory%ratio = point%ratio
          if (.not. point%contact%is_found) then
             point%contact = memory%contact
@@ -93,8 +98,12 @@ contains
       end if
       memory%theory%ratio = point%ratio
       call finish_contact(case, memory, point)
-      if (point%status == status_solved .and. case%has_friction .and. .not. is_peeling(case)) call add_friction(case, point)
-      if (needs_events) call add_events(case, memory, point)
+      if (point%status == status_solved .and. case%pressure_factor > 0 .and. point%friction_radius > 0) then
+         call add_sheared(case, memory, needs_events, point)
+      else if (point%status == status_solved .and. case%has_friction .and. .not. is_peeling(case)) then
+         call add_friction(case, point)
+      end if
+      if (needs_events .and. .not. case%pressure_factor > 0) call add_events(case, memory, point)
    end subroutine solve_point
 
    !> Does static friction change the contact?
@@ -244,6 +253,63 @@ contains
       end if
    end function get_mismatch_of
 
+   !> Friction of a strength that grows with pressure.
+   subroutine add_sheared(case, memory, needs_events, point)
+      !> The point in reduced variables.
+      type(sphere_case_t), intent(in) :: case
+      !> Holds the theory that has found the contact.
+      type(sphere_memory_t), intent(in) :: memory
+      !> Are the events asked for? At the onset of sliding nothing drops.
+      logical, intent(in) :: needs_events
+      !> In: with its contact. Out: with its friction, too, or with the status of a force that it does not bear.
+      type(sphere_point_t), intent(inout) :: point
+      type(sphere_slip_t) :: slip
+
+      call new_sheared_sphere(point%sheared, memory%theory, point%contact, case%strength, case%pressure_factor, &
+         & case%edge_fraction, case%poisson)
+      associate (sphere => point%sheared)
+         if (needs_events) then
+            point%events%peak_force = sphere%largest_force
+            point%events%peak_displacement = sphere%largest_displacement
+            point%events%sliding_force = sphere%largest_force
+            point%events%force_drop = 0
+         end if
+         if (case%is_sliding) then
+            call slide(sphere%largest_force, point)
+            return
+         end if
+         if (case%tangential > merge(sphere%largest_displacement, sphere%largest_force, case%is_displacement_given)) then
+            point%status = status_no_equilibrium
+            return
+         end if
+         if (case%is_displacement_given) then
+            call find_slip_of_displacement(sphere, case%tangential, slip)
+         else
+            call find_slip_of_force(sphere, case%tangential, slip)
+         end if
+      end associate
+      if (.not. slip%is_converged) point%status = status_not_converged
+      point%gamma = slip%gamma
+      point%friction_force = slip%force
+      point%displacement = slip%displacement
+      point%slip = slip%slip
+      point%largest_slip = slip%largest_slip
+   end subroutine add_sheared
+
+   !> The state of sliding.
+   pure subroutine slide(force, point)
+      !> Force of sliding, reduced.
+      real(dp), intent(in) :: force
+      !> Receives it; displacement and slip grow without end.
+      type(sphere_point_t), intent(inout) :: point
+
+      point%gamma = 0
+      point%friction_force = force
+      point%displacement = not_a_number()
+      point%slip = not_a_number()
+      point%largest_slip = not_a_number()
+   end subroutine slide
+
    !> Friction that leaves the contact alone: during sliding, or without interaction.
    pure subroutine add_friction(case, point)
       !> The point in reduced variables.
@@ -255,12 +321,7 @@ contains
       largest_force = half_pi*case%strength*point%friction_radius**2
       largest_displacement = 2*slip_factor(case%poisson)*case%strength*point%friction_radius/3
       if (case%is_sliding) then
-         point%gamma = 0
-         point%friction_force = largest_force
-         ! during sliding both grow without end
-         point%displacement = not_a_number()
-         point%slip = not_a_number()
-         point%largest_slip = not_a_number()
+         call slide(largest_force, point)
          return
       end if
       ! little slip is known by the angle, of which gamma = cos(angle) says nothing

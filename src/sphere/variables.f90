@@ -12,13 +12,14 @@ module adfric_sphere_variables
 
    !> Places of the variables.
    integer, parameter, public :: v_units = 1, v_radius = 2, v_contact_modulus = 3, v_young_modulus = 4, &
-      & v_body_poisson_ratio = 5, v_second_young_modulus = 6, v_second_poisson_ratio = 7, v_work_of_adhesion = 8, &
-      & v_adhesion_stress = 9, v_adhesion_range = 10, &
-      & v_lambda = 11, v_shear_strength = 12, v_poisson_ratio = 13, v_edge_fraction = 14, &
-      & v_interaction = 15, v_critical_slip = 16, v_slip_energy_ratio = 17, v_load = 18, v_approach = 19, &
-      & v_contact_radius = 20, v_branch = 21, v_state = 22, v_tangential_force = 23, v_tangential_displacement = 24, &
-      & v_theory = 25, v_relative_tolerance = 26, v_events = 27, v_profiles = 28, v_n_r = 29, v_r_max = 30
-   integer, parameter, public :: n_sphere_variables = 30
+      & v_body_poisson_ratio = 5, v_second_young_modulus = 6, v_second_poisson_ratio = 7, &
+      & v_work_of_adhesion = 8, v_adhesion_stress = 9, v_adhesion_range = 10, v_lambda = 11, &
+      & v_shear_strength = 12, v_pressure_factor = 13, v_poisson_ratio = 14, v_edge_fraction = 15, &
+      & v_interaction = 16, v_critical_slip = 17, v_slip_energy_ratio = 18, v_load = 19, v_approach = 20, &
+      & v_contact_radius = 21, v_branch = 22, v_state = 23, v_tangential_force = 24, &
+      & v_tangential_displacement = 25, v_theory = 26, v_relative_tolerance = 27, v_events = 28, &
+      & v_profiles = 29, v_n_r = 30, v_r_max = 31
+   integer, parameter, public :: n_sphere_variables = 31
 
    !> Places of the words in the choices.
    integer, parameter, public :: units_si = 1, units_reduced = 2, state_static = 1, state_sliding = 2
@@ -56,6 +57,8 @@ contains
 
       v(v_shear_strength) = above_zero(group='friction', name='shear_strength', unit='Pa', &
          & meaning='tau0, the shear stress of sliding; reduced: in the scale of lambda')
+      v(v_pressure_factor) = any_number(group='friction', name='pressure_factor', unit='-', &
+         & meaning='alpha of the shear stress tau0 + alpha p in contact; 0 if not given', lower=0.0_dp)
       v(v_poisson_ratio) = poisson_ratio(group='friction', name='poisson_ratio', meaning='Poisson''s ratio')
       v(v_edge_fraction) = any_number(group='friction', name='edge_fraction', unit='-', &
          & meaning='x: friction acts up to the radius b = a + x (c - a)', default=0.4_dp, lower=0.0_dp, upper=1.0_dp)
