@@ -20,7 +20,8 @@ module adfric_sphere_shear_slip
    use adfric_sphere_contact, only: contact_t, theory_t
    use adfric_sphere_dmt, only: dmt_t
    use adfric_sphere_maugis_dugdale, only: maugis_t
-   use adfric_sphere_static_friction, only: angle_of_force, gamma_of_force, slip_factor, slip_of_angle
+   use adfric_material_slip_annulus, only: angle_of_force, gamma_of_force, slip_of_angle
+   use adfric_sphere_static_friction, only: slip_factor
    implicit none (type, external)
    private
    public :: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip_of_force, find_slip_of_displacement, shear_stress_of
