@@ -274,7 +274,7 @@ contains
    end subroutine get_disc
 
    !> See `margins_t`.
-   pure subroutine get_margin(self, u, is_beyond, margin, adhesion_radius, is_converged)
+   pure subroutine get_margin(self, u, is_beyond, margin, is_converged)
       !> The curve and what is held.
       class(dugdale_margins_t), intent(in) :: self
       !> The unknown, >= 0.
@@ -283,8 +283,6 @@ contains
       logical, intent(in) :: is_beyond
       !> F_P, F_d or F_d + 2 s F_P over the sum of its terms, between -1 and 1.
       real(dp), intent(out) :: margin
-      !> c.
-      real(dp), intent(out) :: adhesion_radius
       !> Was the zone found?
       logical, intent(out) :: is_converged
       type(spot_t) :: spot
@@ -293,11 +291,9 @@ contains
       call self%curve%shape%evaluate(u, is_beyond, spot)
       call find_zone(self%curve, spot, is_beyond, s, opening, intensity, is_converged)
       margin = 0
-      adhesion_radius = spot%radius
       if (.not. is_converged) return
       c = hypot(spot%radius, s)
       th = atan2(s, spot%radius)
-      adhesion_radius = c
       gain = intensity
       loss = 2*self%curve%stress*(s*s/(c + spot%radius))
       ! of F_d c/2 and of what F_P has beside it
