@@ -8,9 +8,10 @@ module adfric_indenter_check
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible, theory_of
    use adfric_indenter_contact, only: branch_stable
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
+   use adfric_indenter_friction_check, only: check_friction, is_moved
    use adfric_indenter_variables
-   use adfric_material_contact_modulus, only: check_contact_modulus, has_poisson_ratio
-   use adfric_material_shear_strength_rows, only: check_shear, has_shear
+   use adfric_material_contact_modulus, only: check_contact_modulus
+   use adfric_material_shear_strength_rows, only: check_shear
    use adfric_model_check, only: require, require_one, refuse_swept
    use adfric_model_table, only: variable_t
    implicit none (type, external)
@@ -35,7 +36,7 @@ contains
       integer :: before
 
       before = problems%count()
-      call check_body(variables, values, is_set(values(v_tangential_force)) .or. is_set(values(v_position_z)), problems)
+      call check_body(variables, values, is_moved(values) .or. is_set(values(v_position_z)), problems)
       call check_friction(variables, values, problems)
       call check_adhesion(variables, values, problems)
       call check_operation(variables, values, problems)
@@ -98,50 +99,6 @@ contains
          call problems%add('shape', 'coefficient_1', 'is 0 like all coefficients; give one of them, or kind = ''flat''')
       end if
    end subroutine check_shape
-
-   !> Friction: Coulomb's, or of a shear strength.
-   subroutine check_friction(variables, values, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
-      type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-      logical :: is_coulomb, has_strength, is_adhesive
-
-      is_coulomb = is_set(values(v_friction_coefficient))
-      has_strength = has_shear(values(v_shear_strength:v_pressure_factor))
-      is_adhesive = .false.
-      if (is_set(values(v_work_of_adhesion))) is_adhesive = values(v_work_of_adhesion) > 0
-      if (is_coulomb) then
-         call require(variables, values, [v_tangential_force], problems)
-         if (is_adhesive) call problems%add('friction', 'coefficient', &
-            & 'stands beside &adhesion; mu p has no meaning where p is below 0: give shear_strength')
-         if (has_strength) call problems%add('friction', 'coefficient', &
-            & 'stands beside shear_strength or pressure_factor; give one friction')
-      else if (has_strength) then
-         call check_shear(variables(v_shear_strength:v_pressure_factor), values(v_shear_strength:v_pressure_factor), 0.0_dp, &
-            & problems)
-         if (is_set(values(v_pressure_factor))) call check_edge(values, problems)
-      else if (is_set(values(v_tangential_force))) then
-         call problems%add('friction', 'coefficient', 'is missing [-]; tangential_force needs it, or shear_strength')
-      end if
-      if (.not. is_set(values(v_tangential_force)) .or. .not. is_set(values(v_contact_modulus))) return
-      if (.not. has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))) &
-         & call problems%add('solid', 'poisson_ratio', 'is missing [-]; the tangential displacement needs it')
-   end subroutine check_friction
-
-   !> With alpha > 0, JKR's infinite tension at the edge would slip at once.
-   subroutine check_edge(values, problems)
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-
-      if (.not. (values(v_pressure_factor) > 0 .and. is_set(values(v_tangential_force)))) return
-      if (theory_of(values) == theory_jkr) call problems%add('friction', 'pressure_factor', &
-         & 'has no partial slip in JKR, whose tension at the edge is infinite; give adhesion a range')
-   end subroutine check_edge
 
    !> Theory and work of adhesion.
    subroutine check_adhesion(variables, values, problems)
@@ -207,8 +164,10 @@ contains
       if (is_set(values(v_base_approach))) call require(variables, values, [v_machine_stiffness], problems)
       if (is_set(values(v_machine_stiffness)) .and. .not. is_set(values(v_base_approach))) call problems%add('operating', &
          & 'machine_stiffness', 'has no meaning without base_approach, the approach of what holds the spring')
-      if (values(v_events) > 0 .and. .not. any(is_set(values([v_approach, v_base_approach])))) call problems%add('output', &
-         & 'events', 'has no meaning at a given load or radius, which makes no cycle; give approach or base_approach')
+      if (values(v_events) > 0 .and. .not. any(is_set(values([v_approach, v_base_approach]))) .and. .not. &
+         & (is_set(values(v_load)) .and. (is_set(values(v_shear_strength)) .or. nint(values(v_law)) == law_peeling))) &
+         & call problems%add('output', 'events', 'has no meaning at a given load or radius, which makes no cycle; give approach ' &
+         & //'or base_approach, or at a given load shear_strength')
       do k = v_contact_radius, v_face_angle
          if (is_set(values(k)) .and. nint(values(v_branch)) /= branch_stable) call problems%add('operating', 'branch', &
             & 'has no meaning with '//variables(k)%name//', which belongs to one state')

@@ -16,7 +16,7 @@ module adfric_indenter_contact
    implicit none (type, external)
    private
    public :: contact_t, ends_t, survey_t, find_contact, survey_curve, find_face_angle, held_of, held_by, set_contact, &
-      & set_disc, terms_of, try_interval, try_disc_range, branch_stable, branch_inner, branch_unstable
+      & set_disc, take_given, terms_of, try_interval, try_disc_range, branch_stable, branch_inner, branch_unstable
 
    !> Which state is meant where there are several: the largest stable one, the smallest stable one, the largest unstable one.
    integer, parameter :: branch_stable = 1, branch_inner = 2, branch_unstable = 3
@@ -143,10 +143,24 @@ contains
       contact%is_found = .true.
       contact%is_converged = contact%is_converged .and. is_converged
       contact%is_stable = interval%is_stable
+      call take_given(curve, control, given, contact)
+   end subroutine try_interval
+
+   !> What is given has all of its digits.
+   pure subroutine take_given(curve, control, given, contact)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> What is given, reduced.
+      real(dp), intent(in) :: given
+      !> The contact, whose load or approach may be replaced.
+      type(contact_t), intent(inout) :: contact
+
       if (control == control_load) contact%load = given
       if (control == control_approach) contact%approach = given
       if (control == control_spring) call share_digits(curve, given, contact)
-   end subroutine try_interval
+   end subroutine take_given
 
    !> Of load and approach, both differences, the one with fewer digits follows from the other and from the base of the spring.
    pure subroutine share_digits(curve, given, contact)

@@ -17,7 +17,7 @@ module adfric_indenter_curve
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: curve_t, state_t, interval_t, find_held, stability_control
+   public :: curve_t, state_t, interval_t, find_held, stability_control, get_stability_factor
    public :: control_load, control_approach, control_spring, control_radius, most_intervals, endless, disc_range_t, &
       & most_disc_ranges
 

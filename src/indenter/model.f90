@@ -15,11 +15,12 @@ module adfric_indenter_model
    use adfric_indenter_curve, only: control_approach, control_load, control_radius, control_spring, stability_control
    use adfric_indenter_energy, only: elastic_energy
    use adfric_indenter_loop, only: find_loop, loop_t
+   use adfric_indenter_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_peeled, tangential_compliance
    use adfric_indenter_profiles, only: pressure_at, gap_at
    use adfric_indenter_shear, only: find_shear_slip, find_sliding, resistance_t, shear_slip_t, shear_stress_at
    use adfric_indenter_slip, only: find_indenter_slip, indenter_slip_t
    use adfric_indenter_variables
-   use adfric_material_contact_modulus, only: derive_contact_modulus, poisson_compliance_of
+   use adfric_material_contact_modulus, only: derive_contact_modulus
    use adfric_model_derived, only: derived_t
    use adfric_model_pointwise, only: pointwise_model_t, point_state_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
@@ -55,9 +56,9 @@ module adfric_indenter_model
       type(shear_slip_t) :: shear
       !> The survey of its curve; it serves the next point, too, if that has the same curve and control.
       type(survey_t) :: survey
-      !> Values of the variables up to the theory, and the stiffness of the spring, which the curve follows from where there is a range
-      !> of adhesion.
-      real(dp) :: values(v_theory + 1) = 0
+      !> Values of the variables up to the theory, the stiffness of the spring, and X in sliding, which the curve follows from where
+      !> there is a range of adhesion.
+      real(dp) :: values(v_theory + 2) = 0
       !> What happens in a cycle of approach and retraction.
       type(loop_t) :: loop
       !> Has a survey been made?
@@ -143,6 +144,8 @@ contains
       !> This model counts nothing; size 0.
       real(dp), intent(inout) :: counts(:)
       type(indenter_state_t), allocatable :: found
+      type(peeled_t) :: peeled
+      type(ends_t) :: ends
 
       allocate (found)
       error_estimate = 0
@@ -150,33 +153,47 @@ contains
       call resolve_case(values, found%case)
       if (.not. is_possible(values, found%case)) return
       associate (case => found%case, contact => found%contact)
-         found%values = [values(:v_theory), values(v_machine_stiffness)]
+         if (nint(values(v_state)) == state_sliding) call begin_sliding(values, case, peeled, results)
+         found%values = [values(:v_theory), values(v_machine_stiffness), peeled%ratio]
          call take_survey(state, found)
          if (.not. found%is_surveyed) then
             call survey_curve(case%curve, case%control, found%survey)
-            if (values(v_events) > 0) call find_loop(case%curve, found%survey, case%control, found%loop)
+            if (makes_cycle(values)) call find_loop(case%curve, found%survey, case%control, found%loop)
          end if
          found%is_surveyed = .true.
-         call store_ends(case, found%survey%ends, results)
-         if (values(v_events) > 0) call store_events(case, found%loop, results)
+         if (makes_cycle(values)) call store_events(case, found%loop, results)
          call find_contact(case%curve, found%survey, case%control, case%given, case%is_beyond, case%branch, contact)
          ! the way to u and back is not exact
          if (case%radius > 0) contact%spot%radius = case%radius
-         if (.not. (contact%is_converged .and. found%survey%ends%is_converged .and. found%loop%is_converged)) &
-            & status = status_not_converged
+         ends = found%survey%ends
+         if (nint(values(v_state)) == state_static) call peel_contact(values, case, contact, peeled, ends, results)
+         call store_ends(case, ends, results)
+         if (.not. (contact%is_converged .and. ends%is_converged .and. found%survey%ends%is_converged &
+            & .and. found%loop%is_converged .and. peeled%is_converged)) status = status_not_converged
          if (contact%is_found .and. status /= status_not_converged) then
             status = status_solved
-            error_estimate = estimate_error(case, contact, found%survey%ends)
+            error_estimate = estimate_error(case, contact, found%survey%ends) + peeled%error
             call store_contact(case, contact, values, results)
             if (is_set(values(v_position_z))) call store_stress(case, contact, values, results)
             if (is_set(values(v_friction_coefficient))) call add_slip(values, found, results, status)
             if (is_set(values(v_shear_strength))) call add_friction(values, found, results, status)
+            if (status == status_solved .and. (is_set(values(v_shear_strength)) .or. nint(values(v_law)) == law_peeling)) &
+               & call store_peeled(values, case, peeled, results)
+            if (peeled%is_peeling) results(r_cycle_energy) = not_a_number()
          end if
       end associate
       call move_alloc(found, state)
       associate (unused => self, unused_counts => counts)
       end associate
    end subroutine solve_point
+
+   !> Are the events of a cycle of approach and retraction asked for?
+   pure logical function makes_cycle(values)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      makes_cycle = values(v_events) > 0 .and. any(is_set(values([v_approach, v_base_approach])))
+   end function makes_cycle
 
    !> Take the survey of the point before over, if it is that of the same curve. Without a range of adhesion the units follow from what
    !> is held, and a survey takes no time.
@@ -354,16 +371,6 @@ contains
       end associate
    end subroutine add_friction
 
-   !> m, the ratio of the tangential to the normal compliance: 1 + (E*/4) sum of nu/G.
-   pure real(dp) function tangential_compliance(values, case) result(ratio)
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> The point with its modulus.
-      type(indenter_case_t), intent(in) :: case
-
-      ratio = 1 + case%modulus*poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))/4
-   end function tangential_compliance
-
    !> Round-off of what is held moves the contact along the curve, at the end of stability by the root of round-off; load and approach
    !> are differences. The largest relative error of radius, load and approach, the latter two against at least a tenth of pull-off.
    pure real(dp) function estimate_error(case, contact, ends) result(error)
@@ -416,7 +423,8 @@ contains
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      count_profiles = merge(p_shear_stress, p_gap, is_set(values(v_friction_coefficient)) .or. is_set(values(v_shear_strength)))
+      count_profiles = merge(p_shear_stress, p_gap, is_set(values(v_friction_coefficient)) .or. is_set(values(v_shear_strength)) &
+         & .or. nint(values(v_law)) == law_peeling)
       associate (unused => self)
       end associate
    end function count_profiles
@@ -464,6 +472,10 @@ contains
       real(dp), intent(in) :: r
 
       associate (case => state%case)
+         if (nint(values(v_law)) == law_peeling) then
+            traction = bonded_stress(values(v_tangential_force), state%contact%spot%radius, r)/case%length_unit**2
+            return
+         end if
          if (is_set(values(v_shear_strength))) then
             traction = shear_stress_at(case%curve%shape, state%resistance, state%contact, state%shear, r)*case%modulus &
                & *(case%height_unit/case%length_unit)
@@ -476,6 +488,19 @@ contains
             & *(case%height_unit/case%length_unit)
       end associate
    end function shear_at
+
+   !> Shear stress of a force on a circle that sticks as a whole; none at its edge.
+   pure real(dp) function bonded_stress(force, radius, r) result(stress)
+      !> The force, which may not be given.
+      real(dp), intent(in) :: force
+      !> Radius of the circle, and distance from the axis.
+      real(dp), intent(in) :: radius, r
+
+      stress = 0
+      if (.not. is_set(force) .or. r > radius) return
+      stress = not_a_number()
+      if (r < radius) stress = force/(2*pi*radius*sqrt((radius - r)*(radius + r)))
+   end function bonded_stress
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)

@@ -4,6 +4,7 @@ module adfric_indenter_variables
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_material_contact_modulus, only: set_modulus_rows
+   use adfric_material_interaction_rows, only: set_interaction_rows
    use adfric_material_shear_strength_rows, only: set_shear_rows, shear_profiles, p_shear_stress
    use adfric_model_rows, only: positive, number, any_number, above_zero, choice, switch, whole_number, result_row
    use adfric_model_table, only: variable_t, result_t, profile_t
@@ -18,14 +19,16 @@ module adfric_indenter_variables
       & v_work_of_adhesion = 21, v_adhesion_stress = 22, v_adhesion_range = 23, v_lambda = 24, v_theory = 25, v_load = 26, &
       & v_approach = 27, v_contact_radius = 28, v_face_angle = 29, v_branch = 30, v_profiles = 31, v_n_r = 32, v_r_max = 33, &
       & v_tangential_force = 34, v_friction_coefficient = 35, v_shear_strength = 36, v_pressure_factor = 37, v_edge_fraction = 38, &
-      & v_position_z = 39, v_base_approach = 40, v_machine_stiffness = 41, v_events = 42
-   integer, parameter, public :: n_indenter_variables = 42
+      & v_position_z = 39, v_base_approach = 40, v_machine_stiffness = 41, v_events = 42, &
+      & v_law = 43, v_state = 44, v_interaction = 45, v_critical_slip = 46, v_slip_energy_ratio = 47
+   integer, parameter, public :: n_indenter_variables = 47
 
    !> Places of the words in the choices.
    integer, parameter, public :: kind_flat = 1, kind_cone = 2, kind_paraboloid = 3, kind_power = 4, kind_sphere = 5, &
       & kind_flat_cone = 6, kind_flat_paraboloid = 7, kind_rounded_punch = 8, kind_rounded_cone = 9, kind_polynomial = 10
    integer, parameter, public :: choose_auto = 1, choose_none = 2, choose_jkr = 3, choose_dmt = 4, &
       & choose_maugis_dugdale = 5
+   integer, parameter, public :: law_shear_strength = 1, law_peeling = 2, state_static = 1, state_sliding = 2
    !> Theories, as results.
    integer, parameter, public :: theory_none = 0, theory_jkr = 1, theory_dmt = 2, theory_maugis_dugdale = 3
 
@@ -36,8 +39,10 @@ module adfric_indenter_variables
       & r_adhesion_radius = 16, r_stick_fraction = 17, r_tangential_displacement = 18, r_tangential_stiffness = 19, &
       & r_cycle_energy = 20, r_friction_area = 21, r_friction_force = 22, r_stress_zz = 23, &
       & r_stress_rr = 24, r_base_approach = 25, r_jump_in_base_approach = 26, r_jump_in_load = 27, r_pull_off_base_approach = 28, &
-      & r_loop_energy = 29
-   integer, parameter, public :: n_indenter_results = 29
+      & r_loop_energy = 29, r_friction_radius = 30, r_adhesion_ratio = 31, r_stick_radius = 32, r_slip = 33, r_largest_slip = 34, &
+      & r_peak_force = 35, r_peak_displacement = 36, r_sliding_force = 37, r_force_drop = 38, r_snap_off_force = 39, &
+      & r_snap_off_displacement = 40
+   integer, parameter, public :: n_indenter_results = 40
    !> Places of the profiles; that of the shear stress comes from the rows of friction.
    public :: p_shear_stress
    integer, parameter, public :: p_pressure = 1, p_gap = 2
@@ -97,7 +102,13 @@ contains
       v(v_machine_stiffness) = above_zero(group='operating', name='machine_stiffness', unit='N/m', &
          & meaning='k of the spring (a cantilever, a machine) between the indenter and its base')
       v(v_events) = switch(group='output', name='events', &
-         & meaning='find where contact jumps in, and what a cycle of approach and retraction takes', default=.false.)
+         & meaning='find where contact jumps in, what a cycle of approach and retraction takes, and what happens as a tangential ' &
+         & //'force grows', default=.false.)
+      v(v_law) = choice(group='friction', name='law', meaning='friction of a shear strength (or of a coefficient), or a contact ' &
+         & //'that sticks without limit and peels (JKR)', choices='shear_strength peeling', default='shear_strength')
+      v(v_state) = choice(group='operating', name='state', meaning='before sliding, or during it', choices='static sliding', &
+         & default='static')
+      call set_interaction_rows(v(v_interaction:v_slip_energy_ratio))
    end function get_indenter_variables
 
    !> The rows of the shape.
@@ -188,7 +199,31 @@ contains
          & long_name='approach of the base, or of an indenter without spring, at which the contact separates')
       r(r_loop_energy) = result_row(name='loop_energy', unit='J', &
          & long_name='energy that the jumps of a cycle of approach and retraction take')
+      call set_peeling_results(r)
    end function get_indenter_results
+
+   !> The results of what friction does to adhesion.
+   subroutine set_peeling_results(r)
+      !> The table of results, whose last rows are set.
+      type(result_t), intent(inout) :: r(:)
+
+      r(r_friction_radius) = result_row(name='friction_radius', unit='m', long_name='radius b up to which a shear strength acts')
+      r(r_adhesion_ratio) = result_row(name='adhesion_ratio', unit='-', &
+         & long_name='X, what friction leaves of the work of adhesion')
+      r(r_stick_radius) = result_row(name='stick_radius', unit='m', long_name='radius e of the part that sticks')
+      r(r_slip) = result_row(name='slip', unit='m', long_name='slip at the edge, mean around it; none once sliding')
+      r(r_largest_slip) = result_row(name='largest_slip', unit='m', &
+         & long_name='slip at the edge where it is largest; none once sliding')
+      r(r_peak_force) = result_row(name='peak_force', unit='N', long_name='largest tangential force before sliding')
+      r(r_peak_displacement) = result_row(name='peak_displacement', unit='m', &
+         & long_name='tangential displacement at the largest force')
+      r(r_sliding_force) = result_row(name='sliding_force', unit='N', long_name='tangential force of sliding under what is held')
+      r(r_force_drop) = result_row(name='force_drop', unit='N', long_name='force that is lost at the onset of sliding')
+      r(r_snap_off_force) = result_row(name='snap_off_force', unit='N', &
+         & long_name='tangential force at which the contact snaps off, or jumps to a smaller one')
+      r(r_snap_off_displacement) = result_row(name='snap_off_displacement', unit='m', &
+         & long_name='tangential displacement at that place')
+   end subroutine set_peeling_results
 
    !> The table of profiles.
    function get_indenter_profiles() result(p)

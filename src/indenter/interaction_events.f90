@@ -1,0 +1,100 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What happens to an indenter as a tangential force grows from 0: the largest force, the onset of sliding, and where the contact is lost
+!> (J 4.1-4.9, fig. 9), and its contact in sliding.
+module adfric_indenter_interaction_events
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: half_pi
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_indenter_contact, only: branch_stable, contact_t, find_contact, survey_curve, survey_t
+   use adfric_indenter_curve, only: curve_t
+   use adfric_indenter_interaction_path, only: complete_waypoint, displacement_of, force_of, get_waypoint, path_t, turn, waypoint_t
+   use adfric_indenter_interaction_search, only: end_capped, end_sliding, end_snap_off, find_end, find_peak
+   use adfric_indenter_weak_contact, only: weaken
+   use adfric_material_interaction, only: adhesion_ratio
+   implicit none (type, external)
+   private
+   public :: peeling_events_t, find_peeling_events, forget_peeling_events
+
+   !> What happens; NaN where it does not.
+   type :: peeling_events_t
+      !> Have all searches converged?
+      logical :: is_converged = .true.
+      !> The largest force before sliding, and its displacement.
+      real(dp) :: peak_force = 0, peak_displacement = 0
+      !> The force of sliding, and how far it is below the largest force.
+      real(dp) :: sliding_force = 0, force_drop = 0
+      !> Force and displacement where the contact is lost: it snaps off, or jumps to a smaller one.
+      real(dp) :: snap_off_force = 0, snap_off_displacement = 0
+   end type peeling_events_t
+
+contains
+
+   !> Nothing happens.
+   pure subroutine forget_peeling_events(events)
+      !> Receives NaN for all events.
+      type(peeling_events_t), intent(out) :: events
+
+      associate (none => not_a_number())
+         events = peeling_events_t(.true., none, none, none, none, none, none)
+      end associate
+   end subroutine forget_peeling_events
+
+   !> The events of a way.
+   pure subroutine find_peeling_events(path, events)
+      !> The way.
+      type(path_t), intent(inout) :: path
+      !> Receives the events.
+      type(peeling_events_t), intent(out) :: events
+      type(waypoint_t) :: onset, peak, sliding
+      integer :: ending
+      logical :: is_found
+
+      call forget_peeling_events(events)
+      if (.not. path%start%is_found) return
+      call find_end(path, onset, ending, events%is_converged)
+      if (.not. events%is_converged) return
+      peak = onset
+      if (ending == end_capped) call turn(half_pi, peak)
+      call find_peak(path, onset, peak, is_found)
+      if (ending == end_capped) call turn(half_pi, onset)
+      events%peak_force = force_of(path, peak)
+      events%peak_displacement = displacement_of(path, peak)
+      is_found = .false.
+      if (ending == end_sliding .or. ending == end_capped) call slide(path, sliding, is_found)
+      if (is_found) then
+         events%sliding_force = force_of(path, sliding)
+         events%force_drop = events%peak_force - events%sliding_force
+      else if (ending == end_snap_off .or. ending == end_sliding) then
+         events%snap_off_force = force_of(path, onset)
+         events%snap_off_displacement = displacement_of(path, onset)
+      end if
+   end subroutine find_peeling_events
+
+   !> The state of sliding, g = g0: that of the way, or, where its contact has been lost, the largest stable one that is left.
+   pure subroutine slide(path, sliding, is_found)
+      !> The way.
+      type(path_t), intent(inout) :: path
+      !> Receives the state.
+      type(waypoint_t), intent(out) :: sliding
+      !> Is there one?
+      logical, intent(out) :: is_found
+      class(curve_t), allocatable :: curve
+      type(survey_t) :: survey
+
+      is_found = .false.
+      if (path%law%interaction > 0 .and. path%law%slip_energy_ratio > path%limit) return
+      call get_waypoint(path, path%law%slip_energy_ratio, sliding)
+      if (.not. sliding%is_found) then
+         allocate (curve, source=path%way%curve)
+         sliding%ratio = adhesion_ratio(path%law%slip_energy_ratio, path%law%interaction)
+         call weaken(curve, sliding%ratio)
+         call survey_curve(curve, path%way%control, survey)
+         call find_contact(curve, survey, path%way%control, path%way%given, .true., branch_stable, sliding%contact)
+         sliding%is_found = sliding%contact%is_found .and. sliding%contact%spot%radius > 0
+         if (sliding%is_found) call complete_waypoint(path, sliding)
+      end if
+      is_found = sliding%is_found
+      call turn(half_pi, sliding)
+   end subroutine slide
+
+end module adfric_indenter_interaction_events

@@ -1,0 +1,632 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The contact of an indenter while friction takes from its adhesion: the work of adhesion falls from w to X w, and with it the stress of
+!> adhesion from S to X S, at one range h; what is held stays.
+!>
+!> **What shrinks.** Outside the contact the displacement of the half-space is monotone in the stress that pulls there: more stress on the
+!> same disc, or the same stress on a larger one, lifts the surface everywhere (Green's function is positive, and of an obstacle that keeps
+!> it down the same holds), so it closes gaps and widens contact. So at given approach the states of a curve are the fixed points of a
+!> rising map of c, and those that are stable at given approach have a and c that rise with X, and with the approach. By the energy of
+!> adhesion, which falls with both, the load falls with X at given approach; so where a state is stable under a load, or on a spring, a
+!> and c rise with X there, too. **As X falls a, c and each radius between them fall**, for every profile, up to the fold where the state ends.
+!>
+!> **JKR.** At a radius a the neck Dl follows from what is held, and X = Dl^2/(2 pi W a) from it: the way is known in closed form. It ends
+!> where dX/da = 0, which is a g' = q Dl (`adfric_indenter_curve`), and along the way
+!>
+!>     a g' d/q - N,    Dl = N/d,  N = P1 - P, g - delta or g + s P1 - base,  d = 2 a, 1 or 1 + 2 s a
+!>
+!> has a derivative of the sign of that of sqrt(a) g'/q: monotone on each piece of the shape. So no fold is passed over.
+!>
+!> **Maugis.** A state at X is sought below one of a larger X, by the sign of what is held less what is given where the state is stable; an
+!> unstable one lies below the fold. For kinds that are proved to have one fold that is certain. For others the way is followed in steps
+!> in which the contact changes little, 8 and more in a decade, and a step that does not become small as X does is a jump.
+module adfric_indenter_weak_contact
+   use adfric_base_kinds, only: dp
+   use adfric_indenter_contact, only: branch_stable, contact_t, find_contact, held_of, set_contact, survey_t, take_given
+   use adfric_indenter_curve, only: control_approach, control_load, control_spring, curve_t, get_stability_factor, state_t
+   use adfric_indenter_dugdale_curve, only: dugdale_curve_t
+   use adfric_indenter_shape, only: piece_t, spot_t
+   use adfric_indenter_spring_pieces, only: divide_pieces, most_divided_pieces
+   implicit none (type, external)
+   private
+   public :: weak_way_t, new_weak_way, weaken, find_weaker, find_last
+
+   !> Most nodes of a way that is followed in steps.
+   integer, parameter :: most_nodes = 400
+   !> The corner of a flat face as seen from within, where u has no end.
+   real(dp), parameter :: at_corner = 1.0e30_dp
+   !> Largest change of the unknown in a step of a way that is followed.
+   real(dp), parameter :: near = 0.75_dp
+
+   !> A state at one X.
+   type :: node_t
+      !> X.
+      real(dp) :: ratio = 1
+      !> The state.
+      type(contact_t) :: contact
+   end type node_t
+
+   !> The states of contact as X falls.
+   type :: weak_way_t
+      !> The curve with all of its adhesion.
+      class(curve_t), allocatable :: curve
+      !> What is held; not `control_radius`.
+      integer :: control = control_load
+      !> Load, approach, or approach of the base that is held.
+      real(dp) :: given = 0
+      !> Are its states known in closed form (JKR, DMT, a flat face)?
+      logical :: is_closed = .true.
+      !> Is it followed in steps?
+      logical :: is_followed = .false.
+      !> The smallest X where there is a state, if that is known; else 0.
+      real(dp) :: least_ratio = 0
+      !> Has X such an end above 0, where the state is lost?
+      logical :: is_lost = .false.
+      !> Number of nodes; 0 without contact.
+      integer :: n = 0
+      !> The nodes from X = 1 down, so far.
+      type(node_t), allocatable :: nodes(:)
+      !> The last state in closed form: the lower end of the unknown, and whether it lies beyond the corner.
+      real(dp) :: low = 0
+      !> Does it lie beyond the corner?
+      logical :: low_is_beyond = .true.
+   end type weak_way_t
+
+contains
+
+   !> A way from a contact with all of its adhesion.
+   pure subroutine new_weak_way(self, curve, control, given, contact)
+      !> Receives the way.
+      type(weak_way_t), intent(out) :: self
+      !> The curve with all of its adhesion.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> What is given, reduced.
+      real(dp), intent(in) :: given
+      !> The contact, stable and of a radius > 0.
+      type(contact_t), intent(in) :: contact
+
+      allocate (self%curve, source=curve)
+      self%control = control
+      self%given = given
+      select type (curve)
+      type is (dugdale_curve_t)
+         self%is_closed = curve%shape%n_pieces == 0
+         self%is_followed = .not. self%is_closed .and. (.not. curve%shape%has_rising_slope .or. control == control_spring)
+      end select
+      allocate (self%nodes(merge(most_nodes, 1, self%is_followed)))
+      self%n = 1
+      self%nodes(1) = node_t(1.0_dp, contact)
+      if (self%is_closed .and. curve%shape%n_pieces > 0) call find_closed_end(self)
+   end subroutine new_weak_way
+
+   !> A curve with less adhesion.
+   pure subroutine weaken(curve, ratio)
+      !> In: the curve with all of its adhesion. Out: that with X of it.
+      class(curve_t), intent(inout) :: curve
+      !> X, from 0 to 1.
+      real(dp), intent(in) :: ratio
+      ! the reach of a stress of nothing is still that of the gap
+      real(dp), parameter :: nothing = 1.0e-30_dp
+
+      curve%tension = sqrt(ratio)*curve%tension
+      curve%outer_pull = ratio*curve%outer_pull
+      select type (curve)
+      type is (dugdale_curve_t)
+         curve%stress = max(ratio, nothing)*curve%stress
+      end select
+   end subroutine weaken
+
+   !> Where a way in closed form ends.
+   pure subroutine find_closed_end(self)
+      !> The way, with its beginning.
+      type(weak_way_t), intent(inout) :: self
+      type(piece_t) :: pieces(most_divided_pieces)
+      type(spot_t) :: spot
+      real(dp) :: high
+      integer :: k, n
+      logical :: is_first
+
+      associate (shape => self%curve%shape, start => self%nodes(1)%contact)
+         n = shape%n_pieces
+         pieces(:n) = shape%pieces(:n)
+         if (self%control == control_spring) call divide_pieces(shape, self%curve%compliance, pieces, n)
+         do k = n, 1, -1
+            is_first = pieces(k)%is_beyond .eqv. start%is_beyond
+            if (pieces(k)%is_beyond .and. .not. start%is_beyond) cycle
+            if (is_first .and. pieces(k)%low > start%u) cycle
+            high = pieces(k)%high
+            if (is_first) high = min(high, start%u)
+            self%low = pieces(k)%low
+            self%low_is_beyond = pieces(k)%is_beyond
+            if (.not. self%curve%tension > 0 .or. .not. closed_margin(self, self%low, self%low_is_beyond) < 0) cycle
+            self%is_lost = .true.
+            self%low = closed_fold(self, pieces(k)%is_beyond, pieces(k)%low, high)
+            exit
+         end do
+         call shape%evaluate(self%low, self%low_is_beyond, spot)
+         if (self%curve%tension > 0) then
+            ! a face whose edge is reached lets go there
+            self%is_lost = self%is_lost .or. (shape%has_face .and. neck_of(self, spot) > 0)
+            if (self%is_lost) self%least_ratio = min((neck_of(self, spot)/self%curve%tension)**2/spot%radius, 1.0_dp)
+         else if (self%curve%outer_pull > 0 .and. self%control == control_load .and. self%given < 0) then
+            ! DMT ends as a point
+            self%is_lost = .true.
+            self%least_ratio = -self%given/self%curve%outer_pull
+         end if
+      end associate
+   end subroutine find_closed_end
+
+   !> Dl of a spot, of what is held.
+   pure real(dp) function neck_of(self, spot) result(neck)
+      !> The way.
+      type(weak_way_t), intent(in) :: self
+      !> What the shape is there, of a radius > 0.
+      type(spot_t), intent(in) :: spot
+
+      neck = excess_of(self, spot)/share_of(self, spot)
+   end function neck_of
+
+   !> N = P1 - P, g - delta or g + s P1 - base.
+   pure real(dp) function excess_of(self, spot) result(excess)
+      !> The way.
+      type(weak_way_t), intent(in) :: self
+      !> What the shape is there.
+      type(spot_t), intent(in) :: spot
+
+      select case (self%control)
+      case (control_load)
+         excess = spot%load - self%given
+      case (control_approach)
+         excess = spot%depth - self%given
+      case default
+         excess = spot%depth + self%curve%compliance*spot%load - self%given
+      end select
+   end function excess_of
+
+   !> d = 2 a, 1 or 1 + 2 s a.
+   pure real(dp) function share_of(self, spot) result(share)
+      !> The way.
+      type(weak_way_t), intent(in) :: self
+      !> What the shape is there.
+      type(spot_t), intent(in) :: spot
+
+      share = 1
+      if (self%control == control_load) share = 2*spot%radius
+      if (self%control == control_spring) share = 1 + 2*self%curve%compliance*spot%radius
+   end function share_of
+
+   !> (a g' d/q - N) da/du: > 0 where the state of JKR on the way is stable.
+   pure real(dp) function closed_margin(self, u, is_beyond) result(margin)
+      !> The way.
+      type(weak_way_t), intent(in) :: self
+      !> The unknown, >= 0.
+      real(dp), intent(in) :: u
+      !> Is u one of those beyond the corner?
+      logical, intent(in) :: is_beyond
+      type(spot_t) :: spot
+      real(dp) :: factor, slope
+
+      call self%curve%shape%evaluate(u, is_beyond, spot)
+      call get_stability_factor(self%curve, self%control, spot%radius, factor, slope)
+      margin = spot%radius*spot%depth_slope*share_of(self, spot)/factor - excess_of(self, spot)*spot%radius_slope
+   end function closed_margin
+
+   !> Where the margin is 0, by the method of Illinois.
+   pure real(dp) function closed_fold(self, is_beyond, first, last) result(fold)
+      !> The way.
+      type(weak_way_t), intent(in) :: self
+      !> Do the places lie beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> Places of an unstable and of a stable state.
+      real(dp), intent(in) :: first, last
+      integer, parameter :: most_steps = 200
+      real(dp) :: low, high, at_low, at_high, value
+      integer :: k, side
+
+      low = first
+      high = last
+      at_low = closed_margin(self, low, is_beyond)
+      at_high = max(closed_margin(self, high, is_beyond), 0.0_dp)
+      fold = high
+      side = 0
+      do k = 1, most_steps
+         if (.not. at_high > 0 .or. high - low <= 2*epsilon(high)*high) exit
+         fold = low + (high - low)*(at_low/(at_low - at_high))
+         if (.not. (fold > low .and. fold < high) .or. modulo(k, 4) == 0) fold = low + (high - low)/2
+         value = closed_margin(self, fold, is_beyond)
+         if (value < 0) then
+            low = fold
+            at_low = value
+            if (side == 1) at_high = at_high/2
+            side = 1
+         else
+            high = fold
+            at_high = value
+            if (side == 2) at_low = at_low/2
+            side = 2
+         end if
+      end do
+      fold = high
+   end function closed_fold
+
+   !> The state of the way at an X.
+   pure subroutine find_weaker(self, ratio, contact)
+      !> The way; one that is followed receives the nodes up to there.
+      type(weak_way_t), intent(inout) :: self
+      !> X, from 0 to 1.
+      real(dp), intent(in) :: ratio
+      !> Receives the state, with `is_found`.
+      type(contact_t), intent(out) :: contact
+      integer :: k
+
+      if (self%n == 0) return
+      if (self%is_closed) then
+         if (self%is_lost .and. ratio < self%least_ratio) return
+         call find_below(self, ratio, self%nodes(1)%contact, contact)
+      else if (.not. self%is_followed) then
+         call find_below(self, ratio, self%nodes(1)%contact, contact)
+      else
+         if (ratio < self%nodes(self%n)%ratio .and. .not. self%is_lost) call follow(self, ratio)
+         if (self%is_lost .and. ratio < self%nodes(self%n)%ratio) return
+         do k = self%n, 1, -1
+            if (self%nodes(k)%ratio >= ratio) exit
+         end do
+         call find_below(self, ratio, self%nodes(max(k, 1))%contact, contact)
+      end if
+   end subroutine find_weaker
+
+   !> Follow the way down to an X, or to where its state is lost.
+   pure subroutine follow(self, ratio)
+      !> The way, which receives nodes, and maybe its end.
+      type(weak_way_t), intent(inout) :: self
+      !> X.
+      real(dp), intent(in) :: ratio
+      ! a step of X that leaves round-off only
+      real(dp), parameter :: smallest = 1.0e-13_dp
+      type(contact_t) :: contact
+      real(dp) :: goal
+
+      goal = ratio
+      do
+         associate (last => self%nodes(self%n))
+            call find_below(self, goal, last%contact, contact)
+            if (contact%is_found) then
+               if (is_near(self, last%contact, contact)) then
+                  if (self%n < most_nodes) self%n = self%n + 1
+                  self%nodes(self%n) = node_t(goal, contact)
+                  if (.not. goal > ratio) return
+                  goal = ratio
+                  cycle
+               end if
+            end if
+            if (last%ratio - goal <= smallest*last%ratio) exit
+            goal = (last%ratio + goal)/2
+         end associate
+      end do
+      self%is_lost = .true.
+      self%least_ratio = self%nodes(self%n)%ratio
+   end subroutine follow
+
+   !> Is a state of the way near another one, so that no fold hides between them?
+   pure logical function is_near(self, before, after)
+      !> The way, whose range of adhesion tells what is near a corner.
+      type(weak_way_t), intent(in) :: self
+      !> The states, from the larger to the smaller one.
+      type(contact_t), intent(in) :: before, after
+      real(dp) :: smallest
+
+      smallest = 1.0e-4_dp
+      select type (curve => self%curve)
+      type is (dugdale_curve_t)
+         smallest = smallest*min(1.0_dp, sqrt(curve%range/curve%stress))
+      end select
+      is_near = after%spot%radius > near*before%spot%radius
+      if (.not. is_near .or. .not. self%curve%shape%corner > 0) return
+      if (before%is_beyond .eqv. after%is_beyond) then
+         is_near = after%u > near*before%u .or. (before%is_beyond .and. before%u < smallest) &
+            & .or. (.not. before%is_beyond .and. self%curve%shape%has_face .and. after%u > 1/smallest)
+      else
+         is_near = before%u < smallest .and. (after%spot%beyond < smallest .or. .not. self%curve%shape%has_face)
+      end if
+   end function is_near
+
+   !> The state at an X below a state at a larger one.
+   pure subroutine find_below(self, ratio, upper, contact)
+      !> The way.
+      type(weak_way_t), intent(in) :: self
+      !> X.
+      real(dp), intent(in) :: ratio
+      !> The state at the larger X.
+      type(contact_t), intent(in) :: upper
+      !> Receives the state, with `is_found`.
+      type(contact_t), intent(out) :: contact
+      class(curve_t), allocatable :: curve
+      type(state_t) :: corner
+      real(dp) :: u, low, high
+      logical :: is_beyond, is_found, is_converged
+
+      allocate (curve, source=self%curve)
+      call weaken(curve, ratio)
+      if (curve%shape%n_pieces == 0) then
+         call find_contact(curve, survey_t(), self%control, self%given, .true., branch_stable, contact)
+         contact%is_found = contact%is_found .and. contact%spot%radius > 0
+         return
+      end if
+      is_beyond = upper%is_beyond
+      high = upper%u
+      low = 0
+      if (is_beyond .and. curve%shape%corner > 0) then
+         call curve%get_state(0.0_dp, .true., corner)
+         if (is_above(self, curve, corner)) then
+            ! JKR has no contact within a face
+            if (self%is_closed .and. curve%shape%has_face) return
+            is_beyond = .false.
+            high = merge(at_corner, curve%shape%corner, curve%shape%has_face)
+         end if
+      end if
+      if (self%is_closed .and. (self%low_is_beyond .eqv. is_beyond)) low = min(self%low, high)
+      call search_below(self, curve, is_beyond, low, high, u, is_found, is_converged)
+      if (.not. is_found) return
+      call set_contact(curve, self%control, u, is_beyond, contact)
+      contact%is_found = .true.
+      contact%is_stable = .true.
+      contact%is_converged = contact%is_converged .and. is_converged
+      call take_given(curve, self%control, self%given, contact)
+   end subroutine find_below
+
+   !> Does a state lie above the one that is sought? It is stable then, and holds more than what is given.
+   pure logical function is_above(self, curve, state)
+      !> The way.
+      type(weak_way_t), intent(in) :: self
+      !> Its curve at this X.
+      class(curve_t), intent(in) :: curve
+      !> The state.
+      type(state_t), intent(in) :: state
+
+      is_above = held_of(curve, self%control, state) > self%given .and. (self%is_closed .or. state%is_stable(self%control))
+   end function is_above
+
+   !> Newton's method in the logarithm of the unknown, within a bracket.
+   pure subroutine search_below(self, curve, is_beyond, first, last, u, is_found, is_converged)
+      !> The way.
+      type(weak_way_t), intent(in) :: self
+      !> Its curve at this X.
+      class(curve_t), intent(in) :: curve
+      !> Does u lie beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> The bracket; its upper end lies above the state, or is it.
+      real(dp), intent(in) :: first, last
+      !> Receives the unknown.
+      real(dp), intent(out) :: u
+      !> Is there such a state?
+      logical, intent(out) :: is_found
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      ! a step after this one is round-off; where Newton's method is left; what next to a fold is a root
+      real(dp), parameter :: close_enough = 1.0e-9_dp, little = 1.0e-12_dp
+      integer, parameter :: most_steps = 300, patience = 40
+      type(state_t) :: state
+      real(dp) :: low, high, value, slope, step
+      integer :: k
+      logical :: low_is_stable, is_tangent
+
+      low = first
+      high = last
+      u = last
+      if (.not. last < at_corner) u = 1
+      low_is_stable = self%is_closed
+      is_found = .true.
+      is_converged = .true.
+      value = 0
+      do k = 1, most_steps
+         call curve%get_state(u, is_beyond, state)
+         is_converged = state%is_converged
+         if (.not. is_converged) exit
+         value = held_of(curve, self%control, state) - self%given
+         slope = u*held_slope(curve, self%control, state)
+         if (is_above(self, curve, state)) then
+            high = u
+         else
+            low = u
+            low_is_stable = self%is_closed .or. state%is_stable(self%control)
+         end if
+         is_tangent = slope > 0 .and. (self%is_closed .or. state%is_stable(self%control))
+         step = 0
+         if (is_tangent) step = -value/slope
+         if (is_tangent .and. abs(step) <= close_enough) then
+            u = min(max(u + u*step, first), last)
+            return
+         end if
+         if (high - low <= 4*epsilon(high)*high .or. .not. high > 0) exit
+         if (is_tangent .and. k < patience .and. abs(step) < 1) u = u*exp(step)
+         if (.not. (u > low .and. u < high) .or. .not. (is_tangent .and. k < patience .and. abs(step) < 1)) u = middle(low, high)
+      end do
+      u = high
+      if (low_is_stable) u = low
+      is_found = is_converged .and. (low_is_stable .or. abs(value) <= little*abs(self%given))
+   end subroutine search_below
+
+   !> A place between two, in the middle of their logarithms where that is possible.
+   pure real(dp) function middle(low, high)
+      !> The places, >= 0.
+      real(dp), intent(in) :: low, high
+      real(dp), parameter :: share = 1.0e-2_dp
+
+      middle = low + (high - low)/2
+      if (low < share*high) middle = max(sqrt(low)*sqrt(high), 0.1_dp*high)
+      if (.not. (middle > low .and. middle < high)) middle = low + (high - low)/2
+   end function middle
+
+   !> Derivative of what is held by u, along the curve.
+   pure real(dp) function held_slope(curve, control, state) result(slope)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> The state.
+      type(state_t), intent(in) :: state
+
+      slope = state%load_slope
+      if (control /= control_load) slope = state%approach_slope
+      if (control == control_spring) slope = slope + curve%compliance*state%load_slope
+   end function held_slope
+
+   !> The last state of the way, where it is lost above an X that has none.
+   pure subroutine find_last(self, ratio, last_ratio, contact, is_converged)
+      !> The way.
+      type(weak_way_t), intent(inout) :: self
+      !> An X without a state.
+      real(dp), intent(in) :: ratio
+      !> Receives X of the last state.
+      real(dp), intent(out) :: last_ratio
+      !> Receives the last state.
+      type(contact_t), intent(out) :: contact
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      class(curve_t), allocatable :: curve
+
+      is_converged = .true.
+      if (self%is_closed .and. self%curve%shape%n_pieces > 0) then
+         last_ratio = self%least_ratio
+         allocate (curve, source=self%curve)
+         call weaken(curve, last_ratio)
+         call set_contact(curve, self%control, self%low, self%low_is_beyond, contact)
+         contact%is_found = .true.
+         contact%is_stable = .true.
+         call take_given(curve, self%control, self%given, contact)
+      else
+         call find_last_ratio(self, ratio, last_ratio, contact, is_converged)
+      end if
+   end subroutine find_last
+
+   !> The last state of a way that is no closed form: the X at which the fold below a state has what is given.
+   pure subroutine find_last_ratio(self, ratio, last_ratio, contact, is_converged)
+      !> The way.
+      type(weak_way_t), intent(inout) :: self
+      !> An X without a state.
+      real(dp), intent(in) :: ratio
+      !> Receives X of the last state.
+      real(dp), intent(out) :: last_ratio
+      !> Receives the last state.
+      type(contact_t), intent(out) :: contact
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      integer, parameter :: most_steps = 200
+      type(contact_t) :: upper, trial, fold
+      real(dp) :: low, high, at_low, at_high, value, next
+      integer :: k
+      logical :: is_smooth
+
+      low = ratio
+      high = 1
+      upper = self%nodes(1)%contact
+      is_converged = .true.
+      if (self%is_followed) then
+         ! it has been followed to there
+         last_ratio = self%nodes(self%n)%ratio
+         call find_fold_below(self, last_ratio, self%nodes(self%n)%contact, contact, value)
+         contact%is_found = .true.
+         contact%is_stable = .true.
+         return
+      end if
+      contact = upper
+      is_smooth = self%curve%shape%n_pieces > 0
+      if (is_smooth) call find_fold_below(self, high, upper, fold, at_high)
+      at_low = 0
+      value = 0
+      do k = 1, most_steps
+         if (high - low <= 2*epsilon(high)*high) exit
+         next = low + (high - low)/2
+         if (is_smooth .and. at_low > 0 .and. at_high < 0 .and. modulo(k, 5) > 0) then
+            next = high - (high - low)*(at_high/(at_high - at_low))
+            if (.not. (next > low .and. next < high)) next = low + (high - low)/2
+         end if
+         call find_weaker(self, next, trial)
+         if (is_smooth) then
+            call find_fold_below(self, next, upper, fold, value)
+            if (abs(value) <= 4*epsilon(value)*abs(self%given)) then
+               high = next
+               contact = fold
+               exit
+            end if
+         end if
+         if (trial%is_found) then
+            high = next
+            upper = trial
+            contact = trial
+            if (is_smooth) contact = fold
+            at_high = value
+         else
+            low = next
+            at_low = value
+         end if
+      end do
+      last_ratio = high
+      contact%is_found = .true.
+      contact%is_stable = .true.
+   end subroutine find_last_ratio
+
+   !> The first fold below a state, or the contact of radius 0, and how much more than what is given it holds.
+   pure subroutine find_fold_below(self, ratio, upper, fold, value)
+      !> The way.
+      type(weak_way_t), intent(in) :: self
+      !> X.
+      real(dp), intent(in) :: ratio
+      !> A state that is stable at this X.
+      type(contact_t), intent(in) :: upper
+      !> Receives the state at the fold.
+      type(contact_t), intent(out) :: fold
+      !> Receives what it holds less what is given.
+      real(dp), intent(out) :: value
+      ! ln u of a step down, and of the smallest contact
+      real(dp), parameter :: first_step = 1.0e-3_dp, smallest = -60.0_dp
+      integer, parameter :: most_steps = 200
+      class(curve_t), allocatable :: curve
+      type(state_t) :: state
+      real(dp) :: low, high, step, top
+      integer :: k
+      logical :: is_beyond
+
+      allocate (curve, source=self%curve)
+      call weaken(curve, ratio)
+      is_beyond = upper%is_beyond
+      high = upper%u
+      if (is_beyond .and. curve%shape%corner > 0) then
+         call curve%get_state(0.0_dp, .true., state)
+         if (state%is_stable(self%control)) then
+            is_beyond = .false.
+            high = merge(at_corner, curve%shape%corner, curve%shape%has_face)
+         end if
+      end if
+      top = high
+      step = first_step
+      low = 0
+      do
+         low = high*exp(-step)
+         call curve%get_state(low, is_beyond, state)
+         if (.not. state%is_stable(self%control) .or. log(low/top) < smallest*merge(3, 1, top >= at_corner)) exit
+         high = low
+         step = 2*step
+      end do
+      if (state%is_stable(self%control)) then
+         ! down to the last touch
+         low = 0
+         high = 0
+      end if
+      do k = 1, most_steps
+         if (high - low <= 2*epsilon(high)*high) exit
+         step = middle(low, high)
+         call curve%get_state(step, is_beyond, state)
+         if (state%is_stable(self%control)) high = step
+         if (.not. state%is_stable(self%control)) low = step
+      end do
+      call set_contact(curve, self%control, high, is_beyond, fold)
+      value = fold%load
+      if (self%control /= control_load) value = fold%approach
+      if (self%control == control_spring) value = value + curve%compliance*fold%load
+      value = value - self%given
+      call take_given(curve, self%control, self%given, fold)
+   end subroutine find_fold_below
+
+end module adfric_indenter_weak_contact
