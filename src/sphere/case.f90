@@ -37,6 +37,8 @@ module adfric_sphere_case
       logical :: is_force_given = .false., is_displacement_given = .false.
       !> That force or displacement, reduced.
       real(dp) :: tangential = 0
+      !> Stiffness of a lateral spring, reduced; 0 if none is given.
+      real(dp) :: stiffness = 0
       !> Units: radii, approach, forces, stresses.
       real(dp) :: length_unit = 1, approach_unit = 1, force_unit = 1, stress_unit = 1
    end type sphere_case_t
@@ -124,6 +126,7 @@ contains
       self%is_force_given = is_set(values(v_tangential_force))
       self%is_displacement_given = is_set(values(v_tangential_displacement))
       if (self%is_force_given) self%tangential = values(v_tangential_force)/self%force_unit
+      if (is_set(values(v_lateral_stiffness))) self%stiffness = values(v_lateral_stiffness)*(self%approach_unit/self%force_unit)
       if (self%is_displacement_given) self%tangential = values(v_tangential_displacement)/self%approach_unit
    end subroutine resolve_friction
 

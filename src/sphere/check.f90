@@ -91,7 +91,7 @@ contains
       !> Friction: the variables that need a shear strength, and those that exclude each other.
       subroutine check_friction()
          integer, parameter :: with_strength(*) = [v_pressure_factor, v_poisson_ratio, v_critical_slip, v_slip_energy_ratio, &
-            & v_tangential_force, v_tangential_displacement]
+            & v_tangential_force, v_tangential_displacement, v_lateral_stiffness]
          logical :: is_static, is_moved
          integer :: k
 
@@ -109,6 +109,8 @@ contains
             if (values(v_events) > 0) call add(v_shear_strength, 'is missing [Pa]; events need it')
             return
          end if
+         if (is_set(values(v_lateral_stiffness)) .and. .not. values(v_events) > 0) call add(v_lateral_stiffness, &
+            & 'has no meaning without events, which are what happens on the spring')
          if (is_moved .and. .not. is_static) call add(v_state, 'is sliding beside a tangential force or displacement')
          if (is_moved .or. values(v_events) > 0) call require(variables, values, [v_poisson_ratio], problems)
          if (values(v_interaction) > 0) then
@@ -165,6 +167,8 @@ contains
             call add(held(resolved%control), 'is too large for this sphere')
          end if
          if (resolved%has_friction .and. .not. is_plain(resolved%strength)) call add(v_shear_strength, 'is beyond all spheres')
+         if (is_set(values(v_lateral_stiffness)) .and. .not. is_plain(resolved%stiffness)) call add(v_lateral_stiffness, &
+            & 'is beyond all spheres')
          if (resolved%pressure_factor > 0 .and. (resolved%theory == theory_auto .or. resolved%theory == theory_maugis_dugdale)) then
             call check_shear(variables(v_shear_strength:v_pressure_factor), [resolved%strength, resolved%pressure_factor], &
                & resolved%lambda, problems)

@@ -210,6 +210,11 @@ contains
             & *[events%peak_force, events%sliding_force, events%force_drop, events%snap_off_force]
          results([r_peak_displacement, r_snap_off_displacement]) = case%approach_unit &
             & *[events%peak_displacement, events%snap_off_displacement]
+         results(r_critical_lateral_stiffness) = events%critical_stiffness*(case%force_unit/case%approach_unit)
+         results([r_jump_force, r_arrest_force]) = case%force_unit*[events%jump%force, events%jump%arrest_force]
+         results([r_jump_base_displacement, r_jump_displacement, r_jump_period]) = case%approach_unit &
+            & *[events%jump%base_displacement, events%jump%displacement, events%jump%period]
+         results([r_jump_energy, r_period_work]) = case%force_unit*case%approach_unit*[events%jump%energy, events%jump%work]
       end associate
       if (point%status /= status_solved) return
       associate (contact => point%contact)

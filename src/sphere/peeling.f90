@@ -9,6 +9,8 @@ module adfric_sphere_peeling
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_material_pulled_contact, only: pulled_curve_t
+   use adfric_material_stick_slip, only: stick_slip_t, find_critical_stiffness, find_stick_slip, forget_stick_slip
    use adfric_sphere_contact, only: contact_t, theory_t
    use adfric_material_interaction, only: is_valid_interaction
    use adfric_material_slip_annulus, only: slip_core, largest_slip_core, angle_of_gamma
@@ -16,6 +18,7 @@ module adfric_sphere_peeling
    use adfric_sphere_peeling_path, only: friction_t, path_t, waypoint_t, new_path, get_waypoint, quantity_of, core_along, &
       & force_along, displacement_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
    use adfric_sphere_peeling_search, only: find_end, find_state, find_peak, get_capped
+   use adfric_sphere_pulled_sphere, only: take_sphere_curve
    implicit none (type, external)
    private
    public :: friction_t, friction_state_t, friction_events_t
@@ -57,6 +60,10 @@ module adfric_sphere_peeling
       real(dp) :: sliding_force = 0, force_drop = 0
       !> Where the contact snaps off: the last state, during static friction or at the onset of sliding.
       real(dp) :: snap_off_force = 0, snap_off_displacement = 0
+      !> The jump on a lateral spring, and the stiffness from which on there is no stick-slip.
+      type(stick_slip_t) :: jump
+      !> That stiffness.
+      real(dp) :: critical_stiffness = 0
    end type friction_events_t
 
 contains
@@ -182,7 +189,7 @@ contains
    end subroutine slide
 
    !> What happens between rest and sliding.
-   pure subroutine find_friction_events(theory, friction, control, held, branch, events)
+   pure subroutine find_friction_events(theory, friction, control, held, branch, events, stiffness)
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
       !> Parameters of the law of friction, reduced; where they are impossible nothing is found.
@@ -195,6 +202,8 @@ contains
       integer, intent(in) :: branch
       !> Receives the events; what does not happen is NaN.
       type(friction_events_t), intent(out) :: events
+      !> Stiffness of a lateral spring, reduced; without it no jump is looked for.
+      real(dp), intent(in), optional :: stiffness
       type(path_t) :: path
       type(waypoint_t) :: onset, peak
       type(friction_state_t) :: sliding
@@ -223,7 +232,32 @@ contains
          events%snap_off_force = quantity_of(path, force_along, onset)
          events%snap_off_displacement = quantity_of(path, displacement_along, onset)
       end if
+      if (events%is_converged) call add_jump(path, sliding, events, stiffness)
    end subroutine find_friction_events
+
+   !> Add what happens on a lateral spring. Without interaction nothing jumps, and where nothing is left of adhesion nobody knows.
+   pure subroutine add_jump(path, sliding, events, stiffness)
+      !> The way from rest to sliding, whose end is known.
+      type(path_t), intent(in) :: path
+      !> State of sliding, if there is one.
+      type(friction_state_t), intent(in) :: sliding
+      !> In: with all other events. Out: with the jump, too.
+      type(friction_events_t), intent(inout) :: events
+      !> Stiffness of the spring, reduced.
+      real(dp), intent(in), optional :: stiffness
+      type(pulled_curve_t) :: curve
+      real(dp) :: force
+
+      if (path%ending == end_no_adhesion) return
+      events%critical_stiffness = 0
+      if (.not. path%friction%interaction > 0) return
+      force = -1
+      if (sliding%is_found .and. path%ending /= end_snap_off) force = sliding%force
+      call take_sphere_curve(path, force, curve)
+      events%is_converged = events%is_converged .and. curve%is_converged
+      call find_critical_stiffness(curve, events%critical_stiffness)
+      if (present(stiffness)) call find_stick_slip(curve, stiffness, events%jump)
+   end subroutine add_jump
 
    !> Add the force of sliding, and its drop, to the events.
    pure subroutine add_sliding(sliding, events)
@@ -251,6 +285,8 @@ contains
       events%force_drop = none
       events%snap_off_force = none
       events%snap_off_displacement = none
+      events%critical_stiffness = none
+      call forget_stick_slip(events%jump)
    end subroutine forget_events
 
 end module adfric_sphere_peeling

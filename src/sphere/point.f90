@@ -151,7 +151,12 @@ contains
       type(sphere_point_t), intent(inout) :: point
 
       if (.not. (memory%has_events .and. has_same_events(case, memory%events_case))) then
-         call find_friction_events(memory%theory, new_friction(case), case%control, case%value, case%branch, memory%events)
+         if (case%stiffness > 0) then
+            call find_friction_events(memory%theory, new_friction(case), case%control, case%value, case%branch, memory%events, &
+               & case%stiffness)
+         else
+            call find_friction_events(memory%theory, new_friction(case), case%control, case%value, case%branch, memory%events)
+         end if
          memory%events_case = case
          memory%has_events = .true.
       end if
@@ -165,8 +170,10 @@ contains
       type(sphere_case_t), intent(in) :: one, two
 
       has_same_events = one%control == two%control .and. one%branch == two%branch .and. .not. any(abs( &
-         & [one%value, one%strength, one%poisson, one%edge_fraction, one%interaction, one%slip_energy_ratio] &
-         & - [two%value, two%strength, two%poisson, two%edge_fraction, two%interaction, two%slip_energy_ratio]) > 0)
+         & [one%value, one%strength, one%poisson, one%edge_fraction, one%interaction, one%slip_energy_ratio, &
+         & one%stiffness] &
+         & - [two%value, two%strength, two%poisson, two%edge_fraction, two%interaction, two%slip_energy_ratio, &
+         & two%stiffness]) > 0)
    end function has_same_events
 
    !> Take the theory of a number into the memory.
@@ -273,6 +280,7 @@ contains
             point%events%peak_displacement = sphere%largest_displacement
             point%events%sliding_force = sphere%largest_force
             point%events%force_drop = 0
+            point%events%critical_stiffness = 0
          end if
          if (case%is_sliding) then
             call slide(sphere%largest_force, point)

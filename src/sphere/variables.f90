@@ -17,9 +17,9 @@ module adfric_sphere_variables
       & v_shear_strength = 12, v_pressure_factor = 13, v_poisson_ratio = 14, v_edge_fraction = 15, &
       & v_interaction = 16, v_critical_slip = 17, v_slip_energy_ratio = 18, v_load = 19, v_approach = 20, &
       & v_contact_radius = 21, v_branch = 22, v_state = 23, v_tangential_force = 24, &
-      & v_tangential_displacement = 25, v_theory = 26, v_relative_tolerance = 27, v_events = 28, &
-      & v_profiles = 29, v_n_r = 30, v_r_max = 31
-   integer, parameter, public :: n_sphere_variables = 31
+      & v_tangential_displacement = 25, v_lateral_stiffness = 26, v_theory = 27, v_relative_tolerance = 28, &
+      & v_events = 29, v_profiles = 30, v_n_r = 31, v_r_max = 32
+   integer, parameter, public :: n_sphere_variables = 32
 
    !> Places of the words in the choices.
    integer, parameter, public :: units_si = 1, units_reduced = 2, state_static = 1, state_sliding = 2
@@ -30,8 +30,10 @@ module adfric_sphere_variables
       & r_friction_radius = 5, r_contact_area = 6, r_friction_area = 7, r_friction_force = 8, r_adhesion_ratio = 9, &
       & r_stick_radius = 10, r_slip = 11, r_largest_slip = 12, r_tangential_displacement = 13, r_pull_off_load = 14, &
       & r_stable = 15, r_theory_used = 16, r_theory_error = 17, r_peak_force = 18, r_peak_displacement = 19, &
-      & r_sliding_force = 20, r_force_drop = 21, r_snap_off_force = 22, r_snap_off_displacement = 23
-   integer, parameter, public :: n_sphere_results = 23
+      & r_sliding_force = 20, r_force_drop = 21, r_snap_off_force = 22, r_snap_off_displacement = 23, &
+      & r_critical_lateral_stiffness = 24, r_jump_base_displacement = 25, r_jump_displacement = 26, r_jump_force = 27, &
+      & r_arrest_force = 28, r_jump_energy = 29, r_jump_period = 30, r_period_work = 31
+   integer, parameter, public :: n_sphere_results = 31
 
 contains
 
@@ -77,6 +79,8 @@ contains
          & lower=0.0_dp)
       v(v_tangential_displacement) = any_number(group='operating', name='tangential_displacement', unit='m', &
          & meaning='of the static state, instead of the force', lower=0.0_dp)
+      v(v_lateral_stiffness) = above_zero(group='operating', name='lateral_stiffness', unit='N/m', &
+         & meaning='of a spring whose base moves sideways; the events then have its jumps')
 
       v(v_theory) = choice(group='model', name='theory', &
          & meaning='auto: the simplest one that is proved to be within relative_tolerance of maugis_dugdale', &
@@ -86,7 +90,7 @@ contains
          & meaning='of the theory that auto may choose', default=1.0e-8_dp, lower=1.0e-15_dp, upper=0.5_dp)
 
       v(v_events) = switch(group='output', name='events', &
-         & meaning='find the largest tangential force, the drop at the onset of sliding, and where the contact snaps off', &
+         & meaning='find the largest tangential force, the drop at the onset of sliding, snap-off, and jumps on a spring', &
          & default=.false.)
       v(v_profiles) = switch(group='output', name='profiles', meaning='write pressure, gap and shear stress of every point', &
          & default=.false.)
@@ -99,14 +103,18 @@ contains
       !> Are all quantities reduced? Then their unit is `-`.
       logical, intent(in) :: is_reduced
       type(result_t), allocatable :: r(:)
-      character(:), allocatable :: force, length, area
+      character(:), allocatable :: force, length, area, energy, stiffness
 
       force = 'N'
       length = 'm'
       area = 'm^2'
+      energy = 'J'
+      stiffness = 'N/m'
       if (is_reduced) force = '-'
       if (is_reduced) length = '-'
       if (is_reduced) area = '-'
+      if (is_reduced) energy = '-'
+      if (is_reduced) stiffness = '-'
       allocate (r(n_sphere_results))
       r(r_load) = result_row(name='load', unit=force, long_name='load', is_main=.true.)
       r(r_approach) = result_row(name='approach', unit=length, long_name='approach of distant points', is_main=.true.)
@@ -142,6 +150,18 @@ contains
          & long_name='tangential force at which the contact snaps off')
       r(r_snap_off_displacement) = result_row(name='snap_off_displacement', unit=length, &
          & long_name='tangential displacement at that place')
+      r(r_critical_lateral_stiffness) = result_row(name='critical_lateral_stiffness', unit=stiffness, &
+         & long_name='lateral stiffness from which on there is no stick-slip; 0: never any, none: at every stiffness')
+      r(r_jump_base_displacement) = result_row(name='jump_base_displacement', unit=length, &
+         & long_name='displacement of the base from rest where the contact jumps')
+      r(r_jump_displacement) = result_row(name='jump_displacement', unit=length, &
+         & long_name='tangential displacement of the contact at that place')
+      r(r_jump_force) = result_row(name='jump_force', unit=force, long_name='tangential force at the onset of the jump')
+      r(r_arrest_force) = result_row(name='arrest_force', unit=force, long_name='tangential force right after the jump')
+      r(r_jump_energy) = result_row(name='jump_energy', unit=energy, long_name='energy that the jump takes')
+      r(r_jump_period) = result_row(name='jump_period', unit=length, &
+         & long_name='displacement of the base from one jump to the next, if rest heals the contact')
+      r(r_period_work) = result_row(name='period_work', unit=energy, long_name='work of the base from one jump to the next')
    end function get_sphere_results
 
    !> The table of profiles.

@@ -1,0 +1,77 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Functions on (-1, 1) as sums of Chebyshev's polynomials, from their values at cos(pi j/n), j = 0 ... n.
+module adfric_numerics_chebyshev
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   implicit none (type, external)
+   private
+   public :: degree, chebyshev_places, coefficients_of, value_of, slope_of
+
+   !> Degree of the sums.
+   integer, parameter :: degree = 16
+
+contains
+
+   !> The places, from 1 down to -1.
+   pure function chebyshev_places() result(x)
+      real(dp) :: x(0:degree)
+      integer :: j
+
+      ! an odd function keeps its sign
+      x = [(sin(pi*(degree - 2*j)/(2*degree)), j=0, degree)]
+   end function chebyshev_places
+
+   !> Coefficients of a function.
+   pure function coefficients_of(values) result(c)
+      !> Its values at the places.
+      real(dp), intent(in) :: values(0:degree)
+      real(dp) :: c(0:degree), halves(0:degree)
+      integer :: j, k
+
+      halves = values
+      halves([0, degree]) = halves([0, degree])/2
+      do k = 0, degree
+         c(k) = 2*sum([(halves(j)*cos(pi*mod(j*k, 2*degree)/degree), j=0, degree)])/degree
+      end do
+      c([0, degree]) = c([0, degree])/2
+   end function coefficients_of
+
+   !> The function (C. W. Clenshaw's recurrence).
+   pure real(dp) function value_of(c, x) result(value)
+      !> Coefficients.
+      real(dp), intent(in) :: c(0:degree)
+      !> Place, from -1 to 1.
+      real(dp), intent(in) :: x
+      real(dp) :: one, two, next
+      integer :: k
+
+      one = 0
+      two = 0
+      do k = degree, 1, -1
+         next = c(k) + 2*x*one - two
+         two = one
+         one = next
+      end do
+      value = c(0) + x*one - two
+   end function value_of
+
+   !> Its derivative: T_k' = k U_(k-1), and U by the same recurrence.
+   pure real(dp) function slope_of(c, x) result(slope)
+      !> Coefficients.
+      real(dp), intent(in) :: c(0:degree)
+      !> Place, from -1 to 1.
+      real(dp), intent(in) :: x
+      real(dp) :: one, two, next
+      integer :: k
+
+      one = 0
+      two = 0
+      do k = degree, 1, -1
+         next = k*c(k) + 2*x*one - two
+         two = one
+         one = next
+      end do
+      slope = one
+   end function slope_of
+
+end module adfric_numerics_chebyshev
