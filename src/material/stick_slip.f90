@@ -155,7 +155,9 @@ contains
 
       held = extension_at(curve, 1.0_dp, 1/stiffness, jump%onset)
       jump%energy = stiffness*work_between(curve, held, 1.0_dp, 1/stiffness, jump%onset, spot_t(size(curve%panels), 1.0_dp))
-      excess = held - (curve%last_displacement + curve%force_after/stiffness)
+      ! differences first, or a stiff spring would leave no digits
+      excess = (displacement_at(curve, jump%onset) - curve%last_displacement) &
+         & + (force_at(curve, jump%onset) - curve%force_after)/stiffness
       slides = excess > 0
       jump%arrest_force = curve%force_after
       if (slides) then

@@ -17,12 +17,12 @@ module sphere_cases
    integer, parameter :: controls(*) = [v_load, v_approach, v_contact_radius]
    integer, parameter :: held(*) = [r_load, r_approach, r_contact_radius]
 
-   !> Units of the results; the others are areas (`r_contact_area`, `r_friction_area`) and pure numbers.
+   !> Units of the results; the others are areas, energies, a stiffness and pure numbers.
    integer, parameter :: lengths(*) = [r_contact_radius, r_adhesion_radius, r_friction_radius, r_stick_radius]
    integer, parameter :: approaches(*) = [r_approach, r_slip, r_largest_slip, r_tangential_displacement, &
-      r_peak_displacement, r_snap_off_displacement]
+      r_peak_displacement, r_snap_off_displacement, r_jump_base_displacement, r_jump_displacement, r_jump_period]
    integer, parameter :: forces(*) = [r_load, r_friction_force, r_pull_off_load, r_peak_force, r_sliding_force, &
-      r_force_drop, r_snap_off_force]
+      r_force_drop, r_snap_off_force, r_jump_force, r_arrest_force]
 
 contains
 
@@ -111,6 +111,8 @@ contains
          if (any(lengths == place)) unit = (3*pi*w*r**2/(4*e))**(1.0_dp/3)
          if (any(approaches == place)) unit = (9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
          if (any(forces == place)) unit = pi*w*r
+         if (any([r_jump_energy, r_period_work] == place)) unit = pi*w*r*(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
+         if (place == r_critical_lateral_stiffness) unit = pi*w*r/(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
          if (any([r_contact_area, r_friction_area] == place)) unit = (3*pi*w*r**2/(4*e))**(2.0_dp/3)
       end associate
    end function unit_of
