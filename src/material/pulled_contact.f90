@@ -9,7 +9,7 @@ module adfric_material_pulled_contact
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    implicit none (type, external)
    private
-   public :: pulled_contact_t, pulled_curve_t, spot_t, take_curve
+   public :: pulled_contact_t, pulled_curve_t, panel_t, spot_t, take_curve
    public :: force_at, displacement_at, extension_at, work_between, first_fall, first_reach
 
    !> Panels of each piece to begin with; most of them; how often one is halved.

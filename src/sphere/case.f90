@@ -34,8 +34,8 @@ module adfric_sphere_case
       !> alpha of the shear stress tau0 + alpha p.
       real(dp) :: pressure_factor = 0
       !> Tangential force or displacement, where one is given.
-      logical :: is_force_given = .false., is_displacement_given = .false.
-      !> That force or displacement, reduced.
+      logical :: is_force_given = .false., is_displacement_given = .false., is_base_given = .false.
+      !> That force or displacement, or the displacement of the base of a lateral spring, reduced.
       real(dp) :: tangential = 0
       !> Stiffness of a lateral spring, reduced; 0 if none is given.
       real(dp) :: stiffness = 0
@@ -126,6 +126,8 @@ contains
       self%is_force_given = is_set(values(v_tangential_force))
       self%is_displacement_given = is_set(values(v_tangential_displacement))
       if (self%is_force_given) self%tangential = values(v_tangential_force)/self%force_unit
+      self%is_base_given = is_set(values(v_base_displacement))
+      if (self%is_base_given) self%tangential = values(v_base_displacement)/self%approach_unit
       if (is_set(values(v_lateral_stiffness))) self%stiffness = values(v_lateral_stiffness)*(self%approach_unit/self%force_unit)
       if (self%is_displacement_given) self%tangential = values(v_tangential_displacement)/self%approach_unit
    end subroutine resolve_friction

@@ -91,13 +91,14 @@ contains
       !> Friction: the variables that need a shear strength, and those that exclude each other.
       subroutine check_friction()
          integer, parameter :: with_strength(*) = [v_pressure_factor, v_poisson_ratio, v_critical_slip, v_slip_energy_ratio, &
-            & v_tangential_force, v_tangential_displacement, v_lateral_stiffness]
+            & v_tangential_force, v_tangential_displacement, v_base_displacement, v_lateral_stiffness], &
+            & moves(*) = [v_tangential_force, v_tangential_displacement, v_base_displacement]
          logical :: is_static, is_moved
          integer :: k
 
          is_static = nint(values(v_state)) == state_static
-         is_moved = is_set(values(v_tangential_force)) .or. is_set(values(v_tangential_displacement))
-         call require_one(variables, values, [v_tangential_force, v_tangential_displacement], .false., problems)
+         is_moved = any(is_set(values(moves)))
+         call require_one(variables, values, moves, .false., problems)
          call require_one(variables, values, [v_critical_slip, v_slip_energy_ratio], .false., problems)
          if (.not. is_set(values(v_shear_strength))) then
             do k = 1, size(with_strength)
@@ -109,12 +110,13 @@ contains
             if (values(v_events) > 0) call add(v_shear_strength, 'is missing [Pa]; events need it')
             return
          end if
-         if (is_set(values(v_lateral_stiffness)) .and. .not. values(v_events) > 0) call add(v_lateral_stiffness, &
-            & 'has no meaning without events, which are what happens on the spring')
+         if (is_set(values(v_base_displacement))) call require(variables, values, [v_lateral_stiffness], problems)
+         if (is_set(values(v_lateral_stiffness)) .and. .not. (values(v_events) > 0 .or. is_set(values(v_base_displacement)))) &
+            & call add(v_lateral_stiffness, 'has no meaning without events or base_displacement')
          if (is_moved .and. .not. is_static) call add(v_state, 'is sliding beside a tangential force or displacement')
          if (is_moved .or. values(v_events) > 0) call require(variables, values, [v_poisson_ratio], problems)
          if (values(v_interaction) > 0) then
-            if (.not. is_static .or. values(v_events) > 0) then
+            if (.not. is_static .or. values(v_events) > 0 .or. is_set(values(v_base_displacement))) then
                call require_one(variables, values, [v_slip_energy_ratio, v_critical_slip], .true., problems)
             end if
             ! where work_of_adhesion itself is missing that has been said
@@ -132,6 +134,8 @@ contains
          logical, intent(in) :: slips
 
          if (.not. values(v_pressure_factor) > 0) return
+         if (is_set(values(v_base_displacement))) call add(v_base_displacement, &
+            & 'stands beside pressure_factor > 0, with which nothing jumps; give tangential_displacement')
          if (slips .and. nint(values(v_theory)) - 2 == theory_jkr) call add(v_pressure_factor, &
             & 'has no partial slip in JKR, whose tension at the edge is infinite; give adhesion a range')
          if (.not. values(v_interaction) > 0) return
@@ -173,8 +177,8 @@ contains
             call check_shear(variables(v_shear_strength:v_pressure_factor), [resolved%strength, resolved%pressure_factor], &
                & resolved%lambda, problems)
          end if
-         if (.not. abs(resolved%tangential) < largest) call add(merge(v_tangential_force, v_tangential_displacement, &
-            & resolved%is_force_given), 'is too large for this sphere')
+         if (.not. abs(resolved%tangential) < largest) call add(v_tangential_force - 1 + findloc([resolved%is_force_given, &
+            & resolved%is_displacement_given, resolved%is_base_given], .true., 1), 'is too large for this sphere')
          if (resolved%interaction > 0 .and. resolved%slip_energy_ratio < huge(1.0_dp)) then
             if (.not. is_valid_interaction(resolved%slip_energy_ratio, resolved%interaction)) call add(v_interaction, &
                & 'would take more than there is of adhesion; allowed: a number <= 1 + 1/(2 g0) [-]')

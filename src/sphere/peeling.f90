@@ -22,7 +22,7 @@ module adfric_sphere_peeling
    implicit none (type, external)
    private
    public :: friction_t, friction_state_t, friction_events_t
-   public :: is_valid_friction, find_static_state, find_sliding_state, find_friction_events, forget_events
+   public :: describe, slide, is_valid_friction, find_static_state, find_sliding_state, find_friction_events, forget_events
    public :: given_gamma, given_force, given_displacement
    public :: end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
 

@@ -13,6 +13,7 @@ module adfric_sphere_point
    use adfric_material_slip_annulus, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement
    use adfric_sphere_shear_slip, only: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip_of_force, &
       & find_slip_of_displacement
+   use adfric_sphere_spring_drive, only: spring_drive_t, new_spring_drive, find_driven_state
    use adfric_sphere_static_friction, only: slip_factor, mean_slip, largest_slip
    use adfric_sphere_theory_choice, only: new_theory, choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
    implicit none (type, external)
@@ -61,6 +62,12 @@ module adfric_sphere_point
       type(sphere_case_t) :: events_case
       !> The events of that point.
       type(friction_events_t) :: events
+      !> The last way of a sphere on a driven spring.
+      logical :: has_drive = .false.
+      !> The point that it belongs to.
+      type(sphere_case_t) :: drive_case
+      !> That way.
+      type(spring_drive_t) :: drive
    end type sphere_memory_t
 
 contains
@@ -82,7 +89,11 @@ contains
       point%theory = case%theory
       if (case%theory == theory_auto) point%theory = theory_maugis_dugdale
       call take_theory(point%theory, case%lambda, memory)
-      if (is_peeling(case)) then
+      if (case%is_base_given) then
+         call take_drive(case, memory)
+         call find_driven_state(memory%drive, case%tangential, state)
+         call take_state(state, point)
+      else if (is_peeling(case)) then
          call find_static_state(memory%theory, new_friction(case), case%control, case%value, case%branch, &
             & merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
          call take_state(state, point)
@@ -100,11 +111,26 @@ contains
       call finish_contact(case, memory, point)
       if (point%status == status_solved .and. case%pressure_factor > 0 .and. point%friction_radius > 0) then
          call add_sheared(case, memory, needs_events, point)
-      else if (point%status == status_solved .and. case%has_friction .and. .not. is_peeling(case)) then
+      else if (point%status == status_solved .and. case%has_friction .and. .not. (is_peeling(case) .or. case%is_base_given)) then
          call add_friction(case, point)
       end if
       if (needs_events .and. .not. case%pressure_factor > 0) call add_events(case, memory, point)
    end subroutine solve_point
+
+   !> Take the way on a driven spring into the memory.
+   pure subroutine take_drive(case, memory)
+      !> The point in reduced variables.
+      type(sphere_case_t), intent(in) :: case
+      !> Receives the way, if it is a new one.
+      type(sphere_memory_t), intent(inout) :: memory
+
+      if (memory%has_drive) then
+         if (has_same_events(case, memory%drive_case)) return
+      end if
+      call new_spring_drive(memory%drive, memory%theory, new_friction(case), case%control, case%value, case%branch, case%stiffness)
+      memory%drive_case = case
+      memory%has_drive = .true.
+   end subroutine take_drive
 
    !> Does static friction change the contact?
    pure logical function is_peeling(case)
@@ -192,6 +218,7 @@ contains
       memory%contact = contact_t()
       memory%pull_off_ratio = -1
       memory%has_events = .false.
+      memory%has_drive = .false.
    end subroutine take_theory
 
    !> The contact of a limit theory, where it will do.

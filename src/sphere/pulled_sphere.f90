@@ -7,13 +7,13 @@
 module adfric_sphere_pulled_sphere
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
-   use adfric_material_pulled_contact, only: pulled_contact_t, pulled_curve_t, take_curve
+   use adfric_material_pulled_contact, only: panel_t, pulled_contact_t, pulled_curve_t, take_curve
    use adfric_sphere_peeling_path, only: path_t, waypoint_t, get_waypoint, quantity_of, force_along, displacement_along, &
       & end_capped
    use adfric_sphere_peeling_search, only: get_capped
    implicit none (type, external)
    private
-   public :: take_sphere_curve
+   public :: take_sphere_curve, get_waypoint_at
 
    !> The contact.
    type, extends(pulled_contact_t) :: pulled_sphere_t
@@ -53,25 +53,52 @@ contains
       !> Receive D and T.
       real(dp), intent(out) :: displacement, force
       type(waypoint_t) :: waypoint
-      real(dp) :: z
 
       displacement = 0
       force = 0
-      if (piece == 2) then
-         call get_capped(self%path%finish, self%path%finish%angle + (half_pi - self%path%finish%angle)*place, waypoint)
-      else if (place >= 1) then
-         waypoint = self%path%finish
-      else if (place > 0) then
-         z = place
-         if (self%path%ending /= end_capped) z = place*(2 - place)
-         call get_waypoint(self%path, self%path%finish%slip_energy*z**2, self%path%start%contact, waypoint)
-         ! round-off beyond the last contact
-         if (.not. waypoint%is_found) waypoint = self%path%finish
-      else
-         return
-      end if
+      if (piece == 1 .and. .not. place > 0) return
+      call get_waypoint_of(self%path, piece, place, waypoint)
       displacement = quantity_of(self%path, displacement_along, waypoint)
       force = quantity_of(self%path, force_along, waypoint)
    end subroutine get_state
+
+   !> The state at a place of a panel.
+   pure subroutine get_waypoint_at(path, panel, x, waypoint)
+      !> The way.
+      type(path_t), intent(in) :: path
+      !> The panel.
+      type(panel_t), intent(in) :: panel
+      !> Place in it, -1 to 1.
+      real(dp), intent(in) :: x
+      !> Receives the state.
+      type(waypoint_t), intent(out) :: waypoint
+
+      call get_waypoint_of(path, panel%piece, panel%low + (panel%high - panel%low)*(1 + x)/2, waypoint)
+   end subroutine get_waypoint_at
+
+   !> The state at a place of a piece.
+   pure subroutine get_waypoint_of(path, piece, place, waypoint)
+      !> The way.
+      type(path_t), intent(in) :: path
+      !> Number of the piece.
+      integer, intent(in) :: piece
+      !> Place in the piece, 0 to 1.
+      real(dp), intent(in) :: place
+      !> Receives the state.
+      type(waypoint_t), intent(out) :: waypoint
+      real(dp) :: z
+
+      if (piece == 2) then
+         call get_capped(path%finish, path%finish%angle + (half_pi - path%finish%angle)*place, waypoint)
+      else if (place >= 1) then
+         waypoint = path%finish
+      else
+         z = place
+         if (path%ending /= end_capped) z = place*(2 - place)
+         call get_waypoint(path, path%finish%slip_energy*z**2, path%start%contact, waypoint)
+         ! round-off beyond the last contact
+         if (.not. waypoint%is_found) waypoint = path%finish
+      end if
+   end subroutine get_waypoint_of
 
 end module adfric_sphere_pulled_sphere

@@ -17,9 +17,9 @@ module adfric_sphere_variables
       & v_shear_strength = 12, v_pressure_factor = 13, v_poisson_ratio = 14, v_edge_fraction = 15, &
       & v_interaction = 16, v_critical_slip = 17, v_slip_energy_ratio = 18, v_load = 19, v_approach = 20, &
       & v_contact_radius = 21, v_branch = 22, v_state = 23, v_tangential_force = 24, &
-      & v_tangential_displacement = 25, v_lateral_stiffness = 26, v_theory = 27, v_relative_tolerance = 28, &
-      & v_events = 29, v_profiles = 30, v_n_r = 31, v_r_max = 32
-   integer, parameter, public :: n_sphere_variables = 32
+      & v_tangential_displacement = 25, v_base_displacement = 26, v_lateral_stiffness = 27, v_theory = 28, &
+      & v_relative_tolerance = 29, v_events = 30, v_profiles = 31, v_n_r = 32, v_r_max = 33
+   integer, parameter, public :: n_sphere_variables = 33
 
    !> Places of the words in the choices.
    integer, parameter, public :: units_si = 1, units_reduced = 2, state_static = 1, state_sliding = 2
@@ -79,8 +79,10 @@ contains
          & lower=0.0_dp)
       v(v_tangential_displacement) = any_number(group='operating', name='tangential_displacement', unit='m', &
          & meaning='of the static state, instead of the force', lower=0.0_dp)
+      v(v_base_displacement) = any_number(group='operating', name='base_displacement', unit='m', &
+         & meaning='of the base of a lateral spring, from rest, instead of the force', lower=0.0_dp)
       v(v_lateral_stiffness) = above_zero(group='operating', name='lateral_stiffness', unit='N/m', &
-         & meaning='of a spring whose base moves sideways; the events then have its jumps')
+         & meaning='of a lateral spring; the events then have its jumps')
 
       v(v_theory) = choice(group='model', name='theory', &
          & meaning='auto: the simplest one that is proved to be within relative_tolerance of maugis_dugdale', &
