@@ -336,9 +336,14 @@ contains
          ends(1) = low
          do mark = 1, n_marks
             x = low + (1 - low)*mark/n_marks
+            ends(2) = x
             is_reached = value_of(c, x) > value*(1 + 4*epsilon(value))
+            if (.not. is_reached .and. slope_of(c, ends(1)) > 0 .and. slope_of(c, x) < 0) then
+               ! it may be reached at a top between two places
+               ends(2) = turn_between(c, ends(1), x)
+               is_reached = value_of(c, ends(2)) > value*(1 + 4*epsilon(value))
+            end if
             if (is_reached) then
-               ends(2) = x
                do j = 1, most_bisections
                   x = ends(1) + (ends(2) - ends(1))/2
                   ends(merge(2, 1, value_of(c, x) > value)) = x

@@ -87,7 +87,9 @@ contains
          & = self%jump%base_displacement - self%jump%period + modulo(base - self%jump%base_displacement, self%jump%period)
       spot = spot_t(1, -1.0_dp)
       is_reached = .true.
-      if (place > 0) call first_reach(self%curve, 1.0_dp, 1/self%stiffness, place, spot_t(1, -1.0_dp), spot, is_reached)
+      ! the largest h itself is reached
+      if (place > 0) call first_reach(self%curve, 1.0_dp, 1/self%stiffness, place*(1 - 8*epsilon(place)), spot_t(1, -1.0_dp), &
+         & spot, is_reached)
       if (is_reached) then
          call get_waypoint_at(self%path, self%curve%panels(spot%panel), spot%x, waypoint)
          call describe(self%path, waypoint, state)
