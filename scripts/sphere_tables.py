@@ -55,6 +55,22 @@ def show_events():
                 "peak_force", "peak_displacement", "sliding_force", "force_drop", "snap_off_force", "snap_off_displacement")))
 
 
+def show_stick_slip():
+    alphas, stiffnesses = [0.2, 0.4, 0.8, 1.0], [0.04, 0.4, 4.0, 40.0]
+    results = solve("stick_slip", operating__base_displacement="0.0", friction__interaction=alphas, operating__lateral_stiffness=stiffnesses)
+    head("Stick-slip, P = 0, g0 = 1", "alpha", "stiffness", "base displacement", "force", "force after it", "energy", "period", "work")
+    for i, alpha in enumerate(alphas):
+        for j, stiffness in enumerate(stiffnesses):
+            row(f"{alpha:g}", f"{stiffness:g}", *(_number(results[event][i, j]) for event in (
+                "jump_base_displacement", "jump_force", "arrest_force", "jump_energy", "jump_period", "period_work")))
+    head("Critical lateral stiffness, lambda = 5, tau0 = 0.8, g0 = 0.6, P = 0.1", "alpha", "critical_lateral_stiffness")
+    alphas = [0.8, 1.0, 1.1, 1.2, 1.25, 1.3, 1.35, 1.4, 1.5]
+    results = solve("stick_slip", operating__base_displacement="0.0", friction__interaction=alphas, operating__lateral_stiffness="1.0",
+                    sphere__lambda="5.0", friction__slip_energy_ratio="0.6", operating__load="0.1")
+    for i, alpha in enumerate(alphas):
+        row(f"{alpha:g}", _number(results["critical_lateral_stiffness"][i]))
+
+
 def show_poisson():
     ratios = [0.0, 0.3, 0.5]
     results = solve("johnson1997_fig9b", operating__tangential_displacement="0.0", friction__interaction=[0.4, 1.0],
@@ -90,6 +106,7 @@ def _number(value):
 
 show_figures()
 show_events()
+show_stick_slip()
 show_poisson()
 show_pull_off()
 show_auto()

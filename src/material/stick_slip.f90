@@ -14,8 +14,8 @@
 !>
 !>     k < max (T - T_s)/(D_s - D)
 !>
-!> whose right side is found by Dinkelbach's iteration (W. Dinkelbach, Management Science 13 (1967) 492): the place of the largest
-!> T + k D gives the next k, which never falls and converges faster than linearly.
+!> whose right side is found by Dinkelbach's procedure for the largest of ratios: the place of the largest T + k D gives the next k,
+!> which never falls. There T - T_s - k (D_s - D) > 0 as long as k is too small, for it is at the place of the largest ratio.
 module adfric_material_stick_slip
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
