@@ -356,11 +356,10 @@ contains
       is_beyond = upper%is_beyond
       high = upper%u
       low = 0
-      if (is_beyond .and. curve%shape%corner > 0) then
+      ! a way in closed form may end beyond the corner
+      if (is_beyond .and. curve%shape%corner > 0 .and. .not. (self%is_closed .and. self%low_is_beyond)) then
          call curve%get_state(0.0_dp, .true., corner)
          if (is_above(self, curve, corner)) then
-            ! JKR has no contact within a face
-            if (self%is_closed .and. curve%shape%has_face) return
             is_beyond = .false.
             high = merge(at_corner, curve%shape%corner, curve%shape%has_face)
          end if
