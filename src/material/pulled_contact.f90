@@ -13,9 +13,12 @@ module adfric_material_pulled_contact
    public :: force_at, displacement_at, extension_at, work_between, first_fall, first_reach
 
    !> Panels of each piece to begin with; most of them; how often one is halved.
-   integer, parameter :: first_panels = 4, most_panels = 200, most_halvings = 12
-   !> Last coefficients of a panel that is fine enough, and of one that is not good enough at last, relative to the largest value.
-   real(dp), parameter :: fine = 1.0e-13_dp, coarse = 1.0e-9_dp
+   integer, parameter :: first_panels = 4, most_panels = 200, most_halvings = 8
+   !> Last coefficients of a panel that is fine enough; of one that may be, if they fall no more; and of one that is too coarse at last,
+   !> relative to the largest value. Next to the end of contact a state is known to the root of round-off.
+   real(dp), parameter :: fine = 1.0e-13_dp, noise = 1.0e-9_dp, coarse = 1.0e-7_dp
+   !> Coefficients fall no more if the last two are more than this share of the six before.
+   real(dp), parameter :: level_share = 0.1_dp
    !> A slope of this size, relative to the sum of the coefficients, is round-off.
    real(dp), parameter :: level = 1.0e-11_dp
    !> Share of a panel next to its end where a slope that is 0 there has a sign.
@@ -96,7 +99,8 @@ contains
       integer :: n, piece, k
 
       n = 0
-      largest = 0
+      ! a way of no length
+      largest = tiny(largest)
       do piece = 1, contact%n_pieces
          do k = 0, 2*first_panels
             call widen(contact, piece, real(k, dp)/(2*first_panels), largest)
@@ -184,7 +188,7 @@ contains
       real(dp), intent(in) :: largest(2)
       !> Receives the panel.
       type(panel_t), intent(out) :: panel
-      !> Receives the last two coefficients of D and T over the largest values; huge where there is no state.
+      !> Receives the last two coefficients of D and T over the largest values, if they are not round-off; huge where there is no state.
       real(dp), intent(out) :: tail
       real(dp) :: x(0:degree), displacement(0:degree), force(0:degree)
       integer :: j
@@ -198,9 +202,22 @@ contains
       panel%high = high
       panel%displacement = coefficients_of(displacement)
       panel%force = coefficients_of(force)
-      tail = max(maxval(abs(panel%displacement(degree - 1:)))/largest(1), maxval(abs(panel%force(degree - 1:)))/largest(2))
+      tail = size_of(panel, degree - 1, degree, largest)
       if (.not. ieee_is_finite(tail)) tail = huge(tail)
+      if (tail < noise .and. tail > level_share*size_of(panel, degree - 7, degree - 2, largest)) tail = fine
    end subroutine take_panel
+
+   !> The largest of some coefficients of D and T, over the largest values.
+   pure real(dp) function size_of(panel, first, last, largest)
+      !> The panel.
+      type(panel_t), intent(in) :: panel
+      !> The first and the last coefficient.
+      integer, intent(in) :: first, last
+      !> The largest D and T.
+      real(dp), intent(in) :: largest(2)
+
+      size_of = max(maxval(abs(panel%displacement(first:last)))/largest(1), maxval(abs(panel%force(first:last)))/largest(2))
+   end function size_of
 
    !> T at a place.
    pure real(dp) function force_at(curve, spot) result(force)

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Functions on (-1, 1) as sums of Chebyshev's polynomials, from their values at cos(pi j/n), j = 0 ... n.
+!> Functions on (-1, 1) as sums of Chebyshev's polynomials, from their values at the roots of the next one:
+!> ends, where a function may be known less well, are none of these.
 module adfric_numerics_chebyshev
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
@@ -12,28 +13,25 @@ module adfric_numerics_chebyshev
 
 contains
 
-   !> The places, from 1 down to -1.
+   !> The places, downwards.
    pure function chebyshev_places() result(x)
       real(dp) :: x(0:degree)
       integer :: j
 
-      ! an odd function keeps its sign
-      x = [(sin(pi*(degree - 2*j)/(2*degree)), j=0, degree)]
+      x = [(sin(pi*(degree - 2*j)/(2*(degree + 1))), j=0, degree)]
    end function chebyshev_places
 
    !> Coefficients of a function.
    pure function coefficients_of(values) result(c)
       !> Its values at the places.
       real(dp), intent(in) :: values(0:degree)
-      real(dp) :: c(0:degree), halves(0:degree)
+      real(dp) :: c(0:degree)
       integer :: j, k
 
-      halves = values
-      halves([0, degree]) = halves([0, degree])/2
       do k = 0, degree
-         c(k) = 2*sum([(halves(j)*cos(pi*mod(j*k, 2*degree)/degree), j=0, degree)])/degree
+         c(k) = 2*sum([(values(j)*cos(pi*modulo(k*(2*j + 1), 4*(degree + 1))/(2*(degree + 1))), j=0, degree)])/(degree + 1)
       end do
-      c([0, degree]) = c([0, degree])/2
+      c(0) = c(0)/2
    end function coefficients_of
 
    !> The function (C. W. Clenshaw's recurrence).
