@@ -168,8 +168,11 @@ contains
                y = sqrt((largest - v)*(largest + v))
                slope = 1
             end select
-            x = hypot(shape%corner, v)
-            angle = atan2(y, x)
+            ! without a corner t itself is the angle
+            x = v
+            angle = place
+            if (shape%corner > 0) x = hypot(shape%corner, v)
+            if (shape%corner > 0 .or. way /= along_angle) angle = atan2(y, x)
             part = part + gauss_weights(node)*shape%rise(v)*slope*[angle, x/y, ((x**2 + y**2)*angle - x*y)/2]
          end do
       end do

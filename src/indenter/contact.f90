@@ -7,8 +7,8 @@ module adfric_indenter_contact
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_indenter_curve, only: curve_t, state_t, interval_t, disc_range_t, find_held, stability_control, most_intervals, &
-      & most_disc_ranges, control_load, control_approach, control_spring, control_radius
+   use adfric_indenter_curve, only: curve_t, state_t, interval_t, disc_range_t, find_held, measure_interval, stability_control, &
+      & most_intervals, most_disc_ranges, control_load, control_approach, control_spring, control_radius
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_dugdale_folds, only: find_edge_angle
    use adfric_indenter_shape, only: spot_t
@@ -504,7 +504,7 @@ contains
       integer, intent(in) :: control
       !> Receives the parts and the ends.
       type(survey_t), intent(out) :: survey
-      integer :: held_control
+      integer :: held_control, k
 
       call clear_ends(survey%ends)
       held_control = stability_control(control)
@@ -512,6 +512,9 @@ contains
          call set_face_ends(curve, held_control, survey%ends)
       else
          call curve%find_intervals(held_control, survey%intervals, survey%n, survey%ends%is_converged)
+         do k = 1, survey%n
+            call measure_interval(curve, held_control, survey%intervals(k))
+         end do
          call curve%find_discs(held_control, survey%discs, survey%n_discs)
          call find_pull_off(curve, held_control, survey%intervals(:survey%n), survey%discs(:survey%n_discs), survey%ends)
          call find_jumps(curve, held_control, survey%intervals(:survey%n), survey%ends)
@@ -611,7 +614,7 @@ contains
       !> Receives the jumps.
       type(ends_t), intent(inout) :: ends
       type(state_t) :: fold
-      real(dp) :: held, first, last, slope
+      real(dp) :: held
       integer :: k, j
 
       do k = 1, size(intervals)
@@ -626,9 +629,7 @@ contains
          held = held_of(curve, control, fold)
          do j = 1, k - 1
             if (.not. intervals(j)%is_stable) cycle
-            call curve%get_held(control, intervals(j)%low, intervals(j)%is_beyond, first, slope)
-            call curve%get_held(control, intervals(j)%high, intervals(j)%is_beyond, last, slope)
-            if (held < first .or. held > last) cycle
+            if (held < intervals(j)%first .or. held > intervals(j)%last) cycle
             ends%jump_inward_load = fold%load
             ends%jump_inward_approach = fold%approach
          end do

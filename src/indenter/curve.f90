@@ -17,7 +17,7 @@ module adfric_indenter_curve
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: curve_t, state_t, interval_t, find_held, stability_control, get_stability_factor
+   public :: curve_t, state_t, interval_t, find_held, measure_interval, stability_control, get_stability_factor
    public :: control_load, control_approach, control_spring, control_radius, most_intervals, endless, disc_range_t, &
       & most_disc_ranges
 
@@ -88,6 +88,8 @@ module adfric_indenter_curve
       logical :: begins_at_fold = .false., ends_at_fold = .false.
       !> Range of the unknown u; `endless` without an end.
       real(dp) :: low = 0, high = endless
+      !> What is held at the ends, see `measure_interval`.
+      real(dp) :: first = 0, last = 0
    end type interval_t
 
    !> sqrt(a) g_u - q sqrt(2 pi W) a_u = 0.
@@ -379,13 +381,28 @@ contains
          & - self%curve%tension*(factor*spot%radius_curve + factor_slope*spot%radius_slope**2)
    end subroutine evaluate_fold
 
+   !> What is held at the ends of an interval, without bound where it has no end.
+   pure subroutine measure_interval(curve, control, interval)
+      !> The curve.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> The interval.
+      type(interval_t), intent(inout) :: interval
+      real(dp) :: slope
+
+      call curve%get_held(control, interval%low, interval%is_beyond, interval%first, slope)
+      interval%last = merge(endless, -endless, interval%is_stable)
+      if (interval%high < endless) call curve%get_held(control, interval%high, interval%is_beyond, interval%last, slope)
+   end subroutine measure_interval
+
    !> The state of an interval where a load or an approach is held.
    pure subroutine find_held(curve, control, interval, given, u, is_found, is_converged)
       !> The curve.
       class(curve_t), intent(in) :: curve
       !> What is held; not `control_radius`.
       integer, intent(in) :: control
-      !> The interval.
+      !> The interval, measured.
       type(interval_t), intent(in) :: interval
       !> What is given, reduced.
       real(dp), intent(in) :: given
@@ -396,27 +413,25 @@ contains
       !> Was it found to round-off?
       logical, intent(out) :: is_converged
       type(held_equation_t) :: equation
-      real(dp) :: first, last, slope
 
-      call curve%get_held(control, interval%low, interval%is_beyond, first, slope)
-      last = merge(endless, -endless, interval%is_stable)
-      if (interval%high < endless) call curve%get_held(control, interval%high, interval%is_beyond, last, slope)
-      is_found = given >= min(first, last) .and. given <= max(first, last)
-      is_converged = is_found
-      u = interval%low
-      if (.not. is_found .or. .not. abs(given - first) > 0) return
-      u = interval%high
-      if (.not. abs(given - last) > 0) return
-      allocate (equation%curve, source=curve)
-      equation%interval = interval
-      equation%control = control
-      equation%given = given
-      equation%first = first
-      if (interval%is_stable) then
-         call find_rising(equation, u, is_converged)
-      else
-         call find_falling(equation, u, is_converged)
-      end if
+      associate (first => interval%first, last => interval%last)
+         is_found = given >= min(first, last) .and. given <= max(first, last)
+         is_converged = is_found
+         u = interval%low
+         if (.not. is_found .or. .not. abs(given - first) > 0) return
+         u = interval%high
+         if (.not. abs(given - last) > 0) return
+         allocate (equation%curve, source=curve)
+         equation%interval = interval
+         equation%control = control
+         equation%given = given
+         equation%first = first
+         if (interval%is_stable) then
+            call find_rising(equation, u, is_converged)
+         else
+            call find_falling(equation, u, is_converged)
+         end if
+      end associate
    end subroutine find_held
 
    !> A stable state: what is held rises from its first value like a power of u - low, so its logarithm is almost linear in that of

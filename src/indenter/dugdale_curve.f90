@@ -101,7 +101,7 @@ contains
       !> Was it found to round-off?
       logical, intent(out) :: is_converged
       integer, parameter :: most_steps = 200
-      real(dp), parameter :: small_step = 1.0e-9_dp, largest_step = 5.0_dp
+      real(dp), parameter :: small_step = 1.0e-8_dp, largest_step = 5.0_dp
       real(dp) :: low, high, value, slope, step, last, widest
       integer :: k
 

@@ -12,6 +12,8 @@ module adfric_indenter_power_shape
 
    !> Most terms of a sum.
    integer, parameter :: most_terms = 8
+   !> Powers of whole exponents below this are taken by multiplication.
+   integer, parameter :: largest_whole = 17
 
    !> A sum of powers.
    type, extends(shape_t) :: power_shape_t
@@ -19,6 +21,8 @@ module adfric_indenter_power_shape
       integer :: n_terms = 1
       !> Exponents n_i > 0, and coefficients K_i C_i > 0 of g.
       real(dp) :: exponents(most_terms) = 2, factors(most_terms) = 1
+      !> The exponents that are small whole numbers; else 0.
+      integer :: whole(most_terms) = 0
    contains
       procedure :: evaluate
       procedure :: unknown_of
@@ -58,6 +62,7 @@ contains
       self%n_terms = size(exponents)
       self%exponents(:self%n_terms) = exponents
       self%factors(:self%n_terms) = factors
+      where (exponents < largest_whole .and. .not. abs(exponents - nint(exponents)) > 0) self%whole(:self%n_terms) = nint(exponents)
       self%onset = minval(exponents) - 1
       self%has_rising_slope = .not. any(exponents < 1)
       if (.not. any(abs(exponents - nint(exponents)) > 0)) self%reach = huge(1.0_dp)
@@ -81,7 +86,7 @@ contains
       if (.not. u > 0) return
       do k = 1, self%n_terms
          associate (n => self%exponents(k))
-            term = self%factors(k)*power(u, n)
+            term = self%factors(k)*power(u, n, self%whole(k))
             spot%depth = spot%depth + term
             spot%depth_slope = spot%depth_slope + n*term/u
             spot%depth_curve = spot%depth_curve + n*(n - 1)*term/u**2
@@ -93,16 +98,15 @@ contains
    end subroutine evaluate
 
    !> x^n; for small whole n by multiplication.
-   elemental real(dp) function power(x, n)
+   elemental real(dp) function power(x, n, whole)
       !> The base, > 0.
       real(dp), intent(in) :: x
       !> The exponent, > 0.
       real(dp), intent(in) :: n
-      integer, parameter :: largest = 16
-      integer :: whole
+      !> The exponent where it is a small whole number, else 0.
+      integer, intent(in) :: whole
 
-      whole = nint(min(n, largest + 1.0_dp))
-      if (whole <= largest .and. .not. abs(n - whole) > 0) then
+      if (whole > 0) then
          power = x**whole
       else
          power = x**n
@@ -150,7 +154,7 @@ contains
 
       rise = 0
       do k = 1, self%n_terms
-         rise = rise + self%exponents(k)*self%factors(k)*power(v, self%exponents(k))/v
+         rise = rise + self%exponents(k)*self%factors(k)*power(v, self%exponents(k), self%whole(k))/v
       end do
    end function rise
 
@@ -178,7 +182,7 @@ contains
       energy = 0
       if (.not. u > 0) return
       do i = 1, self%n_terms
-         terms(i) = self%factors(i)*power(u, self%exponents(i))
+         terms(i) = self%factors(i)*power(u, self%exponents(i), self%whole(i))
          do j = 1, i
             associate (n => self%exponents(i), m => self%exponents(j))
                energy = energy + merge(1, 2, i == j)*terms(i)*terms(j)*n*m*(n + m + 2)/((n + 1)*(m + 1)*(n + m + 1))
@@ -205,7 +209,7 @@ contains
       slope = 0
       if (.not. r > 0) return
       do k = 1, self%n_terms
-         term = self%factors(k)/depth_factor(self%exponents(k))*power(r, self%exponents(k))
+         term = self%factors(k)/depth_factor(self%exponents(k))*power(r, self%exponents(k), self%whole(k))
          height = height + term
          slope = slope + self%exponents(k)*term/r
       end do
