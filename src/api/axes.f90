@@ -7,6 +7,9 @@ module adfric_api_axes
    private
    public :: put_axis, leave_out
 
+   !> Name of the dimension of a list of points.
+   character(*), parameter :: name_of_list = 'point'
+
 contains
 
    !> Put an axis behind the others, or in the place of one along which the same variables change.
@@ -33,6 +36,7 @@ contains
       call move_axes(axes, longer)
       longer(size(longer))%variables = variables
       longer(size(longer))%values = values
+      if (size(variables) > 1) longer(size(longer))%name = name_of_list
       call move_alloc(longer, axes)
    end subroutine put_axis
 
@@ -53,6 +57,7 @@ contains
          rows = pack([(i, i=1, size(is_kept))], is_kept)
          axes(k)%variables = axes(k)%variables(rows)
          axes(k)%values = axes(k)%values(rows, :)
+         if (size(rows) == 1 .and. allocated(axes(k)%name)) deallocate (axes(k)%name)
          if (size(rows) > 0) return
          allocate (shorter(size(axes) - 1))
          call move_axes(axes(k + 1:), shorter(k:))
@@ -71,6 +76,7 @@ contains
       integer :: k
 
       do k = 1, size(from)
+         call move_alloc(from(k)%name, to(k)%name)
          call move_alloc(from(k)%variables, to(k)%variables)
          call move_alloc(from(k)%values, to(k)%values)
       end do

@@ -8,7 +8,7 @@ module adfric_base_units
    use adfric_base_words, only: count_words, get_word
    implicit none (type, external)
    private
-   public :: unit_t, read_unit, is_same_quantity, to_si
+   public :: unit_t, read_unit, is_same_quantity, to_si, quotient_unit
 
    !> Powers of m, kg, s and K.
    integer, parameter :: n_dimensions = 4
@@ -110,6 +110,46 @@ contains
          to_si = number/10.0_dp**(-unit%exponent)
       end if
    end function to_si
+
+   !> The unit of a quotient, as text: `N` by `m/s` is `N/m s`, in which each divides or multiplies what stands before it.
+   pure function quotient_unit(numerator, denominator) result(text)
+      !> Units that `read_unit` understands; a hyphen, 1 or nothing for a pure number.
+      character(*), intent(in) :: numerator, denominator
+      character(:), allocatable :: text
+      integer :: i
+      logical :: is_divided
+
+      text = '-'
+      if (is_pure(denominator)) then
+         if (.not. is_pure(numerator)) text = numerator
+         return
+      end if
+      if (numerator == denominator) return
+      text = '1'
+      if (.not. is_pure(numerator)) text = numerator
+      is_divided = .true.
+      i = 1
+      do while (i <= len_trim(denominator))
+         if (scan(denominator(i:i), ' .*/') > 0) then
+            is_divided = denominator(i:i) /= '/'
+            i = i + 1
+            cycle
+         end if
+         associate (length => scan(denominator(i:)//' ', ' .*/') - 1)
+            ! a number alone, as in 1/s, changes nothing
+            if (denominator(i:i + length - 1) /= '1') text = text//merge('/', ' ', is_divided)//denominator(i:i + length - 1)
+            i = i + length
+         end associate
+      end do
+   end function quotient_unit
+
+   !> Is it the unit of a pure number?
+   pure logical function is_pure(unit)
+      !> The unit; a hyphen, 1 or nothing for a pure number.
+      character(*), intent(in) :: unit
+
+      is_pure = len_trim(unit) == 0 .or. unit == '-' .or. unit == '1'
+   end function is_pure
 
    !> The text with the signs of the table replaced, without blanks at its ends.
    pure function in_plain_letters(text) result(plain)

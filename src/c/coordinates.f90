@@ -5,17 +5,13 @@ module adfric_c_coordinates
    use, intrinsic :: iso_c_binding, only: c_ptr
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: i8
-   use adfric_base_text, only: show_count
    use adfric_c_texts, only: keep_text
    use adfric_output_constants, only: file_unit
-   use adfric_output_layout, only: scale_t
+   use adfric_output_layout, only: scale_t, name_of_swept, name_of_dimension
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
    public :: coordinates_t, new_coordinates
-
-   !> Name of a dimension along which several variables change.
-   character(*), parameter :: name_of_joint = 'point'
 
    !> What is swept.
    type :: coordinates_t
@@ -41,7 +37,7 @@ contains
       class(run_t), intent(in) :: run
       !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
-      integer :: j, k, n, n_joint
+      integer :: j, k, n
 
       self%shape = run%plan%shape()
       n = 0
@@ -51,7 +47,6 @@ contains
       allocate (self%dimensions(size(self%shape)), self%scales(n), self%dimension_of(n))
       self%names = ''
       n = 0
-      n_joint = 0
       do k = 1, size(run%plan%axes)
          do j = 1, size(run%plan%axes(k)%variables)
             n = n + 1
@@ -59,30 +54,9 @@ contains
             call set_scale(run, k, j, self%scales(n))
             self%names = self%names//' '//self%scales(n)%name
          end do
-         if (size(run%plan%axes(k)%variables) == 1) then
-            call keep_text(self%scales(n)%name, self%dimensions(k), error)
-         else
-            n_joint = n_joint + 1
-            call name_joint(n_joint, self%dimensions(k), error)
-         end if
+         call keep_text(name_of_dimension(run, k), self%dimensions(k), error)
       end do
    end subroutine new_coordinates
-
-   !> Name a dimension along which several variables change.
-   subroutine name_joint(number, name, error)
-      !> Number of the dimension among those of this kind, from 1.
-      integer, intent(in) :: number
-      !> Receives the name.
-      type(c_ptr), intent(out) :: name
-      !> Receives that there is too little memory.
-      type(error_t), allocatable, intent(inout) :: error
-
-      if (number == 1) then
-         call keep_text(name_of_joint, name, error)
-      else
-         call keep_text(name_of_joint//'_'//show_count(number), name, error)
-      end if
-   end subroutine name_joint
 
    !> Name a swept variable as the results file does, and give it its values.
    subroutine set_scale(run, axis, place, scale)
@@ -94,19 +68,11 @@ contains
       integer, intent(in) :: place
       !> Receives the variable.
       type(scale_t), intent(out) :: scale
-      integer :: j, k, n_same
 
-      associate (variables => run%model%variables, number => run%plan%axes(axis)%variables(place))
-         n_same = 0
-         do k = 1, size(run%plan%axes)
-            do j = 1, size(run%plan%axes(k)%variables)
-               if (variables(run%plan%axes(k)%variables(j))%name == variables(number)%name) n_same = n_same + 1
-            end do
-         end do
-         scale%name = variables(number)%name
-         if (n_same > 1) scale%name = variables(number)%group//'_'//variables(number)%name
+      associate (number => run%plan%axes(axis)%variables(place))
+         scale%name = name_of_swept(run, number)
          scale%unit = file_unit(run%model%unit_of(run%plan%base, number))
-         scale%long_name = variables(number)%meaning
+         scale%long_name = run%model%variables(number)%meaning
          scale%values = run%plan%axes(axis)%values(place, :)
       end associate
    end subroutine set_scale

@@ -14,6 +14,7 @@ module adfric_command_check
    use adfric_input_run, only: run_input_t
    use adfric_model_model, only: derived_t
    use adfric_model_table, only: kind_dataset
+   use adfric_run_plan, only: axis_t
    use adfric_output_resources, only: file_size_of, show_bytes
    use adfric_run_time_estimate, only: time_estimate_t, estimate_time
    implicit none (type, external)
@@ -50,6 +51,8 @@ contains
       call run%model%prepare()
       call outcome%say(describe_doubts_of(run))
       call outcome%say(describe_sweep(run))
+      text = run%variation%describe(run%model%variables)
+      if (len(text) > 0) call outcome%say(pad('beside the results', name_width)//text//newline)
       call outcome%say(pad('points', name_width)//show_count(run%plan%n_points())//newline)
       call outcome%say(pad('estimated time', name_width)//describe_time(run)//newline)
       call run%model%release()
@@ -161,13 +164,47 @@ contains
          do j = 1, size(run%plan%axes(k)%variables)
             associate (place => run%plan%axes(k)%variables(j), values => run%plan%axes(k)%values(j, :))
                lines = lines//pad('sweep of '//run%model%variables(place)%group//'%'//run%model%variables(place)%name, name_width) &
-                  //show_count(size(values))//' values, '//show_number(values(1))
-               if (size(values) > 1) lines = lines//' to '//show_number(values(size(values)))
-               lines = lines//show_unit(run%model%unit_of(run%plan%base, place))//newline
+                  //show_count(size(values))//' values, '
+               if (is_sample(run%plan%axes(k))) then
+                  lines = lines//show_number(minval(values))//' to '//show_number(maxval(values))
+               else
+                  lines = lines//show_number(values(1))
+                  if (size(values) > 1) lines = lines//' to '//show_number(values(size(values)))
+               end if
+               lines = lines//show_unit(run%model%unit_of(run%plan%base, place))//describe_way(run, k, j)//newline
             end associate
          end do
       end do
    end function describe_sweep
+
+   !> Do the values of an axis have no order?
+   pure logical function is_sample(axis)
+      !> The axis.
+      type(axis_t), intent(in) :: axis
+
+      is_sample = allocated(axis%name)
+   end function is_sample
+
+   !> How the values of a swept variable come about, beside other variables or from a file; nothing for a plain sweep.
+   function describe_way(run, axis, place) result(text)
+      !> The run that the input describes.
+      type(run_input_t), intent(in) :: run
+      !> Place of the axis, from 1.
+      integer, intent(in) :: axis
+      !> Place of the variable along it, from 1.
+      integer, intent(in) :: place
+      character(:), allocatable :: text
+
+      text = ''
+      associate (variables => run%plan%axes(axis)%variables)
+         if (allocated(run%plan%axes(axis)%name)) then
+            text = text//', along '//run%plan%axes(axis)%name
+         else if (place > 1) then
+            text = text//', with '//run%model%variables(variables(1))%name
+         end if
+         if (run%datasets(variables(place))%is_given()) text = text//', from '''//run%datasets(variables(place))%text//''''
+      end associate
+   end function describe_way
 
    !> A unit as it stands behind a number; nothing for a pure number.
    pure function show_unit(unit) result(text)

@@ -12,13 +12,13 @@ module adfric_command_help
    use adfric_command_line, only: command_t, known_commands
    use adfric_command_outcome, only: outcome_t
    use adfric_input_suggestion, only: did_you_mean
-   use adfric_input_vocabulary, only: job_names, sweep_names
+   use adfric_input_vocabulary, only: common_groups, list_common_names
    implicit none (type, external)
    private
    public :: give_help
 
-   !> Topics that are pages, and names of the groups that every input has.
-   character(*), parameter :: page_topics = 'input outputs names', common_groups = 'job sweep'
+   !> Topics that are pages.
+   character(*), parameter :: page_topics = 'input outputs names'
 
 contains
 
@@ -109,7 +109,7 @@ contains
 
       text = ''
       if (has_word(known_commands, topic)) text = usage_page
-      if (has_word(common_groups//' '//job_names//' '//sweep_names, topic)) text = input_page
+      if (has_word(every_common_name(), topic)) text = input_page
       text = text//describe_common(topic)
       of_models = describe_every_model(models, topic)
       if (len(text) > 0 .and. len(of_models) > 0) text = text//newline
@@ -140,6 +140,17 @@ contains
       text = entries%show_pages()
    end function describe_every_model
 
+   !> Groups that every model has, and their variables, separated by a blank.
+   pure function every_common_name() result(names)
+      character(:), allocatable :: names
+      integer :: k
+
+      names = common_groups
+      do k = 1, count_words(common_groups)
+         names = names//' '//list_common_names(get_word(common_groups, k))
+      end do
+   end function every_common_name
+
    !> Every name that there is help on, separated by a blank.
    function every_name(models) result(names)
       !> Every model that the program knows.
@@ -147,8 +158,7 @@ contains
       character(:), allocatable :: names
       integer :: i
 
-      names = list_topics//' '//page_topics//' '//known_commands//' '//common_groups//' '//job_names//' '//sweep_names &
-         //' '//known_models
+      names = list_topics//' '//page_topics//' '//known_commands//' '//every_common_name()//' '//known_models
       do i = 1, size(models)
          names = names//' '//list_names(models(i)%model)
       end do

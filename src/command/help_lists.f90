@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Lists of all models, groups, variables, results and units, from the tables of the models.
 module adfric_command_help_lists
-   use adfric_base_words, only: pad
+   use adfric_base_words, only: count_words, get_word, pad
    use adfric_base_text, only: newline
    use adfric_command_help_entries, only: entries_t
+   use adfric_input_vocabulary, only: common_groups
    use adfric_model_model, only: model_t
    use adfric_model_table, only: result_t, results_of_every_run
    implicit none (type, external)
@@ -68,8 +69,9 @@ contains
       type(entries_t) :: entries
       integer :: i, k
 
-      call entries%add('&job', everyone)
-      call entries%add('&sweep', everyone)
+      do k = 1, count_words(common_groups)
+         call entries%add('&'//get_word(common_groups, k), everyone)
+      end do
       do i = 1, size(models)
          do k = 1, size(models(i)%model%variables)
             call entries%add('&'//models(i)%model%variables(k)%group, models(i)%model%name)

@@ -46,7 +46,7 @@ module adfric_command_help_pages
       '    output = ''FILE.h5''   results file; default: the name of the input with .h5'//newline// &
       '  /'//newline// &
       '  &GROUP'//newline// &
-      '    VARIABLE = VALUE     a group of the model; a dataset is ''FILE.h5:/DATASET'''//newline// &
+      '    VARIABLE = VALUE     a group of the model; a dataset is ''FILE.h5:/DATASET'' or ''FILE.csv:COLUMN'''//newline// &
       '    VARIABLE = A, B, 3*C a list of numbers, or the dataset that has them'//newline// &
       '  /'//newline// &
       '  &sweep'//newline// &

@@ -30,7 +30,8 @@ contains
       integer :: k
 
       flaw = ''
-      if (size(labels) == 0) return
+      ! a table of text has none
+      if (size(labels) == 0 .or. dataset%is_column) return
       call read_number_labels(dataset%file, dataset%path, variable%attributes, labels, flaw)
       if (len(flaw) > 0) return
       names = ''

@@ -3,13 +3,14 @@
 module adfric_input_case
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_text
    use adfric_base_words, only: has_word
    use adfric_input_dataset, only: read_dataset_name
    use adfric_input_given_list, only: is_dataset_name, read_numbers
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest
    use adfric_input_variable, only: read_variable, describe_allowed
-   use adfric_input_vocabulary, only: say_unknown_group, say_unknown_variable
+   use adfric_input_vocabulary, only: list_known_groups, output_names, say_unknown_group, say_unknown_variable
    use adfric_model_model, only: model_t
    use adfric_model_table, only: kind_dataset, variable_t
    use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of
@@ -73,6 +74,7 @@ contains
             if (file%groups(assignment%group)%index > 1) cycle
             if (.not. has_word(groups, file%groups(assignment%group)%name)) cycle
             if (file%find_assignment(assignment%group, trim(assignment%name)) /= i) cycle
+            if (file%groups(assignment%group)%name == 'output' .and. has_word(output_names, assignment%name)) cycle
             call read_assignment(file, i, model, input, problems)
          end associate
       end do
@@ -91,7 +93,7 @@ contains
       character(:), allocatable :: known
       integer :: i
 
-      known = 'job sweep '//list_groups(model)
+      known = list_known_groups(model)
       do i = 1, size(file%groups)
          if (problems%is_enough()) exit
          associate (group => file%groups(i))
@@ -172,6 +174,8 @@ contains
          call read_numbers(text, variable, dataset, flaw, place)
       else
          call read_dataset_name(text, dataset, flaw, place)
+         if (len(flaw) == 0 .and. dataset%is_column .and. variable%n_columns() > 0) &
+            flaw = 'names a column, a group is needed, given '''//show_text(dataset%text)//''''
          if (len(flaw) > 0) flaw = flaw//', allowed: '//describe_allowed(variable)
       end if
    end subroutine read_data

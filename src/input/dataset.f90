@@ -1,12 +1,14 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A dataset of an HDF5 file that a variable names, as in 'FILE.h5:/path/of/dataset'.
+!> A dataset of an HDF5 file that a variable names, as in 'FILE.h5:/path/of/dataset', or a column of a table, 'FILE.csv:COLUMN'.
 module adfric_input_dataset
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use adfric_base_kinds, only: dp
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
+   use adfric_base_error, only: error_t
+   use adfric_base_kinds, only: dp, i8
    use adfric_base_units, only: unit_t, to_si
-   use adfric_base_text, only: longest_name, show_number, show_text
+   use adfric_base_text, only: longest_name, show_count, show_number, show_text, to_lower
    use adfric_hdf5_samples, only: read_numbers
    use adfric_input_attributes, only: add_attributes
+   use adfric_input_csv_table, only: csv_table_t, open_csv_table
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_unit_match, only: match_units
@@ -15,10 +17,12 @@ module adfric_input_dataset
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)
    private
-   public :: read_dataset_name, load_dataset, examine_values
+   public :: read_dataset_name, load_dataset, load_numbers, take_numbers, examine_values
 
    !> What stands between the name of the file and that of the dataset, with which the latter begins.
    character(*), parameter :: divider = ':/'
+   !> What stands at the end of the name of a table, before the name of its column.
+   character(*), parameter :: table_divider = '.csv:'
    !> Sizes of the numbers of physics: none is larger, and if all are smaller they should be 0.
    real(dp), parameter :: largest = 1.0e60_dp, smallest = 1.0e-60_dp
 
@@ -40,8 +44,13 @@ contains
       call take_only_word(text, word, flaw, place)
       if (len(flaw) == 0) call convert(word, name, flaw)
       if (len(flaw) > 0) return
+      dataset%is_column = .false.
       colon = index(name, divider, back=.true.)
-      if (colon <= 1 .or. len(name) <= colon + 1) then
+      if (index(to_lower(name), table_divider) > 1) then
+         dataset%is_column = .true.
+         colon = index(to_lower(name), table_divider) + len(table_divider) - 1
+      end if
+      if (colon <= 1 .or. len(name) <= colon + merge(0, 1, dataset%is_column)) then
          flaw = 'does not name a dataset of a file, given '''//show_text(name)//''''
          return
       else if (len(name) > longest_name) then
@@ -64,9 +73,63 @@ contains
       !> What is wrong with the file, the dataset or its values; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
 
-      call read_numbers(dataset%file, dataset%path, variable%largest_rank, values, dataset%counts, dataset%units, flaw)
+      call load_numbers(dataset, variable%largest_rank, values, flaw)
       if (len(flaw) == 0) call examine_values(dataset, variable, values, flaw)
    end subroutine load_dataset
+
+   !> Read the numbers of a dataset or a column as the file has them.
+   subroutine load_numbers(dataset, largest_rank, values, flaw)
+      !> In: the names of file and dataset. Out: also shape and units.
+      type(dataset_t), intent(inout) :: dataset
+      !> Largest number of dimensions that the dataset may have, 1 or 2.
+      integer, intent(in) :: largest_rank
+      !> The numbers in their units, the last dimension of the file first; shape `(n, 1)` for one dimension.
+      real(dp), allocatable, intent(out) :: values(:, :)
+      !> What is wrong with the file or the dataset; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+      type(csv_table_t) :: table
+      type(error_t), allocatable :: error
+
+      if (.not. dataset%is_column) then
+         call read_numbers(dataset%file, dataset%path, largest_rank, values, dataset%counts, dataset%units, flaw)
+         return
+      end if
+      flaw = ''
+      call open_csv_table(table, dataset%file, error)
+      if (allocated(error)) then
+         flaw = error%message
+      else
+         call take_numbers(table, dataset, values, flaw)
+      end if
+   end subroutine load_numbers
+
+   !> Take the numbers of a column of an open table, each of which there has to be.
+   subroutine take_numbers(table, dataset, values, flaw)
+      !> The table.
+      type(csv_table_t), intent(in) :: table
+      !> In: the names of file and column. Out: also shape and units.
+      type(dataset_t), intent(inout) :: dataset
+      !> The numbers in their units; shape `(n, 1)`.
+      real(dp), allocatable, intent(out) :: values(:, :)
+      !> What is wrong with the column; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+      type(error_t), allocatable :: error
+      real(dp), allocatable :: column(:)
+      integer :: missing
+
+      flaw = ''
+      call table%get_numbers(dataset%path, column, error)
+      if (allocated(error)) then
+         flaw = error%message
+         return
+      end if
+      missing = findloc(ieee_is_nan(column), .true., dim=1)
+      if (missing > 0) flaw = dataset%file//': column '//show_text(dataset%path)//': no value (line ' &
+         //show_count(table%line_of_row(missing))//')'
+      dataset%counts = [size(column, kind=i8)]
+      dataset%units = table%columns(table%index_of(dataset%path))%unit
+      values = reshape(column, [size(column), 1])
+   end subroutine take_numbers
 
    !> Hold the values of a dataset against what its variable allows.
    subroutine examine_values(dataset, variable, values, flaw)

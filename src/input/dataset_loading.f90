@@ -32,11 +32,13 @@ contains
       integer :: i, k
 
       do i = 1, size(input%datasets)
-         if (input%is_broken(i) .or. .not. input%datasets(i)%is_given()) cycle
+         if (input%is_broken(i) .or. input%is_swept(i) .or. .not. input%datasets(i)%is_given()) cycle
          associate (variable => model%variables(i), dataset => input%datasets(i))
             call load_data(dataset, variable, values, flaw)
             found = problems_t()
-            if (len(flaw) > 0) then
+            if (len(flaw) > 0 .and. names_place(flaw, dataset)) then
+               call found%add(variable%group, variable%name, flaw)
+            else if (len(flaw) > 0) then
                call found%add(variable%group, variable%name, flaw//', given '''//dataset%text//''', allowed: ' &
                   //describe_allowed(variable))
             else
@@ -51,6 +53,17 @@ contains
          end associate
       end do
    end subroutine load_datasets
+
+   !> Does it say already in which file, and where there, something is wrong?
+   pure logical function names_place(flaw, dataset)
+      !> What is wrong.
+      character(*), intent(in) :: flaw
+      !> The names of file and dataset, if it is no list.
+      type(dataset_t), intent(in) :: dataset
+
+      names_place = dataset%is_column
+      if (names_place) names_place = index(flaw, dataset%file//': ') == 1
+   end function names_place
 
    !> Read the values of a dataset or group with its attributes; those of a list are known.
    subroutine load_data(dataset, variable, values, flaw)

@@ -6,14 +6,15 @@
 !> Everything is a position in the text, so that each problem can be reported with its line.
 module adfric_input_group_scan
    use adfric_base_problems, only: problems_t
+   use adfric_base_words, only: has_word
    use adfric_base_text, only: newline, name_length, to_lower, is_letter, is_name_character, show_count, show_text
    use adfric_input_source_text, only: source_t, end_of_quote, is_closed, end_of_line
    implicit none (type, external)
    private
-   public :: group_t, scan_groups
+   public :: repeatable, group_t, scan_groups
 
    !> The group that may stand more than once.
-   character(*), parameter :: repeatable = 'sweep'
+   character(*), parameter :: repeatable = 'sweep range uncertain'
    !> Groups that a file may have: more than all groups of a model and a sweep of each of its variables.
    integer, parameter :: most_groups = 1000
 
@@ -64,7 +65,7 @@ contains
          associate (group => found(n))
             call read_group_name(source%bare, position, group)
             group%index = 1 + count(found(:n - 1)%name == group%name)
-            if (group%index > 1 .or. group%name == repeatable) group%shown_index = group%index
+            if (group%index > 1 .or. has_word(repeatable, group%name)) group%shown_index = group%index
             call skip_to_group_end(source, position, group, problems)
          end associate
       end do

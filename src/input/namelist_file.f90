@@ -4,8 +4,9 @@ module adfric_input_namelist_file
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count
+   use adfric_base_words, only: has_word
    use adfric_input_assignment_scan, only: assignment_t, scan_assignments
-   use adfric_input_group_scan, only: group_t, scan_groups
+   use adfric_input_group_scan, only: group_t, repeatable, scan_groups
    use adfric_input_source_text, only: source_t, new_source, find_control_character
    use adfric_input_whole_file, only: read_whole_file
    implicit none (type, external)
@@ -107,7 +108,7 @@ contains
       integer :: i, first
 
       do i = 1, size(self%groups)
-         if (self%groups(i)%index < 2 .or. self%groups(i)%name == 'sweep') cycle
+         if (self%groups(i)%index < 2 .or. has_word(repeatable, self%groups(i)%name)) cycle
          if (problems%is_enough()) exit
          first = self%find_group(trim(self%groups(i)%name))
          call self%report(problems, i, '', 'the group is given twice, first in line '// &

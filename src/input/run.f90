@@ -10,11 +10,13 @@ module adfric_input_run
    use adfric_input_case, only: case_t, read_groups
    use adfric_input_consistency, only: check_consistency
    use adfric_input_dataset_loading, only: load_datasets
+   use adfric_input_design, only: read_axes
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file, open_namelist_text
    use adfric_input_suggestion, only: find_nearest, did_you_mean
-   use adfric_input_sweep, only: read_sweeps, find_size_problem
+   use adfric_input_sweep, only: find_size_problem
+   use adfric_input_variation, only: read_variation
    use adfric_input_vocabulary, only: job_names, report_unknown_names
    use adfric_run_run, only: run_t
    implicit none (type, external)
@@ -123,16 +125,18 @@ contains
       character(:), allocatable :: text
 
       call read_groups(file, run%model, input, problems)
-      if (.not. problems%is_enough()) call read_sweeps(file, run%model, input, run%plan%axes, problems)
+      if (.not. problems%is_enough()) call read_axes(file, run%model, input, run%plan%axes, problems)
       ! what has not been read is not missing
       if (problems%is_enough()) return
       call load_datasets(run%model, input, problems)
       call check_consistency(file, run%model, input, run%plan%axes, problems)
+      call read_variation(file, run%model, input, run%variation, problems)
       text = find_size_problem(run%plan)
       if (len(text) > 0) call problems%add('sweep', '', text)
       call move_alloc(input%values, run%plan%base)
       call move_alloc(input%is_given, run%is_given)
       call move_alloc(input%datasets, run%datasets)
+      if (problems%count() == 0) call run%apply_variation()
    end subroutine read_case
 
    !> The name of the input, without folder and with `.h5` for its extension.

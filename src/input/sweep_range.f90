@@ -5,12 +5,13 @@ module adfric_input_sweep_range
    use adfric_base_problems, only: problems_t
    use adfric_base_words, only: get_word
    use adfric_base_text, only: show_number, show_count, show_text
-   use adfric_input_item, only: take_only_word
-   use adfric_input_literal, only: convert
+   use adfric_input_dataset, only: load_numbers, read_dataset_name
+   use adfric_input_given_list, only: is_dataset_name
+   use adfric_input_group_values, only: take_choice, take_count, take_number
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_number_list, only: read_list, most_values
-   use adfric_input_suggestion, only: did_you_mean
    use adfric_input_sweep_values, only: fill_linear, fill_logarithmic
+   use adfric_run_dataset, only: dataset_t
    use adfric_system_memory, only: has_room
    implicit none (type, external)
    private
@@ -29,19 +30,23 @@ module adfric_input_sweep_range
       logical :: is_logarithmic = .false.
    end type range_t
 
+   !> What may be given for a list that stands in a file.
+   character(*), parameter :: allowed_files = '''FILE.h5:/DATASET'' of numbers, 1 dimension, or ''FILE.csv:COLUMN'''
    !> Bytes of a number.
    real(dp), parameter :: real_bytes = 8
 
 contains
 
    !> Read the values of a sweep; size 0 if something is wrong.
-   subroutine read_sweep_values(file, group, values, problems)
+   subroutine read_sweep_values(file, group, values, dataset, problems)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
-      !> The values in the order of the sweep; size 0 if something is wrong.
+      !> The values in the order of the sweep, those of a file in its units; size 0 if something is wrong.
       real(dp), allocatable, intent(out) :: values(:)
+      !> The dataset or column of a file that has the values; not given if they stand in the input.
+      type(dataset_t), intent(out) :: dataset
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(range_t) :: interval
@@ -50,7 +55,7 @@ contains
       n_before = problems%count()
       if (file%find_assignment(group, 'values') > 0) then
          call check_alone(file, group, problems)
-         call read_sweep_list(file, group, values, problems)
+         call read_sweep_list(file, group, values, dataset, problems)
       else
          call check_complete(file, group, problems)
          call read_range(file, group, interval, problems)
@@ -86,19 +91,38 @@ contains
    end subroutine check_alone
 
    !> Read a list.
-   subroutine read_sweep_list(file, group, values, problems)
+   subroutine read_sweep_list(file, group, values, dataset, problems)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the `&sweep` group in the file, from 1.
       integer, intent(in) :: group
-      !> The values in the order of the list; size 0 if something is wrong.
+      !> The values in the order of the list, those of a file in its units; size 0 if something is wrong.
       real(dp), allocatable, intent(out) :: values(:)
+      !> Receives the names of file and dataset, if the values stand in one.
+      type(dataset_t), intent(inout) :: dataset
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: flaw
+      character(:), allocatable :: text, flaw
+      real(dp), allocatable :: numbers(:, :)
       integer :: place
 
-      call read_list(file%value_of(file%find_assignment(group, 'values')), values, flaw, place)
+      text = file%value_of(file%find_assignment(group, 'values'))
+      if (is_dataset_name(text)) then
+         call read_dataset_name(text, dataset, flaw, place)
+         if (len(flaw) > 0) flaw = flaw//', allowed: '//allowed_files
+         if (len(flaw) == 0) then
+            call load_numbers(dataset, 1, numbers, flaw)
+            if (len(flaw) > 0 .and. .not. dataset%is_column) flaw = flaw//', given '''//show_text(dataset%text)//''', allowed: '// &
+               allowed_files
+         end if
+         if (len(flaw) > 0) then
+            call file%report_variable(problems, group, 'values', flaw, place)
+         else
+            values = numbers(:, 1)
+         end if
+         return
+      end if
+      call read_list(text, values, flaw, place)
       if (len(flaw) > 0) call file%report_variable(problems, group, 'values', flaw//', allowed: numbers, at most '// &
          show_count(most_values), place)
    end subroutine read_sweep_list
@@ -137,85 +161,15 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call read_end(file, group, 'from', interval%from, problems)
-      call read_end(file, group, 'to', interval%to, problems)
-      call read_count(file, group, interval%count, problems)
-      call read_spacing(file, group, interval%is_logarithmic, problems)
+      character(:), allocatable :: spacing
+
+      spacing = 'linear'
+      call take_number(file, group, 'from', interval%from, problems)
+      call take_number(file, group, 'to', interval%to, problems)
+      call take_count(file, group, 'count', 1, most_values, interval%count, problems)
+      call take_choice(file, group, 'spacing', 'linear log', spacing, problems)
+      interval%is_logarithmic = spacing == 'log'
    end subroutine read_range
-
-   !> Read an end of the range.
-   subroutine read_end(file, group, name, value, problems)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> Number of the `&sweep` group in the file, from 1.
-      integer, intent(in) :: group
-      !> 'from' or 'to'.
-      character(*), intent(in) :: name
-      !> The end of the range; 0 if it is missing or wrong.
-      real(dp), intent(out) :: value
-      !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: word, flaw
-      integer :: number, place
-
-      value = 0
-      number = file%find_assignment(group, name)
-      if (number == 0) return
-      call take_only_word(file%value_of(number), word, flaw, place)
-      if (len(flaw) == 0) call convert(word, value, flaw)
-      if (len(flaw) > 0) call file%report_variable(problems, group, name, flaw//', allowed: a number', place)
-   end subroutine read_end
-
-   !> Read the number of values.
-   subroutine read_count(file, group, n_values, problems)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> Number of the `&sweep` group in the file, from 1.
-      integer, intent(in) :: group
-      !> The number of values; 0 if it is missing or no integer.
-      integer(i8), intent(out) :: n_values
-      !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-      character(*), parameter :: allowed = ', allowed: an integer >= 1 and <= '
-      character(:), allocatable :: word, flaw
-      integer :: number, place
-
-      n_values = 0
-      number = file%find_assignment(group, 'count')
-      if (number == 0) return
-      call take_only_word(file%value_of(number), word, flaw, place)
-      if (len(flaw) == 0) call convert(word, n_values, flaw)
-      if (len(flaw) == 0 .and. n_values < 1) flaw = 'out of range, given '//show_count(n_values)
-      if (len(flaw) == 0 .and. n_values > most_values) flaw = 'too many values, given '//show_count(n_values)
-      if (len(flaw) > 0) &
-         call file%report_variable(problems, group, 'count', flaw//allowed//show_count(most_values), place)
-   end subroutine read_count
-
-   !> Read the spacing.
-   subroutine read_spacing(file, group, is_logarithmic, problems)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> Number of the `&sweep` group in the file, from 1.
-      integer, intent(in) :: group
-      !> Are the values at equal ratios? False: at equal distances, as where no spacing is given.
-      logical, intent(out) :: is_logarithmic
-      !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-      character(*), parameter :: allowed = ', allowed: ''linear'', ''log'''
-      character(:), allocatable :: quoted, word, flaw
-      integer :: number, place
-
-      is_logarithmic = .false.
-      number = file%find_assignment(group, 'spacing')
-      if (number == 0) return
-      word = ''
-      call take_only_word(file%value_of(number), quoted, flaw, place)
-      if (len(flaw) == 0) call convert(quoted, word, flaw)
-      is_logarithmic = word == 'log'
-      if (len(flaw) == 0 .and. word /= 'log' .and. word /= 'linear') flaw = 'unknown choice, given '''//show_text(word)//''''
-      if (len(flaw) > 0) call file%report_variable(problems, group, 'spacing', &
-         flaw//allowed//did_you_mean(word, 'linear log'), place)
-   end subroutine read_spacing
 
    !> Do the ends, the count and the spacing agree?
    subroutine check_range(file, group, interval, problems)

@@ -198,7 +198,7 @@ contains
       if (has_lower .and. has_upper) text = text//' and'
       if (has_upper) text = text//trim(merge(' < ', ' <=', variable%upper_open))//' '//show_number(variable%upper)
       if (has_unit(variable)) text = text//' ['//variable%unit//']'
-      if (variable%is_list) text = text//', or ''FILE.h5:/DATASET'' of them'//describe_attributes(variable)
+      if (variable%is_list) text = text//', or ''FILE.h5:/DATASET'' or ''FILE.csv:COLUMN'' of them'//describe_attributes(variable)
       if (.not. present(value)) return
       if (.not. is_usable(value)) text = text//', of size '//show_number(smallest)//' to '//show_number(largest)
    end function describe_allowed
@@ -229,9 +229,10 @@ contains
          text = text//' of numbers, 1 dimension, at least '//show_count(variable%least_count)//' values'
       else if (variable%largest_rank > 1) then
          text = '''FILE.h5:/DATASET'' of numbers, '//show_count(1)//' or '//show_count(variable%largest_rank)// &
-            ' dimensions, at least '//show_count(variable%least_count)//' values along each'
+            ' dimensions, or ''FILE.csv:COLUMN'', at least '//show_count(variable%least_count)//' values along each'
       else
-         text = '''FILE.h5:/DATASET'' of numbers, 1 dimension, at least '//show_count(variable%least_count)//' values'
+         text = '''FILE.h5:/DATASET'' of numbers, 1 dimension, or ''FILE.csv:COLUMN'', at least '// &
+            show_count(variable%least_count)//' values'
       end if
       if (has_unit(variable)) text = text//' ['//variable%unit//']'
       text = text//describe_attributes(variable)

@@ -3,7 +3,7 @@
 module adfric_input_vocabulary
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: join_words, show_text
-   use adfric_base_words, only: count_words, has_word
+   use adfric_base_words, only: count_words, get_word, has_word
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_model_model, only: model_t
@@ -11,16 +11,76 @@ module adfric_input_vocabulary
    use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of
    implicit none (type, external)
    private
-   public :: job_names, sweep_names
+   public :: common_groups, job_names, sweep_names, sample_names, range_names, cases_names, refine_names, &
+      uncertain_names, output_names, list_common_names, list_known_groups
    public :: say_unknown_group, say_unknown_variable, report_unknown_names
    public :: find_variable, list_numbers, is_number, full_name
 
    !> Variables of `&job`.
    character(*), parameter :: job_names = 'model title output'
    !> Variables of `&sweep`.
-   character(*), parameter :: sweep_names = 'variable from to count spacing values'
+   character(*), parameter :: sweep_names = 'variable from to count spacing values with'
+   !> Variables of `&cases`, `&sample` and `&range`.
+   character(*), parameter :: cases_names = 'file variables', sample_names = 'count method seed', &
+      range_names = 'variable from to spacing'
+   !> Variables of `&refine` and `&uncertain`, and those of `&output` that every model has.
+   character(*), parameter :: refine_names = 'variable result tolerance resolution limit', &
+      uncertain_names = 'variable error relative_error method count seed', output_names = 'derivatives'
+   !> Groups that every model has.
+   character(*), parameter :: common_groups = 'job sweep cases sample range refine uncertain output'
 
 contains
+
+   !> All groups that an input of a model may have, separated by a blank.
+   pure function list_known_groups(model) result(groups)
+      !> The model, whose table names groups.
+      class(model_t), intent(in) :: model
+      character(:), allocatable :: groups
+      integer :: k
+
+      groups = common_groups
+      do k = 1, count_words(list_groups(model))
+         if (.not. has_word(groups, get_word(list_groups(model), k))) groups = groups//' '//get_word(list_groups(model), k)
+      end do
+   end function list_known_groups
+
+   !> Names that a group of a model may have, separated by a blank.
+   pure function list_names_of(model, group) result(names)
+      !> The model, whose table names variables.
+      class(model_t), intent(in) :: model
+      !> Name of the group.
+      character(*), intent(in) :: group
+      character(:), allocatable :: names
+
+      names = list_variables(model, group)
+      if (group == 'output') names = names//' '//output_names
+   end function list_names_of
+
+   !> Variables of a group that every model has, separated by a blank.
+   pure function list_common_names(group) result(names)
+      !> Name of the group, one of `common_groups`.
+      character(*), intent(in) :: group
+      character(:), allocatable :: names
+
+      select case (group)
+      case ('job')
+         names = job_names
+      case ('sweep')
+         names = sweep_names
+      case ('cases')
+         names = cases_names
+      case ('sample')
+         names = sample_names
+      case ('range')
+         names = range_names
+      case ('refine')
+         names = refine_names
+      case ('uncertain')
+         names = uncertain_names
+      case default
+         names = output_names
+      end select
+   end function list_common_names
 
    !> What to say of a group that a model does not have.
    pure function say_unknown_group(model, group) result(text)
@@ -31,7 +91,7 @@ contains
       character(:), allocatable :: text
       character(:), allocatable :: known
 
-      known = 'job sweep '//list_groups(model)
+      known = list_known_groups(model)
       text = 'unknown group for the model '''//model%name//''', allowed: &'//join_words(known, ', &')
       if (len(find_nearest(group, known)) > 0) text = text//'; did you mean &'//find_nearest(group, known)//'?'
    end function say_unknown_group
@@ -46,17 +106,19 @@ contains
       character(*), intent(in) :: name
       character(:), allocatable :: text
       character(:), allocatable :: home, near
+      integer :: k
 
       home = list_groups_of(model, name)
-      if (len(home) == 0 .and. has_word(job_names, name)) home = 'job'
-      if (len(home) == 0 .and. has_word(sweep_names, name)) home = 'sweep'
+      do k = 1, count_words(common_groups)
+         if (len(home) == 0 .and. has_word(list_common_names(get_word(common_groups, k)), name)) home = get_word(common_groups, k)
+      end do
       text = 'unknown variable'
       if (len(home) > 0) text = text//', it belongs to &'//join_words(home, ' or &')
-      text = text//', allowed: '//join_words(list_variables(model, group), ', ')
+      text = text//', allowed: '//join_words(list_names_of(model, group), ', ')
       if (len(home) > 0) return
       near = find_nearest(name, list_variables(model, ''))
-      if (len(find_nearest(name, list_variables(model, group))) > 0) then
-         text = text//did_you_mean(name, list_variables(model, group))
+      if (len(find_nearest(name, list_names_of(model, group))) > 0) then
+         text = text//did_you_mean(name, list_names_of(model, group))
       else if (len(near) > 0) then
          text = text//'; did you mean '''//near//''' of &'//join_words(list_groups_of(model, near), ' or &')//'?'
       end if

@@ -9,8 +9,9 @@ module adfric_output_dataset_handles
    use adfric_hdf5_datasets, only: create_space, select_box, close_dataset
    use adfric_hdf5_reading, only: open_dataset, get_extent
    use adfric_output_boxes, only: box_t, next_box
-   use adfric_output_constant_datasets, only: create_constants, list_constants
-   use adfric_output_field_dataset, only: field_form_t, create_scale, create_list, create_field, create_counts, count_group
+   use adfric_output_constant_datasets, only: create_constants
+   use adfric_output_field_dataset, only: field_form_t, create_scale, create_list, create_row, create_field, &
+      create_counts, count_group
    use adfric_output_layout, only: layout_t
    use adfric_output_sums_dataset, only: sums_dataset_t
    use adfric_output_virtual_parts, only: virtual_parts_t
@@ -65,6 +66,9 @@ contains
       do i = 1, n
          call create_scale(calls, file, layout%axes(i), self%scales(i))
       end do
+      do i = 1, size(layout%companions)
+         call create_row(calls, file, layout%companions(i), self%scales(layout%companions(i)%axis))
+      end do
       do i = 1, size(layout%profile_axes)
          call create_scale(calls, file, layout%profile_axes(i), self%scales(n + i))
       end do
@@ -75,7 +79,7 @@ contains
       ! the points of a part stand in a row, along which there is no scale
       is_whole = layout%blocks%part%is_whole()
       form%coordinates = ''
-      if (is_whole) form%coordinates = list_constants(layout%constants)
+      if (is_whole) form%coordinates = layout%list_coordinates()
       form%space = self%space
       form%scales = self%scales(:merge(n, 0, is_whole))
       do i = 1, size(self%fields)

@@ -13,7 +13,7 @@ module adfric_output_done_points
    use adfric_output_block_sums, only: sum_of_block, sum_of_profiles
    use adfric_output_datasets, only: datasets_t
    use adfric_output_heading, only: heading_t, new_heading, read_heading, say_difference
-   use adfric_output_layout, only: layout_t
+   use adfric_output_layout, only: layout_t, name_of_swept
    use adfric_output_seal, only: check_seal
    use adfric_run_block_source, only: block_list_t, new_block_list
    use adfric_run_run, only: run_t
@@ -160,7 +160,7 @@ contains
       sum = sum_of_block(layout, block, results, error_estimate, status, counts(1, :), profile_sum)
    end subroutine read_block
 
-   !> Results that are swept stand in the file as axes alone.
+   !> Results that are swept stand in the file as variables alone.
    subroutine add_swept(layout, run, block, results)
       !> Layout of the file: its datasets and its points.
       type(layout_t), intent(in) :: layout
@@ -173,14 +173,15 @@ contains
       real(dp), allocatable :: values(:, :)
       integer :: i, k
 
-      do k = 1, size(layout%axes)
+      do k = 1, size(run%model%variables)
+         if (.not. run%plan%is_swept(k)) cycle
          do i = 1, size(run%model%results)
-            if (run%model%results(i)%name /= layout%axes(k)%name) cycle
+            if (run%model%results(i)%name /= name_of_swept(run, k)) cycle
             if (.not. allocated(values)) then
                allocate (values(size(run%model%variables), size(results, 1)))
                call run%plan%get_values(layout%blocks%first_point(block), values)
             end if
-            results(:, i) = values(run%plan%axes(k)%variables(1), :)
+            results(:, i) = values(k, :)
          end do
       end do
    end subroutine add_swept

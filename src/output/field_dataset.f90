@@ -12,7 +12,7 @@ module adfric_output_field_dataset
    use adfric_output_virtual_parts, only: virtual_parts_t
    implicit none (type, external)
    private
-   public :: field_form_t, create_scale, create_list, create_field, create_counts, count_group
+   public :: field_form_t, create_scale, create_list, create_row, create_field, create_counts, count_group
 
    !> Group of what is known of each block.
    character(*), parameter :: count_group = 'blocks'
@@ -25,7 +25,7 @@ module adfric_output_field_dataset
       integer(hid_t), allocatable :: scales(:)
       !> Number of the dimension of the first scale, from 1, the slowest first.
       integer :: first_dimension = 1
-      !> Names of scalars that hold for all values, separated by a blank.
+      !> Names of scalars that hold for all values, and of what changes in step with a scale, separated by a blank.
       character(:), allocatable :: coordinates
       !> Are these profiles? Else they are results.
       logical :: is_profile = .false.
@@ -63,20 +63,35 @@ contains
       !> The list: its name, its unit and its numbers.
       type(scale_t), intent(in) :: list
       type(scale_t) :: places
-      integer(hid_t) :: space, dataset, scale
+      integer(hid_t) :: scale
 
       call number_places(list, places)
       call create_scale(calls, file, places, scale)
-      call create_space(calls, [size(list%values, kind=i8)], space)
-      call create_real_dataset(calls, file, list%name, space, dataset)
-      call write_attribute(calls, dataset, 'units', list%unit)
-      call write_attribute(calls, dataset, 'long_name', list%long_name)
-      call write_values(calls, dataset, space, space, list%values)
+      call create_row(calls, file, list, scale)
+      call close_dataset(calls, scale)
+   end subroutine create_list
+
+   !> Create a dataset of one dimension along a scale.
+   subroutine create_row(calls, file, row, scale)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open results file.
+      integer(hid_t), intent(in) :: file
+      !> The dataset: its name, its unit and its numbers.
+      class(scale_t), intent(in) :: row
+      !> Id of the scale of its dimension.
+      integer(hid_t), intent(in) :: scale
+      integer(hid_t) :: space, dataset
+
+      call create_space(calls, [size(row%values, kind=i8)], space)
+      call create_real_dataset(calls, file, row%name, space, dataset)
+      call write_attribute(calls, dataset, 'units', row%unit)
+      call write_attribute(calls, dataset, 'long_name', row%long_name)
+      call write_values(calls, dataset, space, space, row%values)
       call attach_scale(calls, dataset, scale, 1)
       call calls%close_id(space)
       call close_dataset(calls, dataset)
-      call close_dataset(calls, scale)
-   end subroutine create_list
+   end subroutine create_row
 
    !> Create a dataset of a result or a profile.
    subroutine create_field(calls, file, field, form, dataset, parts)

@@ -1,15 +1,16 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Which datasets a results file has, of what shape and size.
 module adfric_output_layout
-   use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_kinds, only: dp, i8
+   use adfric_base_text, only: show_count
+   use adfric_base_words, only: has_word
    use adfric_model_table, only: result_t, profile_t, profile_axis_t, results_of_every_run
    use adfric_output_constants, only: constant_t, find_constants, file_unit, list_taken, name_in_file
    use adfric_run_blocks, only: blocks_t
    use adfric_run_run, only: run_t
    implicit none (type, external)
    private
-   public :: layout_t, new_layout, check_axes, scale_t, field_t, set_status_fields, number_places
+   public :: layout_t, new_layout, scale_t, companion_t, field_t, set_status_fields, number_places, name_of_swept, name_of_dimension
 
    !> Meaning of the state `no_state` of a result.
    character(*), parameter :: no_state_meaning = 'no_value'
@@ -29,6 +30,12 @@ module adfric_output_layout
       !> Values along the dimension.
       real(dp), allocatable :: values(:)
    end type scale_t
+
+   !> A dataset of one dimension whose values change in step with those of another one, which is the scale of the dimension.
+   type, extends(scale_t) :: companion_t
+      !> Place of the dimension among those of the points, from 1.
+      integer :: axis = 1
+   end type companion_t
 
    !> A dataset with a value at every point.
    type :: field_t
@@ -55,8 +62,11 @@ module adfric_output_layout
       type(constant_t), allocatable :: constants(:)
       !> Variables that are lists of numbers; their values lie along a dimension of their own.
       type(scale_t), allocatable :: lists(:)
-      !> Swept variables, the slowest first.
+      !> Scales of the dimensions of the points, the slowest first: swept variables, or numbers from 1 where several variables
+      !> change together and none of them leads.
       type(scale_t), allocatable :: axes(:)
+      !> Swept variables that are no scale themselves.
+      type(companion_t), allocatable :: companions(:)
       !> Axes of a profile, the slowest first, without those of size 1.
       type(scale_t), allocatable :: profile_axes(:)
       !> Results, and last `error_estimate` and `status`.
@@ -71,22 +81,12 @@ module adfric_output_layout
       procedure :: row_of
       procedure :: profile_shape
       procedure :: n_bytes
+      procedure :: list_coordinates
    end type layout_t
 
 contains
 
-   !> Refuse a run with axes that have no form in the file.
-   subroutine check_axes(run, error)
-      !> The run, along each axis of which one variable should change.
-      class(run_t), intent(in) :: run
-      !> Not allocated if the run can be written.
-      type(error_t), allocatable, intent(out) :: error
-
-      if (run%plan%has_joint_axis()) call set_error(error, input_failure, &
-         run%output//': cannot create: a results file has no form for variables that are swept together')
-   end subroutine check_axes
-
-   !> Find the datasets of a run, along each axis of which one variable changes.
+   !> Find the datasets of a run.
    subroutine new_layout(self, run)
       !> Receives the datasets and the points of the file.
       type(layout_t), intent(out) :: self
@@ -99,7 +99,8 @@ contains
       call find_constants(run, self%constants)
       call find_lists(run, self%lists)
       call find_axes(run, self%axes)
-      call find_fields(results, self%axes, self%fields)
+      call find_companions(run, self%companions)
+      call find_fields(run, results, self%fields)
       if (run%model%wants_profiles(run%plan%base)) then
          call find_profile_axes(run, self%profile_axes)
          call find_profiles(run%model%describe_profiles(run%plan%base), self%profiles)
@@ -152,54 +153,137 @@ contains
       places%values = [(real(i, dp), i=1, size(list%values))]
    end subroutine number_places
 
-   !> Name the swept variables: by their own names or, where two of them share it, with the group before it.
+   !> The scales of the dimensions of the points.
    subroutine find_axes(run, axes)
       !> The run, with its model and its points.
       class(run_t), intent(in) :: run
-      !> Receives a scale for each swept variable, the slowest first.
+      !> Receives a scale for each dimension, the slowest first.
       type(scale_t), allocatable, intent(out) :: axes(:)
-      integer :: k, i, n_same
+      integer :: i, k
 
       allocate (axes(size(run%plan%axes)))
       do k = 1, size(axes)
-         associate (place => run%plan%axes(k)%variables(1), variable => run%model%variables(run%plan%axes(k)%variables(1)), &
-                    axis => axes(k))
-            n_same = 0
-            do i = 1, size(axes)
-               if (run%model%variables(run%plan%axes(i)%variables(1))%name == variable%name) n_same = n_same + 1
-            end do
-            axis%name = variable%name
-            if (n_same > 1) axis%name = variable%group//'_'//variable%name
-            axis%unit = file_unit(run%model%unit_of(run%plan%base, place))
-            axis%long_name = variable%meaning
-            axis%values = run%plan%axes(k)%values(1, :)
-         end associate
+         if (.not. allocated(run%plan%axes(k)%name)) then
+            call set_swept(run, k, 1, axes(k))
+            cycle
+         end if
+         axes(k)%name = name_of_dimension(run, k)
+         axes(k)%unit = '1'
+         axes(k)%long_name = 'number of the '//run%plan%axes(k)%name
+         axes(k)%values = [(real(i, dp), i=1, size(run%plan%axes(k)%values, 2))]
       end do
    end subroutine find_axes
 
-   !> Results that are written. One that is swept itself stands in the file as an axis and is left out.
-   subroutine find_fields(results, axes, fields)
+   !> The swept variables that are no scale themselves.
+   subroutine find_companions(run, companions)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
+      !> Receives the variables, in the order of their dimensions.
+      type(companion_t), allocatable, intent(out) :: companions(:)
+      integer :: j, k, n
+
+      n = 0
+      do k = 1, size(run%plan%axes)
+         n = n + size(run%plan%axes(k)%variables)
+         if (.not. allocated(run%plan%axes(k)%name)) n = n - 1
+      end do
+      allocate (companions(n))
+      n = 0
+      do k = 1, size(run%plan%axes)
+         do j = merge(1, 2, allocated(run%plan%axes(k)%name)), size(run%plan%axes(k)%variables)
+            n = n + 1
+            call set_swept(run, k, j, companions(n))
+            companions(n)%axis = k
+         end do
+      end do
+   end subroutine find_companions
+
+   !> Describe a swept variable.
+   subroutine set_swept(run, axis, place, scale)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
+      !> Place of the axis, from 1.
+      integer, intent(in) :: axis
+      !> Place of the variable along it, from 1.
+      integer, intent(in) :: place
+      !> Receives name, unit and values.
+      class(scale_t), intent(inout) :: scale
+
+      associate (number => run%plan%axes(axis)%variables(place))
+         scale%name = name_of_swept(run, number)
+         scale%unit = file_unit(run%model%unit_of(run%plan%base, number))
+         scale%long_name = run%model%variables(number)%meaning
+         scale%values = run%plan%axes(axis)%values(place, :)
+      end associate
+   end subroutine set_swept
+
+   !> Name of a swept variable: its own or, where two that are swept share it, with the group before it.
+   function name_of_swept(run, variable) result(name)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
+      !> Place of the variable in the model's table, from 1.
+      integer, intent(in) :: variable
+      character(:), allocatable :: name
+      integer :: i, n_same
+
+      n_same = 0
+      do i = 1, size(run%model%variables)
+         if (run%model%variables(i)%name /= run%model%variables(variable)%name) cycle
+         if (run%plan%is_swept(i)) n_same = n_same + 1
+      end do
+      name = run%model%variables(variable)%name
+      if (n_same > 1) name = run%model%variables(variable)%group//'_'//name
+   end function name_of_swept
+
+   !> Name of a dimension of the points: that of the variable that leads, or a name of its own, with a number behind it where
+   !> another dimension before it has the same.
+   function name_of_dimension(run, axis) result(name)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
+      !> Place of the axis, from 1.
+      integer, intent(in) :: axis
+      character(:), allocatable :: name
+      integer :: k, n_same
+
+      if (.not. allocated(run%plan%axes(axis)%name)) then
+         name = name_of_swept(run, run%plan%axes(axis)%variables(1))
+         return
+      end if
+      name = run%plan%axes(axis)%name
+      n_same = 1
+      do k = 1, axis - 1
+         if (.not. allocated(run%plan%axes(k)%name)) cycle
+         if (run%plan%axes(k)%name == name) n_same = n_same + 1
+      end do
+      if (n_same > 1) name = name//'_'//show_count(n_same)
+   end function name_of_dimension
+
+   !> Results that are written. One that is swept itself stands in the file as a variable and is left out.
+   subroutine find_fields(run, results, fields)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
       !> Results of the model with the units of this run.
       type(result_t), intent(in) :: results(:)
-      !> Scales of the swept variables.
-      type(scale_t), intent(in) :: axes(:)
       !> Receives the fields of the results, and last those of `error_estimate` and `status`.
       type(field_t), allocatable, intent(out) :: fields(:)
-      integer :: i, k, n
+      character(:), allocatable :: swept
+      integer :: i, n
 
+      swept = ''
+      do i = 1, size(run%model%variables)
+         if (run%plan%is_swept(i)) swept = swept//' '//name_of_swept(run, i)
+      end do
       allocate (fields(size(results) + 2))
       n = 0
-      outer: do i = 1, size(results)
-         do k = 1, size(axes)
-            if (axes(k)%name == results(i)%name) cycle outer
-         end do
+      do i = 1, size(results)
+         if (has_word(swept, results(i)%name)) cycle
          n = n + 1
          call set_field(fields(n), results(i)%name, results(i)%unit, results(i)%long_name)
          fields(n)%column = i
-         if (results(i)%n_states() == 0) cycle outer
+         if (results(i)%n_states() == 0) cycle
          fields(n)%flag_meanings = no_state_meaning//' '//results(i)%flag_meanings
          fields(n)%first_flag = -1
-      end do outer
+      end do
       call set_status_fields(fields(n + 1:n + 2))
       fields = fields(:n + 2)
    end subroutine find_fields
@@ -316,6 +400,23 @@ contains
       counts = [(size(self%profile_axes(k)%values, kind=i8), k=1, size(self%profile_axes))]
    end function profile_shape
 
+   !> Names of what belongs to all values of results without being a scale, separated by a blank.
+   pure function list_coordinates(self) result(names)
+      !> Layout of the file: its datasets and its points.
+      class(layout_t), intent(in) :: self
+      character(:), allocatable :: names
+      integer :: i
+
+      names = ''
+      do i = 1, size(self%companions)
+         names = names//' '//self%companions(i)%name
+      end do
+      do i = 1, size(self%constants)
+         names = names//' '//self%constants(i)%name
+      end do
+      names = trim(adjustl(names))
+   end function list_coordinates
+
    !> Size of the file [bytes]; a real number, since no integer would be large enough for a sweep that is
    !> too large.
    pure real(dp) function n_bytes(self)
@@ -335,6 +436,9 @@ contains
       do i = 1, size(self%lists)
          ! each with its numbers from 1 on
          in_lists = in_lists + 2*(real_bytes*size(self%lists(i)%values) + bytes_per_dataset)
+      end do
+      do i = 1, size(self%companions)
+         in_lists = in_lists + real_bytes*size(self%companions(i)%values) + bytes_per_dataset
       end do
       n_bytes = in_lists + n_points*per_point + real_bytes*(sum(real(self%point_shape(), dp)) &
          + sum(real(self%profile_shape(), dp))) + bytes_per_dataset &

@@ -3,6 +3,7 @@
 module adfric_output_part_layout
    use hdf5, only: hid_t
    use adfric_base_kinds, only: dp, i8
+   use adfric_base_text, only: show_count
    use adfric_base_words, only: count_words, get_word
    use adfric_hdf5_attributes, only: write_attribute
    use adfric_hdf5_calls, only: hdf5_calls_t
@@ -11,7 +12,7 @@ module adfric_output_part_layout
    use adfric_output_constant_datasets, only: list_constants, read_constants
    use adfric_output_field_dataset, only: count_group
    use adfric_output_flags, only: read_flags
-   use adfric_output_layout, only: layout_t, scale_t, field_t, set_status_fields
+   use adfric_output_layout, only: layout_t, scale_t, companion_t, field_t, set_status_fields
    use adfric_run_blocks, only: part_t, new_blocks
    implicit none (type, external)
    private
@@ -35,6 +36,8 @@ contains
       call write_attribute(calls, file, 'constants', list_constants(layout%constants))
       call write_attribute(calls, file, 'lists', list_scales(layout%lists))
       call write_attribute(calls, file, 'axes', list_scales(layout%axes))
+      call write_attribute(calls, file, 'companions', list_companions(layout, with_axes=.false.))
+      call write_attribute(calls, file, 'companion_axes', list_companions(layout, with_axes=.true.))
       call write_attribute(calls, file, 'profile_axes', list_scales(layout%profile_axes))
       call write_attribute(calls, file, 'fields', list_fields(layout%fields))
       call write_attribute(calls, file, 'profiles', list_fields(layout%profiles))
@@ -67,6 +70,7 @@ contains
       call read_scales(calls, file, names, layout%lists)
       call read_attribute(calls, file, 'axes', names)
       call read_scales(calls, file, names, layout%axes)
+      call read_companions(calls, file, layout%companions)
       call read_attribute(calls, file, 'profile_axes', names)
       call read_scales(calls, file, names, layout%profile_axes)
       call read_attribute(calls, file, 'fields', names)
@@ -90,6 +94,53 @@ contains
          names = names//' '//scales(i)%name
       end do
    end function list_scales
+
+   !> Names of companions, or places of their axes, separated by a blank.
+   pure function list_companions(layout, with_axes) result(words)
+      !> Layout of the file: its datasets and its points.
+      type(layout_t), intent(in) :: layout
+      !> Are the places of the axes wanted? Else it is the names.
+      logical, intent(in) :: with_axes
+      character(:), allocatable :: words
+      integer :: i
+
+      words = ''
+      do i = 1, size(layout%companions)
+         if (with_axes) then
+            words = words//' '//show_count(layout%companions(i)%axis)
+         else
+            words = words//' '//layout%companions(i)%name
+         end if
+      end do
+   end function list_companions
+
+   !> Read what changes in step with the scales.
+   subroutine read_companions(calls, file, companions)
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Id of the open file of the part.
+      integer(hid_t), intent(in) :: file
+      !> Receives the companions with their values.
+      type(companion_t), allocatable, intent(out) :: companions(:)
+      type(scale_t), allocatable :: scales(:)
+      character(:), allocatable :: names, axes
+      integer :: i, status
+
+      ! parts of older programs have none
+      names = ''
+      axes = ''
+      if (has_attribute(calls, file, 'companions')) then
+         call read_attribute(calls, file, 'companions', names)
+         call read_attribute(calls, file, 'companion_axes', axes)
+      end if
+      call read_scales(calls, file, names, scales)
+      allocate (companions(size(scales)))
+      do i = 1, size(scales)
+         companions(i)%scale_t = scales(i)
+         read (axes, *, iostat=status) companions(:i)%axis
+         if (status /= 0) call calls%fail('it does not say along which dimensions its variables change')
+      end do
+   end subroutine read_companions
 
    !> Names of fields, separated by a blank.
    pure function list_fields(fields) result(names)

@@ -35,7 +35,7 @@ module adfric_output_results_file
    use adfric_output_file_creation, only: create_all
    use adfric_output_file_state, only: is_idle, is_begun, is_open, is_closed, is_shared, check_state
    use adfric_output_heading, only: heading_t, new_heading
-   use adfric_output_layout, only: layout_t, new_layout, check_axes
+   use adfric_output_layout, only: layout_t, new_layout
    use adfric_output_means, only: write_seconds, write_means
    use adfric_output_name_claim, only: claim_name, release_name
    use adfric_output_names, only: check_partial_name, partial_name, new_name
@@ -92,7 +92,6 @@ contains
       type(layout_t) :: layout
 
       call check_state(self%state, [is_idle], 'begin', error)
-      if (.not. allocated(error)) call check_axes(run, error)
       if (allocated(error)) return
       call new_layout(layout, run)
       call check_partial_name(run%output, overwrite, error)
@@ -195,7 +194,6 @@ contains
       type(hdf5_calls_t) :: calls
 
       call check_state(self%state, [is_idle], 'resume', error)
-      if (.not. allocated(error)) call check_axes(run, error)
       if (allocated(error)) return
       call new_layout(layout, run)
       call take_name(self, run%output, overwrite, layout, error)

@@ -5,6 +5,7 @@ module adfric_run_case_hash
    use adfric_base_kinds, only: dp
    use adfric_base_version, only: program_version, git_revision
    use adfric_run_run, only: run_t
+   use adfric_run_variation, only: variation_t
    use adfric_system_checksum, only: checksum_t, checksum_length
    implicit none (type, external)
    private
@@ -43,9 +44,27 @@ contains
          end do
       end associate
       do i = 1, size(run%datasets)
-         if (run%datasets(i)%is_given()) call sum%add_text(run%datasets(i)%checksum)
+         ! the values of an axis are in the hash already
+         if (run%datasets(i)%is_given() .and. .not. run%plan%is_swept(i)) call sum%add_text(run%datasets(i)%checksum)
       end do
+      if (run%variation%is_wanted()) call add_variation(run%variation, sum)
       hash = sum%to_text()
    end function case_hash
+
+   !> Add what is wanted beside the results.
+   subroutine add_variation(wanted, sum)
+      !> What is wanted.
+      type(variation_t), intent(in) :: wanted
+      !> The checksum so far.
+      type(checksum_t), intent(inout) :: sum
+      integer :: i
+
+      call sum%add_text('variation')
+      call sum%add_reals(real(wanted%derivatives, dp))
+      do i = 1, size(wanted%uncertain)
+         call sum%add_reals([real(wanted%uncertain(i)%variable, dp), wanted%uncertain(i)%error, wanted%uncertain(i)%relative_error])
+      end do
+      call sum%add_reals(real([wanted%n_samples, wanted%seed], dp))
+   end subroutine add_variation
 
 end module adfric_run_case_hash

@@ -21,8 +21,10 @@ module adfric_run_dataset
       character(:), allocatable :: text
       !> Name of the file; not allocated for a list of numbers.
       character(:), allocatable :: file
-      !> Name of the dataset or group within the file.
+      !> Name of the dataset or group within the file, or of the column of a table.
       character(:), allocatable :: path
+      !> Is it a column of a table of text?
+      logical :: is_column = .false.
       !> The numbers of a list, in SI units; not allocated if it is none.
       real(dp), allocatable :: numbers(:)
       !> Names of the datasets that a group has, separated by a blank; not allocated if it is no group.

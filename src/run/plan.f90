@@ -8,6 +8,9 @@ module adfric_run_plan
 
    !> Variables that change together, such as one that is swept alone, or all variables of a list of points.
    type :: axis_t
+      !> Name of the dimension where it is none of a variable, such as `case` or `sample`; not allocated: that of the first
+      !> variable, with which the others go in step.
+      character(:), allocatable :: name
       !> Places of the variables in the model's table, from 1.
       integer, allocatable :: variables(:)
       !> Values of the variables, in the order given by the user; shape `(n_variables, n_values)`.
@@ -25,7 +28,6 @@ module adfric_run_plan
       procedure :: shape => plan_shape
       procedure :: is_swept
       procedure :: values_of
-      procedure :: has_joint_axis
       procedure :: get_values
    end type plan_t
 
@@ -92,18 +94,6 @@ contains
          if (j > 0) values = self%axes(k)%values(j, :)
       end do
    end function values_of
-
-   !> Do several variables change together along any of the axes?
-   pure logical function has_joint_axis(self)
-      !> The run, whose axes are looked at.
-      class(plan_t), intent(in) :: self
-      integer :: k
-
-      has_joint_axis = .false.
-      do k = 1, size(self%axes)
-         has_joint_axis = has_joint_axis .or. size(self%axes(k)%variables) > 1
-      end do
-   end function has_joint_axis
 
    !> Values of all variables at the points `first`, `first + 1`, ...
    pure subroutine get_values(self, first, values)

@@ -4,10 +4,15 @@
 !> Whoever has a run and a sink solves it by two calls: `prepare` of its model, and `run_sweep` of the runner. What a run is
 !> does not depend on where its description comes from (a namelist file, a caller of the library) or where its results go.
 module adfric_run_run
+   use adfric_base_kinds, only: dp
+   use adfric_base_unset, only: is_set
    use adfric_model_model, only: model_t
+   use adfric_model_plausible_range, only: find_plausible_range
    use adfric_run_blocks, only: blocks_t, part_t, new_blocks
    use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: plan_t
+   use adfric_run_variation, only: variation_t
+   use adfric_run_varied_model, only: vary_model
    implicit none (type, external)
    private
    public :: run_t, new_run
@@ -22,6 +27,8 @@ module adfric_run_run
       type(part_t) :: part
       !> Datasets that the variables name, shape `(n_variables)`; without a text where a variable names none.
       type(dataset_t), allocatable :: datasets(:)
+      !> What is wanted to know beside the results of the model.
+      type(variation_t) :: variation
       !> Title; empty if there is none.
       character(:), allocatable :: title
       !> Whole text of the input, from which the run can be repeated; empty if there is none.
@@ -29,6 +36,7 @@ module adfric_run_run
       !> Name of the results file; empty if there is none.
       character(:), allocatable :: output
    contains
+      procedure :: apply_variation
       procedure :: blocks
       procedure :: profile_shape
    end type run_t
@@ -44,6 +52,7 @@ contains
       integer :: i
 
       call move_alloc(model, self%model)
+      allocate (self%variation%derivatives(0), self%variation%uncertain(0))
       allocate (self%plan%base(size(self%model%variables)), self%plan%axes(0), self%datasets(size(self%model%variables)))
       do i = 1, size(self%plan%base)
          self%plan%base(i) = self%model%variables(i)%default
@@ -52,6 +61,25 @@ contains
       self%text = ''
       self%output = ''
    end subroutine new_run
+
+   !> Let the model tell what is wanted beside its results. Once, when all variables have their values.
+   subroutine apply_variation(self)
+      !> The run, whose model is another one afterwards if anything is wanted.
+      class(run_t), intent(inout) :: self
+      real(dp) :: scales(size(self%plan%base)), upper
+      integer :: i
+
+      if (.not. self%variation%is_wanted()) return
+      do i = 1, size(scales)
+         scales(i) = 0
+         if (is_set(self%plan%base(i))) scales(i) = maxval(abs(self%plan%values_of(i)))
+         if (scales(i) > 0) cycle
+         ! a variable that is 0 everywhere: the least size that is usual
+         call find_plausible_range(self%model%variables(i), self%model%unit_of(self%plan%base, i), scales(i), upper)
+         if (.not. scales(i) > 0) scales(i) = 1
+      end do
+      call vary_model(self%model, self%variation, scales)
+   end subroutine apply_variation
 
    !> The blocks of the part of the run.
    pure function blocks(self)

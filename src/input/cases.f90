@@ -1,0 +1,277 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> `&cases`: several variables that change together, as a table of a file has them.
+module adfric_input_cases
+   use adfric_base_error, only: error_t
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: join_words, longest_name, show_count, show_text, to_lower
+   use adfric_base_words, only: count_words, get_word
+   use adfric_hdf5_members, only: find_members
+   use adfric_input_case, only: case_t
+   use adfric_input_csv_table, only: csv_table_t, open_csv_table
+   use adfric_input_dataset, only: load_numbers, take_numbers
+   use adfric_input_group_values, only: look_up_number, take_text, take_words
+   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_swept_variable, only: break_variable, check_not_twice, convert_values, put_swept
+   use adfric_input_vocabulary, only: cases_names, list_numbers, report_unknown_names
+   use adfric_model_model, only: model_t
+   use adfric_run_dataset, only: dataset_t
+   use adfric_run_plan, only: axis_t
+   implicit none (type, external)
+   private
+   public :: read_cases, case_axis
+
+   !> Name of the dimension.
+   character(*), parameter :: case_axis = 'case'
+   !> What may be given for `file`.
+   character(*), parameter :: allowed_files = '''FILE.csv'' or ''FILE.h5:/GROUP'''
+   !> What stands between the name of a file and that of a group, with which the latter begins.
+   character(*), parameter :: divider = ':/'
+
+   !> The table.
+   type :: source_t
+      !> Name of the file.
+      character(:), allocatable :: file
+      !> Name of the group; not allocated for a table of text.
+      character(:), allocatable :: path
+      !> The table of text.
+      type(csv_table_t) :: table
+   end type source_t
+
+contains
+
+   !> Read a table of cases.
+   subroutine read_cases(file, group, model, input, axis, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of `&cases` in the file, from 1.
+      integer, intent(in) :: group
+      !> The model, whose table says which variables it has and what they may be.
+      class(model_t), intent(in) :: model
+      !> In: what the groups and earlier sweeps give. Out: also what the cases do.
+      type(case_t), intent(inout) :: input
+      !> The variables and their values; not allocated if the axis cannot be used.
+      type(axis_t), intent(out) :: axis
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      type(source_t) :: source
+      type(dataset_t), allocatable :: columns(:)
+      character(:), allocatable :: names
+      real(dp), allocatable :: values(:, :)
+      integer, allocatable :: places(:)
+      integer :: k, n_before, line
+
+      n_before = problems%count()
+      line = file%line_of(file%groups(group)%first)
+      call report_unknown_names(file, group, cases_names, problems)
+      call open_source(file, group, source, problems)
+      names = ''
+      if (problems%count() == n_before) call choose_names(file, group, model, source, names, problems)
+      call find_places(file, group, model, names, places, problems)
+      do k = 1, size(places)
+         call check_not_twice(file, group, model, places(k), input, problems)
+      end do
+      if (problems%count() == n_before) &
+         call read_columns(file, group, model, input, source, names, places, columns, values, problems)
+      if (problems%count() > n_before) then
+         ! what it should have given is not missing
+         if (size(places) == 0) input%is_broken = .true.
+         do k = 1, size(places)
+            call break_variable(places(k), line, input)
+         end do
+         return
+      end if
+      axis%name = case_axis
+      axis%variables = places
+      axis%values = transpose(values)
+      do k = 1, size(places)
+         call put_swept(places(k), values(1, k), line, columns(k), input)
+      end do
+   end subroutine read_cases
+
+   !> Find the table.
+   subroutine open_source(file, group, source, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of `&cases` in the file, from 1.
+      integer, intent(in) :: group
+      !> Receives the names of file and group, or the open table.
+      type(source_t), intent(out) :: source
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      type(error_t), allocatable :: error
+      character(:), allocatable :: name
+      integer :: colon, n_before
+
+      if (file%groups(group)%is_garbled) return
+      if (file%find_assignment(group, 'file') == 0) then
+         call file%report_variable(problems, group, 'file', 'not given, needed: '//allowed_files)
+         return
+      end if
+      name = ''
+      n_before = problems%count()
+      call take_text(file, group, 'file', allowed_files, name, problems)
+      if (problems%count() > n_before) return
+      colon = index(name, divider, back=.true.)
+      if (len(name) > longest_name) then
+         call file%report_variable(problems, group, 'file', 'too long for the name of a file, given '''//show_text(name)//'''')
+      else if (len(name) > 4 .and. to_lower(name(max(1, len(name) - 3):)) == '.csv') then
+         source%file = name
+         call open_csv_table(source%table, name, error)
+         if (allocated(error)) call file%report_variable(problems, group, 'file', error%message)
+      else if (colon > 1) then
+         source%file = name(:colon - 1)
+         source%path = name(colon + 1:)
+      else
+         call file%report_variable(problems, group, 'file', 'names no table, given '''//show_text(name)//''', allowed: '// &
+            allowed_files)
+      end if
+   end subroutine open_source
+
+   !> Which columns are wanted: those of `variables`, else all that have the name of a numeric variable.
+   subroutine choose_names(file, group, model, source, names, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of `&cases` in the file, from 1.
+      integer, intent(in) :: group
+      !> The model, whose table says which variables it has.
+      class(model_t), intent(in) :: model
+      !> The table.
+      type(source_t), intent(in) :: source
+      !> Receives the names, separated by a blank; empty if something is wrong.
+      character(:), allocatable, intent(inout) :: names
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: known, flaw, there
+      logical, allocatable :: exists(:)
+      integer :: k
+
+      call take_words(file, group, 'variables', 'names of variables of the model', names, problems)
+      if (file%find_assignment(group, 'variables') > 0) return
+      known = list_numbers(model)
+      flaw = ''
+      there = ''
+      allocate (exists(count_words(known)), source=.false.)
+      if (allocated(source%path)) then
+         call find_members(source%file, source%path, known, exists, flaw)
+      else
+         do k = 1, size(source%table%columns)
+            there = there//' '//show_text(source%table%columns(k)%name)
+         end do
+         do k = 1, size(exists)
+            exists(k) = source%table%index_of(get_word(known, k)) > 0
+         end do
+      end if
+      do k = 1, size(exists)
+         if (exists(k)) names = trim(adjustl(names//' '//get_word(known, k)))
+      end do
+      if (len(flaw) == 0 .and. len(names) == 0) then
+         flaw = 'no column has the name of a numeric variable'
+         if (len(there) > 0) flaw = flaw//', there are '//join_words(there, ', ')
+      end if
+      if (len(flaw) > 0) call file%report_variable(problems, group, 'file', flaw//', given '''//show_text(source%file)// &
+         ''', allowed: columns with the names '//join_words(known, ', '))
+   end subroutine choose_names
+
+   !> Find the variables of the columns.
+   subroutine find_places(file, group, model, names, places, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of `&cases` in the file, from 1.
+      integer, intent(in) :: group
+      !> The model, whose table says which variables it has.
+      class(model_t), intent(in) :: model
+      !> Names of the columns, separated by a blank.
+      character(*), intent(in) :: names
+      !> Receives the places of the variables in the model's table.
+      integer, allocatable, intent(out) :: places(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: flaw
+      integer :: k, place
+
+      allocate (places(0))
+      do k = 1, count_words(names)
+         call look_up_number(model, get_word(names, k), place, flaw)
+         if (len(flaw) == 0 .and. any(places == place)) flaw = 'given twice, '''//get_word(names, k)//''''
+         if (len(flaw) > 0) then
+            call file%report_variable(problems, group, 'variables', flaw)
+         else
+            places = [places, place]
+         end if
+      end do
+   end subroutine find_places
+
+   !> Read the columns in SI units.
+   subroutine read_columns(file, group, model, input, source, names, places, columns, values, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of `&cases` in the file, from 1.
+      integer, intent(in) :: group
+      !> The model, whose table says which variables it has and what they may be.
+      class(model_t), intent(in) :: model
+      !> What the groups give, on which units may depend.
+      type(case_t), intent(in) :: input
+      !> The table.
+      type(source_t), intent(in) :: source
+      !> Names of the columns, separated by a blank.
+      character(*), intent(in) :: names
+      !> Places of the variables in the model's table.
+      integer, intent(in) :: places(:)
+      !> Receives what is known of each column.
+      type(dataset_t), allocatable, intent(out) :: columns(:)
+      !> Receives the values; shape `(n_cases, n_variables)`.
+      real(dp), allocatable, intent(out) :: values(:, :)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: flaw
+      real(dp), allocatable :: numbers(:, :)
+      integer :: k
+
+      allocate (columns(size(places)))
+      do k = 1, size(places)
+         call load_column(source, get_word(names, k), columns(k), numbers, flaw)
+         if (len(flaw) == 0) call convert_values(model, places(k), input, columns(k), numbers(:, 1), flaw)
+         if (len(flaw) == 0) then
+            if (k == 1) allocate (values(size(numbers, 1), size(places)))
+            if (size(numbers, 1) /= size(values, 1)) flaw = get_word(names, 1)//' and '//get_word(names, k)// &
+               ' have not as many values, '//show_count(size(values, 1))//' and '//show_count(size(numbers, 1))
+         end if
+         if (len(flaw) > 0) then
+            call file%report_variable(problems, group, 'file', flaw)
+            return
+         end if
+         values(:, k) = numbers(:, 1)
+      end do
+   end subroutine read_columns
+
+   !> Read a column as the file has it.
+   subroutine load_column(source, name, column, numbers, flaw)
+      !> The table.
+      type(source_t), intent(in) :: source
+      !> Name of the column.
+      character(*), intent(in) :: name
+      !> Receives its names, its shape and its units.
+      type(dataset_t), intent(inout) :: column
+      !> Receives the numbers; shape `(n, 1)`.
+      real(dp), allocatable, intent(out) :: numbers(:, :)
+      !> What is wrong with the file or the column; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+
+      column%file = source%file
+      if (allocated(source%path)) then
+         column%path = source%path
+         if (column%path /= '/') column%path = column%path//'/'
+         column%path = column%path//name
+         column%text = column%file//':'//column%path
+         call load_numbers(column, 1, numbers, flaw)
+         if (len(flaw) > 0) flaw = flaw//', given '''//show_text(column%text)//''''
+      else
+         column%is_column = .true.
+         column%path = name
+         column%text = column%file//':'//name
+         call take_numbers(source%table, column, numbers, flaw)
+      end if
+   end subroutine load_column
+
+end module adfric_input_cases

@@ -1,0 +1,218 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A model that holds another one, and is like it but for its results: the first ones are those of the inner model.
+module adfric_run_wrapped_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_model_derived, only: derived_t
+   use adfric_model_model, only: model_t
+   use adfric_model_table, only: profile_axis_t, profile_t
+   implicit none (type, external)
+   private
+   public :: wrapped_model_t
+
+   !> A model around another one; whoever extends it solves blocks.
+   type, abstract, extends(model_t) :: wrapped_model_t
+      !> The inner model.
+      class(model_t), allocatable :: inner
+   contains
+      procedure :: wrap
+      procedure :: check_values
+      procedure :: wants_profiles
+      procedure :: get_profile_axes
+      procedure :: solve_profiles
+      procedure :: prepare
+      procedure :: release
+      procedure :: take_dataset
+      procedure :: take_attribute
+      procedure :: derive_quantities
+      procedure :: describe_case
+      procedure :: describe_doubts
+      procedure :: count_profiles
+      procedure :: describe_profiles
+      procedure :: unit_of
+   end type wrapped_model_t
+
+contains
+
+   !> Take over a model, with its tables but for that of the results.
+   subroutine wrap(self, inner)
+      !> Receives the model.
+      class(wrapped_model_t), intent(inout) :: self
+      !> The model, which is not allocated afterwards.
+      class(model_t), allocatable, intent(inout) :: inner
+
+      call move_alloc(inner, self%inner)
+      self%name = self%inner%name
+      self%summary = self%inner%summary
+      self%references = self%inner%references
+      self%variables = self%inner%variables
+      self%profiles = self%inner%profiles
+      self%counts = self%inner%counts
+      self%profile_axes = self%inner%profile_axes
+      self%largest_block = self%inner%largest_block
+   end subroutine wrap
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call self%inner%check_values(values, is_swept, problems)
+   end subroutine check_values
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = self%inner%wants_profiles(values)
+   end function wants_profiles
+
+   !> See `model_t`.
+   subroutine get_profile_axes(self, values, axes)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the axes in the order of their names `profile_axes`.
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
+
+      call self%inner%get_profile_axes(values, axes)
+   end subroutine get_profile_axes
+
+   !> See `model_t`.
+   subroutine solve_profiles(self, values, results, profiles)
+      !> The model; all threads solve with the same one.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results that `solve_block` found for this point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> Receives the profiles; shape `(n_last_axis, n_first_axis, n_profiles)`.
+      real(dp), intent(out) :: profiles(:, :, :)
+
+      call self%inner%solve_profiles(values, results(:size(self%inner%results)), profiles)
+   end subroutine solve_profiles
+
+   !> See `model_t`.
+   subroutine prepare(self)
+      !> The model.
+      class(wrapped_model_t), intent(inout) :: self
+
+      call self%inner%prepare()
+   end subroutine prepare
+
+   !> See `model_t`.
+   subroutine release(self)
+      !> The model, prepared or not.
+      class(wrapped_model_t), intent(inout) :: self
+
+      call self%inner%release()
+   end subroutine release
+
+   !> See `model_t`.
+   subroutine take_dataset(self, place, values, problems)
+      !> The model.
+      class(wrapped_model_t), intent(inout) :: self
+      !> Place of the dataset in `variables`.
+      integer, intent(in) :: place
+      !> Values of the dataset; shape `(n_last, n_first)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call self%inner%take_dataset(place, values, problems)
+   end subroutine take_dataset
+
+   !> See `model_t`.
+   subroutine take_attribute(self, place, name, value, problems)
+      !> The model.
+      class(wrapped_model_t), intent(inout) :: self
+      !> Place of the dataset in `variables`.
+      integer, intent(in) :: place
+      !> Name of the attribute, one of those of the row.
+      character(*), intent(in) :: name
+      !> The number, which is finite, in the SI unit that the row says.
+      real(dp), intent(in) :: value
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call self%inner%take_attribute(place, name, value, problems)
+   end subroutine take_attribute
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(derived)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+
+      derived = self%inner%derive_quantities(values)
+   end function derive_quantities
+
+   !> See `model_t`.
+   function describe_case(self, values) result(text)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = self%inner%describe_case(values)
+   end function describe_case
+
+   !> See `model_t`.
+   function describe_doubts(self, values) result(text)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = self%inner%describe_doubts(values)
+   end function describe_doubts
+
+   !> See `model_t`.
+   pure integer function count_profiles(self, values)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      count_profiles = self%inner%count_profiles(values)
+   end function count_profiles
+
+   !> See `model_t`.
+   function describe_profiles(self, values) result(profiles)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(profile_t), allocatable :: profiles(:)
+
+      profiles = self%inner%describe_profiles(values)
+   end function describe_profiles
+
+   !> See `model_t`.
+   function unit_of(self, values, place) result(unit)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%inner%unit_of(values, place)
+   end function unit_of
+
+end module adfric_run_wrapped_model
