@@ -87,6 +87,8 @@ contains
          call read_case(file, run, problems)
       end if
       call error_of(problems, error, file%path)
+      if (.not. allocated(error) .and. run%refinement%is_wanted()) call set_error(error, input_failure, &
+         & '&refine: a simulation solves the points that it is given, allowed: adfric run')
       if (.not. allocated(error)) call take_input(self, run)
    end subroutine read_state
 

@@ -51,15 +51,29 @@ contains
       call run%model%prepare()
       call outcome%say(describe_doubts_of(run))
       call outcome%say(describe_sweep(run))
-      text = run%variation%describe(run%model%variables)
-      if (len(text) > 0) call outcome%say(pad('beside the results', name_width)//text//newline)
-      call outcome%say(pad('points', name_width)//show_count(run%plan%n_points())//newline)
+      call outcome%say(describe_points(run))
       call outcome%say(pad('estimated time', name_width)//describe_time(run)//newline)
       call run%model%release()
       call outcome%say(warn_of_values(run))
       call outcome%say(pad('results file', name_width)//run%output//', ' &
          //show_bytes(file_size_of(run))//newline)
    end subroutine check_case
+
+   !> What is done beside the sweeps, and the number of points.
+   function describe_points(run) result(lines)
+      !> The run that the input describes.
+      type(run_input_t), intent(in) :: run
+      character(:), allocatable :: lines
+      character(:), allocatable :: text
+
+      lines = ''
+      if (run%refinement%is_wanted()) lines = pad('refined', name_width)//run%refinement%describe(run%model)//newline
+      text = run%variation%describe(run%model%variables)
+      if (len(text) > 0) lines = lines//pad('beside the results', name_width)//text//newline
+      lines = lines//pad('points', name_width)//show_count(run%plan%n_points())
+      if (run%refinement%is_wanted()) lines = lines//' or more'
+      lines = lines//newline
+   end function describe_points
 
    !> The variables that have one value, group by group.
    function describe_values(run) result(lines)

@@ -21,6 +21,7 @@ module adfric_command_run
    use adfric_run_block_source, only: block_list_t
    use adfric_run_blocks, only: blocks_t
    use adfric_run_progress, only: progress_t
+   use adfric_run_refinement, only: refine_together
    use adfric_run_run, only: run_t
    use adfric_run_summary, only: run_summary_t
    use adfric_system_files, only: kind_of_path, path_file, target_of, id_of_file, is_same, remove_file
@@ -49,6 +50,11 @@ contains
       call open_case(command%subject, run, outcome)
       call share_failure(world, outcome%exit_status, outcome%errors)
       if (outcome%exit_status /= exit_success) return
+      call refine_run(command, world, run, error)
+      if (allocated(error)) then
+         call outcome%fail(error)
+         return
+      end if
       if (len(command%output) > 0) run%output = command%output
       run%part = command%part
       run%output = target_of(part_name(run%output, run%part))
@@ -75,6 +81,25 @@ contains
          if (is_complete) call outcome%say('this run was complete already'//newline)
       end if
    end subroutine run_case
+
+   !> Refine the sweep of a run that wants it. What this finds is the same whenever it is done, so that a run goes on with it, and a
+   !> part has the values of the others; the hash of the case tells if not.
+   subroutine refine_run(command, world, run, error)
+      !> What the user asks for on the command line.
+      type(command_t), intent(in) :: command
+      !> The processes that take part; the first one solves.
+      type(world_t), intent(in) :: world
+      !> The run, whose only sweep may get more values.
+      class(run_t), intent(inout) :: run
+      !> Not allocated if all went well; the same in all processes.
+      type(error_t), allocatable, intent(out) :: error
+
+      if (.not. run%refinement%is_wanted()) return
+      call run%model%prepare()
+      call refine_together(world, run%refinement, run%model, run%plan%base, run%plan%axes(1), error)
+      call run%model%release()
+      if (allocated(error)) error%message = command%subject//': '//error%message
+   end subroutine refine_run
 
    !> Is the run that is to be resumed complete already? A file of another run is left to `check_output`.
    subroutine find_complete(command, run, is_complete, summary, error)

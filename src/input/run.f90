@@ -14,6 +14,7 @@ module adfric_input_run
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file, open_namelist_text
+   use adfric_input_refinement, only: read_refinement
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_input_sweep, only: find_size_problem
    use adfric_input_variation, only: read_variation
@@ -130,6 +131,7 @@ contains
       if (problems%is_enough()) return
       call load_datasets(run%model, input, problems)
       call check_consistency(file, run%model, input, run%plan%axes, problems)
+      call read_refinement(file, run%model, run%plan%axes, run%refinement, problems)
       call read_variation(file, run%model, input, run%variation, problems)
       text = find_size_problem(run%plan)
       if (len(text) > 0) call problems%add('sweep', '', text)

@@ -11,6 +11,7 @@ module adfric_run_run
    use adfric_run_blocks, only: blocks_t, part_t, new_blocks
    use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: plan_t
+   use adfric_run_refinement, only: refinement_t
    use adfric_run_variation, only: variation_t
    use adfric_run_varied_model, only: vary_model
    implicit none (type, external)
@@ -27,6 +28,8 @@ module adfric_run_run
       type(part_t) :: part
       !> Datasets that the variables name, shape `(n_variables)`; without a text where a variable names none.
       type(dataset_t), allocatable :: datasets(:)
+      !> How the only sweep is refined before it is solved.
+      type(refinement_t) :: refinement
       !> What is wanted to know beside the results of the model.
       type(variation_t) :: variation
       !> Title; empty if there is none.
