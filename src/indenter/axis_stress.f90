@@ -11,7 +11,7 @@
 module adfric_indenter_axis_stress
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
-   use adfric_indenter_contact, only: contact_t
+   use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_shape, only: shape_t, spot_t
    use adfric_numerics_panels, only: integrand_t, integrate
    implicit none (type, external)

@@ -18,7 +18,8 @@
 !> A flat face sticks as a whole until T^2 = (4 t^2 - P^2)/m under tension, and 4 t^2/m under pressure, which does not open its edge.
 module adfric_indenter_brittle_peeling
    use adfric_base_kinds, only: dp
-   use adfric_indenter_contact, only: contact_t, set_contact, take_given
+   use adfric_indenter_contact, only: take_given
+   use adfric_indenter_contact_state, only: contact_t, set_contact
    use adfric_indenter_curve, only: control_load, curve_t
    use adfric_indenter_shape, only: spot_t
    use adfric_indenter_weak_contact, only: weaken

@@ -21,7 +21,8 @@ module adfric_indenter_dugdale_curve
    use adfric_indenter_curve, only: curve_t, state_t, interval_t, disc_range_t, most_intervals, most_disc_ranges, control_load, &
       & control_approach, control_spring, control_radius, stability_control
    use adfric_indenter_dugdale_discs, only: find_stable_discs
-   use adfric_indenter_dugdale_folds, only: margins_t, find_stable_parts
+   use adfric_indenter_dugdale_folds, only: find_stable_parts
+   use adfric_indenter_dugdale_stretch, only: margins_t
    use adfric_indenter_shape, only: spot_t, within_edge
    implicit none (type, external)
    private

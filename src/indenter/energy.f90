@@ -13,7 +13,7 @@ module adfric_indenter_energy
    use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_indenter_annulus, only: get_annulus
-   use adfric_indenter_contact, only: contact_t
+   use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_curve, only: curve_t
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    implicit none (type, external)

@@ -9,7 +9,9 @@ module adfric_indenter_history_model
    use adfric_base_unset, only: is_set, unset
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_indenter_check, only: check_body
-   use adfric_indenter_contact, only: branch_stable, contact_t, survey_t, find_contact, survey_curve
+   use adfric_indenter_contact, only: branch_stable, find_contact
+   use adfric_indenter_contact_state, only: contact_t
+   use adfric_indenter_survey, only: survey_t, survey_curve
    use adfric_indenter_curve, only: control_load, control_approach
    use adfric_indenter_shape, only: spot_t
    use adfric_indenter_variables

@@ -5,7 +5,9 @@ module adfric_indenter_interaction_events
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_indenter_contact, only: branch_stable, contact_t, find_contact, survey_curve, survey_t
+   use adfric_indenter_contact, only: branch_stable, find_contact
+   use adfric_indenter_contact_state, only: contact_t
+   use adfric_indenter_survey, only: survey_curve, survey_t
    use adfric_indenter_curve, only: curve_t
    use adfric_indenter_interaction_path, only: complete_waypoint, displacement_of, force_of, get_waypoint, path_t, turn, waypoint_t
    use adfric_indenter_interaction_search, only: end_capped, end_sliding, end_snap_off, find_end, find_peak

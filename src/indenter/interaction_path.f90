@@ -13,7 +13,7 @@ module adfric_indenter_interaction_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi, pi
    use adfric_indenter_annulus, only: get_annulus
-   use adfric_indenter_contact, only: contact_t
+   use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_curve, only: control_approach, control_load, control_spring, curve_t
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_weak_contact, only: find_weaker, new_weak_way, weak_way_t

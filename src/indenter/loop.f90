@@ -10,8 +10,9 @@
 module adfric_indenter_loop
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_indenter_contact, only: contact_t, survey_t, find_contact, held_by, set_contact, set_disc, try_interval, &
-      & try_disc_range, branch_stable
+   use adfric_indenter_contact, only: find_contact, try_interval, try_disc_range, branch_stable
+   use adfric_indenter_contact_state, only: contact_t, held_by, set_contact, set_disc
+   use adfric_indenter_survey, only: survey_t
    use adfric_indenter_curve, only: curve_t, disc_range_t, interval_t, control_spring, most_disc_ranges, most_intervals
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_energy, only: adhesive_energy

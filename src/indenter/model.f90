@@ -11,7 +11,9 @@ module adfric_indenter_model
    use adfric_indenter_axis_stress, only: get_axis_stress
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_indenter_check, only: check_indenter_values
-   use adfric_indenter_contact, only: contact_t, ends_t, survey_t, find_contact, survey_curve, terms_of
+   use adfric_indenter_contact, only: find_contact
+   use adfric_indenter_contact_state, only: contact_t, terms_of
+   use adfric_indenter_survey, only: ends_t, survey_t, survey_curve
    use adfric_indenter_curve, only: control_approach, control_load, control_radius, control_spring, stability_control
    use adfric_indenter_energy, only: elastic_energy
    use adfric_indenter_loop, only: find_loop, loop_t

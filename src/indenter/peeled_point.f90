@@ -6,7 +6,9 @@ module adfric_indenter_peeled_point
    use adfric_base_unset, only: is_set
    use adfric_indenter_brittle_peeling, only: brittle_t, find_peeled, new_brittle
    use adfric_indenter_case, only: indenter_case_t
-   use adfric_indenter_contact, only: branch_stable, contact_t, ends_t, find_contact, survey_curve, survey_t
+   use adfric_indenter_contact, only: branch_stable, find_contact
+   use adfric_indenter_contact_state, only: contact_t
+   use adfric_indenter_survey, only: ends_t, survey_curve, survey_t
    use adfric_indenter_interaction_events, only: find_peeling_events, peeling_events_t
    use adfric_indenter_interaction_path, only: displacement_of, force_of, friction_law_t, get_rates, largest_slip_of, new_path, &
       & path_t, slip_of, waypoint_t

@@ -12,7 +12,7 @@ module adfric_indenter_profiles
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_indenter_contact, only: contact_t
+   use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_dugdale_gap, only: zone_gap, disc_gap
    use adfric_indenter_power_shape, only: power_shape_t
    use adfric_indenter_shape, only: shape_t

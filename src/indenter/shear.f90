@@ -11,7 +11,8 @@
 module adfric_indenter_shear
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
-   use adfric_indenter_contact, only: contact_t, find_face_angle
+   use adfric_indenter_contact_state, only: contact_t
+   use adfric_indenter_face_contact, only: find_face_angle
    use adfric_indenter_profiles, only: pressure_at
    use adfric_indenter_shape, only: shape_t, spot_t
    use adfric_material_shear_sums, only: shear_sums_t, set_shear_radii, sliding_force, stress_in_stick, sum_displacement, &

@@ -13,7 +13,9 @@
 !> W = 8 mu^2 m a g(a)^2 int (t^n - q^n) (1 - t^n) dt, q < t < 1.
 module adfric_indenter_slip
    use adfric_base_kinds, only: dp
-   use adfric_indenter_contact, only: branch_stable, contact_t, find_contact, survey_t
+   use adfric_indenter_contact, only: branch_stable, find_contact
+   use adfric_indenter_contact_state, only: contact_t
+   use adfric_indenter_survey, only: survey_t
    use adfric_indenter_curve, only: control_load, curve_t
    use adfric_indenter_power_shape, only: power_shape_t
    use adfric_indenter_shape, only: shape_t, spot_t

@@ -21,7 +21,9 @@
 !> in which the contact changes little, 8 and more in a decade, and a step that does not become small as X does is a jump.
 module adfric_indenter_weak_contact
    use adfric_base_kinds, only: dp
-   use adfric_indenter_contact, only: branch_stable, contact_t, find_contact, held_of, set_contact, survey_t, take_given
+   use adfric_indenter_contact, only: branch_stable, find_contact, take_given
+   use adfric_indenter_contact_state, only: contact_t, held_of, set_contact
+   use adfric_indenter_survey, only: survey_t
    use adfric_indenter_curve, only: control_approach, control_load, control_spring, curve_t, get_stability_factor, state_t
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_shape, only: piece_t, spot_t
