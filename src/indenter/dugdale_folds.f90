@@ -161,6 +161,7 @@ contains
       type(stretch_t), intent(out) :: inner
       !> Was its first end found?
       logical, intent(out) :: is_converged
+      real(dp), parameter :: beyond_round_off = 64*epsilon(1.0_dp)
       real(dp) :: angle
 
       inner%is_beyond = .false.
@@ -170,7 +171,8 @@ contains
       if (shape%has_face) then
          ! contacts begin where the zone ends at the corner: a/sqrt(b^2 - a^2) is the cotangent of the angle of a flat punch
          call find_edge_angle(pi*range/(4*stress), angle)
-         if (angle > 0) inner%low = 1/tan(angle)
+         ! a little larger, for c to be beyond the corner
+         if (angle > 0) inner%low = (1 + beyond_round_off)/tan(angle)
          inner%guess = max(inner%low, 1.0_dp)
          inner%high = at_corner
       else
