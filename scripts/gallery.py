@@ -62,8 +62,7 @@ AREAS = {
     "A sphere": (
         one("johnson1997_fig3"), one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("johnson1997_fig6"), one("johnson1997_fig7"),
         one("johnson1997_fig8"), one("johnson1997_fig9a"), one("johnson1997_fig9b"), one("johnson1997_fig11"),
-        one("sphere_pressure_factor", options="--y friction_force stick_radius slip"), one("stick_slip", options="--y friction_force"),
-        one("stick_slip_stiffness", options="--y jump_force arrest_force jump_energy jump_period"),
+        one("sphere_pressure_factor", options="--y friction_force stick_radius slip"), one("stick_slip", options="--y friction_force contact_radius slip"),
         one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr")),
     "Indenters": (
         one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_flat_cone"),
