@@ -182,7 +182,9 @@ contains
       integer :: k
       logical :: is_reached
 
+      ! T rises from 0, and is above the force of sliding at the onset of a jump that ends there
       call first_reach(curve, 0.0_dp, 1.0_dp, curve%force_after, spot_t(1, -1.0_dp), arrest, is_reached)
+      found%slides = is_reached
       if (.not. is_reached) return
       found%period = found%base_displacement - (displacement_at(curve, arrest) + curve%force_after/stiffness)
       found%work = 0

@@ -83,8 +83,12 @@ contains
       state%is_found = .false.
       if (.not. (self%path%start%is_found .and. self%is_converged) .or. self%path%ending == end_none) return
       place = base
-      if (self%jump%slides .and. base > self%jump%base_displacement .and. self%jump%period > 0) place &
-         & = self%jump%base_displacement - self%jump%period + modulo(base - self%jump%base_displacement, self%jump%period)
+      if (self%jump%slides) then
+         associate (jump => self%jump)
+            if (base > jump%base_displacement) place = jump%base_displacement - jump%period &
+               & + modulo(base - jump%base_displacement, jump%period)
+         end associate
+      end if
       spot = spot_t(1, -1.0_dp)
       is_reached = .true.
       ! the largest h itself is reached
