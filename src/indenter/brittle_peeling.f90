@@ -93,15 +93,15 @@ contains
    pure subroutine find_snap_off(self)
       !> The contact that peels, which receives the place.
       type(brittle_t), intent(inout) :: self
-      real(dp), parameter :: next_to_nothing = 1.0e-12_dp
+      real(dp), parameter :: next_to_nothing = 1.0e-9_dp
       real(dp) :: low, high, turn
       logical :: is_beyond
 
       is_beyond = self%rest%is_beyond
       high = self%rest%u
       if (is_beyond) then
-         low = 0
-         if (.not. self%curve%shape%corner > 0) low = next_to_nothing*high
+         ! at the corner itself, or without contact, k may have no sign
+         low = next_to_nothing*high
          turn = low
          if (rise_of(self, low, .true.) < 0) turn = sign_change(self, low, high, .true., .false.)
          if (reserve_of(self, turn, .true.) < 0) then
