@@ -30,21 +30,18 @@ contains
       type(axis_t) :: axis
       integer :: i, n
 
-      allocate (axes(size(file%groups)))
+      allocate (axes(count([(makes_axis(file, i), i=1, size(file%groups))])))
       n = 0
       do i = 1, size(file%groups)
          if (problems%is_enough()) exit
-         if (file%groups(i)%index > 1 .and. file%groups(i)%name /= 'sweep') cycle
+         if (.not. makes_axis(file, i)) cycle
          select case (file%groups(i)%name)
          case ('sweep')
-            if (goes_with_another(file, i)) cycle
             call read_sweep(file, i, model, input, axis, problems)
          case ('cases')
             call read_cases(file, i, model, input, axis, problems)
-         case ('sample')
-            call read_sample(file, i, model, input, axis, problems)
          case default
-            cycle
+            call read_sample(file, i, model, input, axis, problems)
          end select
          if (.not. allocated(axis%variables)) cycle
          n = n + 1
@@ -52,13 +49,30 @@ contains
          call move_alloc(axis%variables, axes(n)%variables)
          call move_alloc(axis%values, axes(n)%values)
       end do
-      axes = axes(:n)
+      if (n < size(axes)) axes = axes(:n)
       do i = 1, size(file%groups)
          if (problems%is_enough()) exit
          if (goes_with_another(file, i)) call join_sweep(file, i, model, input, axes, problems)
       end do
       call check_ranges(file, problems)
    end subroutine read_axes
+
+   !> Does a group make an axis of its own? Of `&cases` and `&sample` there may be one.
+   pure logical function makes_axis(file, group)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
+      integer, intent(in) :: group
+
+      select case (file%groups(group)%name)
+      case ('sweep')
+         makes_axis = .not. goes_with_another(file, group)
+      case ('cases', 'sample')
+         makes_axis = file%groups(group)%index == 1
+      case default
+         makes_axis = .false.
+      end select
+   end function makes_axis
 
    !> Is it a sweep that goes in step with another one?
    pure logical function goes_with_another(file, group)

@@ -5,6 +5,7 @@ module adfric_run_variation
    use adfric_base_kinds, only: dp
    use adfric_base_text, only: show_count
    use adfric_base_units, only: quotient_unit
+   use adfric_base_words, only: has_word
    use adfric_model_table, only: result_t, variable_t
    implicit none (type, external)
    private
@@ -56,7 +57,7 @@ contains
 
    !> Rows of the results that come behind those of the model: for each variable the derivatives of all numbers among them, then the
    !> errors, then the statistics of the samples, and the share of samples that are solved.
-   subroutine new_rows(wanted, variables, units, numbers, rows)
+   subroutine new_rows(wanted, variables, units, numbers, taken, rows)
       !> What is wanted.
       type(variation_t), intent(in) :: wanted
       !> Table of the variables of the model.
@@ -65,6 +66,8 @@ contains
       type(result_t), intent(in) :: units(:)
       !> The results that are numbers, with their units.
       type(result_t), intent(in) :: numbers(:)
+      !> Names of all results of the model, separated by a blank. One that has `NAME_error` gets `NAME_standard_error` beside it.
+      character(*), intent(in) :: taken
       !> Receives the rows.
       type(result_t), allocatable, intent(out) :: rows(:)
       character(:), allocatable :: name
@@ -83,7 +86,9 @@ contains
       end do
       if (size(wanted%uncertain) > 0) then
          do i = 1, size(numbers)
-            call put_row(rows, n, numbers(i)%name//'_error', numbers(i)%unit, 'standard error of '//numbers(i)%name)
+            name = numbers(i)%name//'_error'
+            if (has_word(taken, name)) name = numbers(i)%name//'_standard_error'
+            call put_row(rows, n, name, numbers(i)%unit, 'standard error of '//numbers(i)%name)
          end do
       end if
       if (wanted%n_samples == 0) return

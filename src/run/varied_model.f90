@@ -66,7 +66,7 @@ contains
             units(k)%unit = inner%variables(wanted%derivatives(k))%unit
          end do
          call pick_rows(inner%results, varied%numbers, numbers)
-         call new_rows(wanted, inner%variables, units, numbers, rows)
+         call new_rows(wanted, inner%variables, units, numbers, names_of(inner%results), rows)
          call join_rows(inner%results, rows, varied%results)
       end associate
       allocate (varied%normal(size(wanted%uncertain), wanted%n_samples))
@@ -80,6 +80,19 @@ contains
       end if
       call move_alloc(varied, model)
    end subroutine vary_model
+
+   !> Names of the rows of a table, separated by a blank.
+   pure function names_of(table) result(names)
+      !> The table.
+      type(result_t), intent(in) :: table(:)
+      character(:), allocatable :: names
+      integer :: i
+
+      names = ''
+      do i = 1, size(table)
+         names = names//' '//table(i)%name
+      end do
+   end function names_of
 
    !> Some rows of a table.
    subroutine pick_rows(table, places, rows)
@@ -293,13 +306,13 @@ contains
       type(result_t), allocatable :: own(:), units(:), numbers(:), rows(:)
       integer :: k
 
-      own = self%inner%describe_results(values)
+      allocate (own, source=self%inner%describe_results(values))
       allocate (units(size(self%wanted%derivatives)))
       do k = 1, size(units)
          units(k)%unit = self%inner%unit_of(values, self%wanted%derivatives(k))
       end do
       call pick_rows(own, self%numbers, numbers)
-      call new_rows(self%wanted, self%inner%variables, units, numbers, rows)
+      call new_rows(self%wanted, self%inner%variables, units, numbers, names_of(own), rows)
       call join_rows(own, rows, results)
    end function describe_results
 

@@ -156,7 +156,7 @@ contains
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
 
-      derived = self%inner%derive_quantities(values)
+      allocate (derived, source=self%inner%derive_quantities(values))
    end function derive_quantities
 
    !> See `model_t`.
@@ -199,7 +199,7 @@ contains
       real(dp), intent(in) :: values(:)
       type(profile_t), allocatable :: profiles(:)
 
-      profiles = self%inner%describe_profiles(values)
+      allocate (profiles, source=self%inner%describe_profiles(values))
    end function describe_profiles
 
    !> See `model_t`.
