@@ -63,7 +63,8 @@ AREAS = {
         one("johnson1997_fig3"), one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("johnson1997_fig6"), one("johnson1997_fig7"),
         one("johnson1997_fig8"), one("johnson1997_fig9a"), one("johnson1997_fig9b"), one("johnson1997_fig11"),
         one("sphere_pressure_factor", options="--y friction_force stick_radius slip"), one("stick_slip", options="--y friction_force contact_radius slip"),
-        one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr")),
+        one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr"),
+        one("sphere_pull_off_edge"), one("sphere_sample"), one("sphere_uncertain")),
     "Indenters": (
         one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_flat_cone"),
         one("indenter_rounded_cone"), one("indenter_rounded_punch"), one("indenter_polynomial"), one("indenter_slip"), one("indenter_friction"), one("indenter_interaction"), one("indenter_peeling"), one("indenter_hysteresis"), one("indenter_fretting"), one("indenter_spring"), one("indenter_pull_off"),

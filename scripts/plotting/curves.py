@@ -88,6 +88,9 @@ def draw_curves(axes, results, abscissa, ordinate, curves, scale=None):
             load = load_of(results, along, curve.index)[order]
             y = without_pole(y, load)
             has_pole = has_pole or passes_zero(load)
+        if ordinate in results.errors:
+            error = np.moveaxis(results.fields[results.errors[ordinate]].values, along, -1)[curve.index][order] * y_factor
+            axes.fill_between(x, y - error, y + error, color=curve.style["color"], alpha=0.2, linewidth=0)
         draw_curve(axes, x, y, find_jumps(results, along, curve.index), way_of(results), label=curve.label,
                    marker="o" if x.size <= 30 else None, markersize=3, **curve.style)
         missed |= np.moveaxis(results.status, along, -1)[curve.index][order] == NOT_CONVERGED

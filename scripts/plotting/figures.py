@@ -6,7 +6,7 @@ The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2
 
 import numpy as np
 
-from . import adhesion, halfspace, history, rubber, sliding, sphere
+from . import adhesion, halfspace, history, rubber, samples, sliding, sphere
 from .curves import draw_panels
 from .results import NothingToDraw
 from .surface import draw_pressure_maps, draw_stresses
@@ -51,6 +51,8 @@ def choose_figure(results):
     along = results.several[-1].name if results.several else None
     if along is None:
         raise NothingToDraw(f"{results.path}: one point without profiles of the pressure: nothing to draw")
+    if along in samples.AXES:
+        return lambda found: samples.draw_samples(found, choose_results(found)[0])
     return FIGURES.get((results.model, along), draw_sweep)
 
 
@@ -79,7 +81,7 @@ def choose_results(results):
     if varying:
         return varying
     names = [name for name in MAIN_RESULTS if name in results.fields]
-    names += [name for name in results.fields if name not in MAIN_RESULTS + CHECKS]
+    names += [name for name in results.fields if name not in MAIN_RESULTS + CHECKS and name not in results.beside]
     varying = [name for name in names if _varies(results.fields[name].values)]
     if not varying:
         raise NothingToDraw(f"{results.path}: no result varies: nothing to draw")

@@ -11,6 +11,8 @@ import numpy as np
 SOLVED, NOT_CONVERGED = 0, 2
 # names of results in files of earlier versions
 RENAMED = {"area_fraction": "contact_fraction", "area_fraction_error": "contact_fraction_error"}
+# how the meaning of a standard error begins
+ERROR_OF = "standard error of "
 # why a point is empty, by its status
 REASONS = {-1: "not reached", 1: "no equilibrium", 2: "not converged"}
 
@@ -39,6 +41,9 @@ class Results:
     fields    results by name, of the shape of the sweep
     states    the same for enumerated results, as words; None where there is no value
     constants what has one value in the whole run, by name
+    companions    variables that change in step along an axis, by name, with the name of the axis
+    beside    names of results that say how others change or how uncertain they are
+    errors    name of the standard error of a result, by its name
     words     the same for what is a word
     profile_axes, profiles    the same for values on the surface; their shape is that of the sweep, then of the axes
     """
@@ -70,8 +75,10 @@ class Results:
         self.axes = [_field(file, name) for name in names]
         self.fields = {}
         self.states = {}
-        constants = _text(file["status"].attrs.get("coordinates", "")).split()
-        self.constants = {name: _field(file, name) for name in constants if name in file}
+        self.beside, self.errors = set(), {}
+        named = [name for name in _text(file["status"].attrs.get("coordinates", "")).split() if name in file]
+        self.constants = {name: _field(file, name) for name in named if file[name].ndim == 0}
+        self.companions = {name: (_field(file, name), _scales(file[name])[0]) for name in named if file[name].ndim == 1}
         self.words = {name: _words(file[name])[()] for name in self.constants if "flag_meanings" in file[name].attrs}
         self.profiles = {}
         self.profile_axes = []
@@ -79,7 +86,7 @@ class Results:
             # groups hold what the program needs to go on with a run
             if not isinstance(dataset, h5py.Dataset):
                 continue
-            if dataset.attrs.get("CLASS") == b"DIMENSION_SCALE" or dataset.dtype.kind not in "fi" or name in self.constants:
+            if dataset.attrs.get("CLASS") == b"DIMENSION_SCALE" or dataset.dtype.kind not in "fi" or name in named:
                 continue
             scales = _scales(dataset)
             if dataset.dtype.kind == "i":
@@ -88,10 +95,18 @@ class Results:
                 continue
             if scales == names:
                 self.fields[name] = _field(file, name)
+                self._note_beside(name, _text(dataset.attrs.get("long_name", "")))
             elif scales[: len(names)] == names:
                 self.profiles[name] = _field(file, name)
                 self.profile_axes = [_field(file, axis) for axis in scales[len(names):]]
         self._take_old_names()
+
+    def _note_beside(self, name, meaning):
+        """Take note of a result that is said beside another one, by what it means."""
+        if meaning.startswith(ERROR_OF):
+            self.errors[meaning.removeprefix(ERROR_OF)] = name
+        if meaning.startswith((ERROR_OF, "derivative of ")) or meaning.endswith("of the samples") or name == "sampled_fraction":
+            self.beside.add(name)
 
     def _take_old_names(self):
         """Give results of earlier versions their names of today."""
@@ -125,6 +140,7 @@ class Results:
         along = self.axis_names.index(name)
         part = copy.copy(self)
         part.axes = [axis for axis in self.axes if axis.name != name]
+        part.companions = {key: (field, axis) for key, (field, axis) in self.companions.items() if axis != name}
         part.status = np.take(self.status, place, axis=along)
         part.fields = {key: Field(key, field.unit, np.take(field.values, place, axis=along))
                        for key, field in self.fields.items()}

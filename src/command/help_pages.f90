@@ -52,10 +52,19 @@ module adfric_command_help_pages
       '  &sweep'//newline// &
       '    variable = ''NAME''    or ''GROUP%NAME'': any numeric variable of the model'//newline// &
       '    from = A, to = B, count = N, spacing = ''linear'' or ''log'''//newline// &
-      '    values = A, B, ...   instead of from, to, count and spacing'//newline// &
+      '    values = A, B, ...   instead of from, to, count and spacing; or ''FILE.h5:/DATASET'', ''FILE.csv:COLUMN'''//newline// &
+      '    with = ''NAME''        in step with the sweep of this variable'//newline// &
       '  /'//newline// &
+      '  &cases file = ''FILE.csv'' or ''FILE.h5:/GROUP'', variables = ''NAME'', ... /      one axis, case'//newline// &
+      '  &sample count = N, method = ''sobol'', ''latin_hypercube'' or ''random'', seed = N / one axis, sample, of all &range'//newline// &
+      '  &range variable = ''NAME'', from = A, to = B, spacing = ''linear'' or ''log'' /'//newline// &
+      '  &refine variable = ''NAME'', result = ''NAME'', tolerance = A, resolution = A, limit = N /'//newline// &
+      '                         more values where a result jumps or bends'//newline// &
+      '  &uncertain variable = ''NAME'', error = A, relative_error = A, method = ''linear'' or ''samples'','//newline// &
+      '             count = N, seed = N /               standard errors of all results'//newline// &
+      '  &output derivatives = ''NAME'', ... /          derivatives of all results'//newline// &
       newline// &
-      'Several &sweep groups form the outer product; the first one varies slowest.'//newline
+      'Several &sweep groups, cases and a sample form the outer product; the first one varies slowest.'//newline
 
    !> What stands in every results file; the results of the models follow.
    character(*), parameter :: outputs_head = &
