@@ -52,11 +52,13 @@ module adfric_command_help_pages
       '  &sweep'//newline// &
       '    variable = ''NAME''    or ''GROUP%NAME'': any numeric variable of the model'//newline// &
       '    from = A, to = B, count = N, spacing = ''linear'' or ''log'''//newline// &
-      '    values = A, B, ...   instead of from, to, count and spacing; or ''FILE.h5:/DATASET'', ''FILE.csv:COLUMN'''//newline// &
+      '    values = A, B, ...   instead of from, to, count and spacing; or a dataset or column, as above'//newline// &
       '    with = ''NAME''        in step with the sweep of this variable'//newline// &
       '  /'//newline// &
-      '  &cases file = ''FILE.csv'' or ''FILE.h5:/GROUP'', variables = ''NAME'', ... /      one axis, case'//newline// &
-      '  &sample count = N, method = ''sobol'', ''latin_hypercube'' or ''random'', seed = N / one axis, sample, of all &range'//newline// &
+      '  &cases file = ''FILE.csv'' or ''FILE.h5:/GROUP'', variables = ''NAME'', ... /'//newline// &
+      '                         one axis, case, of all columns'//newline// &
+      '  &sample count = N, method = ''sobol'', ''latin_hypercube'' or ''random'', seed = N /'//newline// &
+      '                         one axis, sample, of all &range'//newline// &
       '  &range variable = ''NAME'', from = A, to = B, spacing = ''linear'' or ''log'' /'//newline// &
       '  &refine variable = ''NAME'', result = ''NAME'', tolerance = A, resolution = A, limit = N /'//newline// &
       '                         more values where a result jumps or bends'//newline// &
