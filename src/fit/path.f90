@@ -1,0 +1,336 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The states of a sphere that a held load, or the held base of a spring, can have: the path from its end of stability, the fold, outward.
+!>
+!> What is held is phi: the load P, or the position of the base delta + ks P with the reduced compliance ks of the spring. Along the
+!> path phi rises from the fold to infinity, so that each phi above that of the fold belongs to one state. The place t of
+!> `adfric_fit_state` falls outward in Maugis-Dugdale, and rises in the other theories (`side`).
+!>
+!> Fold of the load: P_t = 0 has one root (`adfric_sphere_maugis_dugdale`). Fold of the base: phi_t = delta_t + ks P_t is negative at the
+!> fold of the load, where delta_t < 0, and positive where delta_t = 0, beyond which P_t > 0. So the root lies between the two, or the path goes
+!> through th = pi/2 to states without contact, whose phi is a parabola in c.
+module adfric_fit_path
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi, half_pi
+   use adfric_numerics_powers, only: cube_root
+   use adfric_sphere_contact, only: contact_t, theory_jkr, theory_maugis_dugdale, control_load
+   use adfric_sphere_dugdale_curve, only: guess_place, get_disc_radius
+   use adfric_sphere_maugis_dugdale, only: maugis_t
+   use adfric_fit_state, only: state_t, get_state, add_derivatives
+   implicit none (type, external)
+   private
+   public :: path_t, set_path, find_state, held_value, is_outer
+
+   !> A path.
+   type :: path_t
+      !> One of `theory_...`.
+      integer :: theory = theory_maugis_dugdale
+      !> Is the base of a spring held, not the load?
+      logical :: is_base = .false.
+      !> Maugis's parameter, and the reduced compliance L/(k D) of the spring.
+      real(dp) :: lambda = 0, ks = 0
+      !> -1: the place falls outward; 1: it rises.
+      integer :: side = -1
+      !> The fold, with all derivatives, and phi there.
+      type(state_t) :: fold
+      !> What is held at the fold, and its second derivative by the place.
+      real(dp) :: held_at_fold = 0, held_tt = 0
+      !> Derivatives of the place of the fold by lambda and ks.
+      real(dp) :: fold_l = 0, fold_ks = 0
+   end type path_t
+
+   !> A Newton step of this size, relative to the distance from the ends of the path, is the last: the tangent is exact then.
+   real(dp), parameter :: close_enough = 1.0e-7_dp
+   integer, parameter :: max_steps = 200
+   !> So near to th = pi/2, where all derivatives by th vanish, the path's direction is asked for.
+   real(dp), parameter :: before_end = 1.0e-5_dp
+
+contains
+
+   !> Make a path, and find its fold.
+   pure subroutine set_path(path, theory, is_base, lambda, ks)
+      !> In: the path of a neighbour that helps the search, or a new one. Out: the path.
+      type(path_t), intent(inout) :: path
+      !> One of `theory_...`.
+      integer, intent(in) :: theory
+      !> Is the base of a spring held, not the load?
+      logical, intent(in) :: is_base
+      !> Maugis's parameter, > 0; without meaning in the other theories.
+      real(dp), intent(in) :: lambda
+      !> Reduced compliance L/(k D) of the spring, >= 0.
+      real(dp), intent(in) :: ks
+      logical :: is_same
+
+      is_same = path%theory == theory .and. (path%is_base .eqv. is_base) .and. .not. abs(path%lambda - lambda) > 0 &
+         & .and. .not. abs(path%ks - ks) > 0
+      if (is_same) return
+      path%theory = theory
+      path%is_base = is_base
+      path%lambda = lambda
+      path%ks = ks
+      path%side = merge(-1, 1, theory == theory_maugis_dugdale)
+      call find_fold(path)
+      call add_derivatives(theory, lambda, path%fold)
+      path%held_at_fold = held_value(path, path%fold)
+      path%fold_l = 0
+      path%fold_ks = 0
+      associate (s => path%fold)
+         path%held_tt = s%p_tt
+         if (is_base) path%held_tt = s%d_tt + ks*s%p_tt
+         if (.not. abs(path%held_tt) > 0) return
+         if (is_base) then
+            path%fold_l = -(s%d_tl + ks*s%p_tl)/path%held_tt
+            path%fold_ks = -s%p_t/path%held_tt
+         else
+            path%fold_l = -s%p_tl/path%held_tt
+         end if
+      end associate
+   end subroutine set_path
+
+   !> What is held: load, or position of the base.
+   pure real(dp) function held_value(path, s)
+      !> The path.
+      type(path_t), intent(in) :: path
+      !> A state.
+      type(state_t), intent(in) :: s
+
+      held_value = s%p
+      if (path%is_base) held_value = s%d + path%ks*s%p
+   end function held_value
+
+   !> Its derivative by the place.
+   pure real(dp) function held_slope(path, s)
+      !> The path.
+      type(path_t), intent(in) :: path
+      !> A state.
+      type(state_t), intent(in) :: s
+
+      held_slope = s%p_t
+      if (path%is_base) held_slope = s%d_t + path%ks*s%p_t
+   end function held_slope
+
+   !> Does one place lie farther outward than another?
+   pure logical function is_outer(path, t, than)
+      !> The path.
+      type(path_t), intent(in) :: path
+      !> The places.
+      real(dp), intent(in) :: t, than
+
+      is_outer = path%side*(t - than) > 0
+   end function is_outer
+
+   !> Find the fold.
+   pure subroutine find_fold(path)
+      !> The path; it receives the fold.
+      type(path_t), intent(inout) :: path
+      type(state_t) :: s
+      real(dp) :: low, high, disc, first
+
+      low = 0
+      high = half_pi
+      select case (path%theory)
+      case (theory_maugis_dugdale)
+         if (.not. path%is_base) then
+            call find_zero_slope(path, low, high)
+            return
+         end if
+         path%is_base = .false.
+         call find_zero_slope(path, low, high)
+         path%is_base = .true.
+         low = path%fold%t
+         call get_state(path%theory, path%lambda, half_pi - before_end, s)
+         if (held_slope(path, s) >= 0) then
+            call find_zero_slope(path, low, high)
+            return
+         end if
+         first = get_disc_radius(path%lambda, 1.0_dp)
+         disc = first
+         if (path%ks*pi*path%lambda < 1) disc = min(first, 8*path%lambda/(3*pi*(1 - path%ks*pi*path%lambda)))
+         call get_state(path%theory, path%lambda, half_pi + 1 - disc/first, path%fold)
+      case (theory_jkr)
+         high = sqrt(1.5_dp)
+         if (path%is_base) then
+            low = sqrt(6.0_dp)/6
+            path%fold%t = (low + high)/2
+            call find_zero_slope(path, low, high)
+         else
+            call get_state(path%theory, path%lambda, high, path%fold)
+         end if
+      case default
+         call get_state(path%theory, path%lambda, 0.0_dp, path%fold)
+      end select
+   end subroutine find_fold
+
+   !> Newton's method for the place between two where phi_t = 0; phi_t rises there.
+   pure subroutine find_zero_slope(path, from, to)
+      !> The path. In: with a guess of the fold. Out: with the fold.
+      type(path_t), intent(inout) :: path
+      !> Ends of the bracket.
+      real(dp), intent(in) :: from, to
+      type(maugis_t) :: theory
+      type(contact_t) :: contact
+      real(dp) :: low, high, t, value, slope, step
+      integer :: k
+
+      low = from
+      high = to
+      t = path%fold%t
+      if (path%theory == theory_maugis_dugdale .and. .not. t > 0 .and. .not. path%is_base) then
+         theory%lambda = path%lambda
+         call theory%pull_off(control_load, contact)
+         t = atan(exp(contact%place))
+      end if
+      if (.not. (t > low .and. t < high)) t = (low + high)/2
+      do k = 1, max_steps
+         call get_state(path%theory, path%lambda, t, path%fold)
+         call add_derivatives(path%theory, path%lambda, path%fold)
+         value = held_slope(path, path%fold)
+         slope = path%fold%p_tt
+         if (path%is_base) slope = path%fold%d_tt + path%ks*path%fold%p_tt
+         if (value < 0) low = t
+         if (value > 0) high = t
+         step = (low + high)/2 - t
+         if (slope > 0) step = -value/slope
+         if (.not. (t + step > low .and. t + step < high)) step = (low + high)/2 - t
+         if (.not. abs(step) > 4*epsilon(t)*t) exit
+         t = t + step
+         if (abs(step) > 1.0e-8_dp*t) cycle
+         ! the slope's error is of second order now
+         call get_state(path%theory, path%lambda, t, path%fold)
+         exit
+      end do
+   end subroutine find_zero_slope
+
+   !> Find the state with a held value.
+   pure subroutine find_state(path, held, t, s, is_beyond)
+      !> The path.
+      type(path_t), intent(in) :: path
+      !> Load, or position of the base, reduced.
+      real(dp), intent(in) :: held
+      !> In: a guess, or 0. Out: the place of the state.
+      real(dp), intent(inout) :: t
+      !> Receives the state with the derivatives by the place.
+      type(state_t), intent(inout) :: s
+      !> Is there no such state? Then the fold is given.
+      logical, intent(out) :: is_beyond
+      real(dp) :: inner, outer, value, slope, step
+      logical :: has_outer, is_inside
+      integer :: k
+
+      is_beyond = .not. held > path%held_at_fold
+      if (is_beyond) then
+         s = path%fold
+         t = s%t
+         return
+      end if
+      inner = path%fold%t
+      if (path%theory == theory_maugis_dugdale .and. path%is_base .and. inner >= half_pi) then
+         call try_apart(path, held, t, s, has_outer)
+         if (has_outer) return
+         inner = half_pi
+      end if
+      has_outer = path%side < 0
+      outer = 0
+      if (.not. (path%side*(t - inner) > 0 .and. t > 0)) call guess_state(path, held, inner, t)
+      do k = 1, max_steps
+         call get_state(path%theory, path%lambda, t, s)
+         value = held_value(path, s) - held
+         slope = held_slope(path, s)
+         if (value > 0) then
+            outer = t
+            has_outer = .true.
+         else
+            inner = t
+         end if
+         step = -value/slope
+         is_inside = is_outer(path, t + step, inner) .and. t + step > 0
+         if (is_inside .and. has_outer) is_inside = is_outer(path, outer, t + step)
+         if (.not. is_inside) then
+            step = merge((inner + outer)/2, 2*t + 1, has_outer) - t
+            ! a place near 0 is far outward
+            if (path%side < 0 .and. .not. outer > 0) step = -t/2
+            if (.not. abs(step) > 4*epsilon(t)*t) exit
+            t = t + step
+            cycle
+         end if
+         if (abs(step) <= close_enough*min(t, abs(path%fold%t - t))) then
+            call move(s, step)
+            t = s%t
+            return
+         end if
+         t = t + step
+      end do
+   end subroutine find_state
+
+   !> Go a step so small that the path is straight.
+   pure subroutine move(s, step)
+      !> The state.
+      type(state_t), intent(inout) :: s
+      !> Change of the place.
+      real(dp), intent(in) :: step
+
+      s%t = s%t + step
+      s%a = s%a + s%a_t*step
+      s%c = s%c + s%c_t*step
+      s%p = s%p + s%p_t*step
+      s%d = s%d + s%d_t*step
+   end subroutine move
+
+   !> A first guess of the state: by the parabola at the fold, or as a large contact.
+   pure subroutine guess_state(path, held, inner, t)
+      !> The path.
+      type(path_t), intent(in) :: path
+      !> Load, or position of the base, reduced, above that of the fold.
+      real(dp), intent(in) :: held
+      !> The innermost place.
+      real(dp), intent(in) :: inner
+      !> Receives the guess.
+      real(dp), intent(out) :: t
+      real(dp) :: above, radius, far
+
+      above = held - path%held_at_fold
+      radius = cube_root(above + 0.5_dp)
+      if (path%is_base) then
+         radius = sqrt(above + 0.3_dp)
+         if (path%ks > 0) radius = min(radius, cube_root((above + 0.3_dp)/path%ks))
+      end if
+      select case (path%theory)
+      case (theory_maugis_dugdale)
+         far = atan(exp(guess_place(path%lambda, 1.0_dp, radius)))
+      case (theory_jkr)
+         far = radius*sqrt(radius)
+      case default
+         far = radius
+      end select
+      t = far
+      if (path%held_tt > 0) t = inner + path%side*sqrt(2*above/path%held_tt)
+      if (.not. (t > 0) .or. is_outer(path, t, far)) t = far
+      if (.not. is_outer(path, t, inner)) t = merge(inner/2, 2*inner + 1, path%side < 0)
+   end subroutine guess_state
+
+   !> Look for a state without contact: phi = (1 - pi lambda ks) c^2/2 - (8/3pi) lambda c - 2/(pi lambda).
+   pure subroutine try_apart(path, held, t, s, is_found)
+      !> The path, whose fold is without contact.
+      type(path_t), intent(in) :: path
+      !> Position of the base, reduced, above that of the fold.
+      real(dp), intent(in) :: held
+      !> Receives the place if there is such a state.
+      real(dp), intent(inout) :: t
+      !> Receives the state if there is such a one.
+      type(state_t), intent(inout) :: s
+      !> Is there such a state?
+      logical, intent(out) :: is_found
+      real(dp) :: stiff, pull, c, first
+
+      stiff = 1 - pi*path%lambda*path%ks
+      pull = 8*path%lambda/(3*pi)
+      first = get_disc_radius(path%lambda, 1.0_dp)
+      is_found = stiff > 0
+      if (.not. is_found) return
+      c = (pull + sqrt(max(pull**2 + 2*stiff*(2/(pi*path%lambda) + held), 0.0_dp)))/stiff
+      is_found = c < first
+      if (.not. is_found) return
+      t = half_pi + 1 - c/first
+      call get_state(path%theory, path%lambda, t, s)
+   end subroutine try_apart
+
+end module adfric_fit_path

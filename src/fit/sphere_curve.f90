@@ -1,0 +1,582 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A measured curve of the model `sphere`, with exact derivatives.
+!>
+!> With X = X0 phi + x0 and Y = Y0 y + y0 (units X0, Y0, zeros x0, y0; phi, y functions of the place t and of lambda, see `adfric_fit_path` and
+!> `adfric_fit_ordinate`), and d ln X0, d ln Y0, d ln ks, d lambda the changes with a free variable:
+!>
+!> - Exact abscissas: t is where X(t) = X_i, so dY = Y0 (y dlnY0 + y_l dl + (y_t/phi_t) (-phi dlnX0 - dx0/X0 - phi_l dl - P dks)) + dy0.
+!> - Abscissas with errors: the state is the point of the curve nearest to the measured one, in standard errors of both, its foot. There
+!>   h = u u_t + v v_t = 0 with u = (X - X_i)/sX, v = (Y - Y_i)/sY. By the envelope theorem the distance along the normal changes as if t
+!>   were held. X and Y both rise outward. So where u and v are both positive the distance falls inward, where both are negative it
+!>   rises, and a root lies between the t of X_i and the t of Y_i. Is it alone? A point above the curve is outside of a convex set, since Y is
+!>   a concave function of X, and such a set has one nearest point. For a point below, near the fold, X is a parabola in Y: with U, V the
+!>   coordinates from the fold and r the radius of curvature there, h is V^3/(2 r^2) + V (1 - U/r) - V_i, which has one positive root for
+!>   V_i > 0 by Descartes' rule. For V_i <= 0 the foot is the fold, unless U > r, where two roots may appear: then places between are looked at,
+!>   and the nearer of fold and root is taken. A pair of roots so close together that no sample lies between them does no harm: the distance
+!>   falls on to the fold behind it, so the fold is nearer.
+!> - The foot is the fold: both components count, and the fold moves with lambda and ks.
+!> - A point of contact beyond the fold has the fold's ordinate; where the abscissa is a load, one more row says how far it is beyond,
+!>   in units of the median step of the loads over the root of 12. S has a kink there, and its count is reported.
+!>
+!> A place found for one set of variables is the start for the next, moved along the tangent.
+module adfric_fit_sphere_curve
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_unset, only: is_set
+   use adfric_fit_curve, only: curve_t, take_points, nuisance_slopes
+   use adfric_fit_ordinate, only: ordinate_t, get_ordinate, get_unit, is_ordinate
+   use adfric_fit_path, only: path_t, set_path, find_state, held_value, is_outer
+   use adfric_fit_problem, only: free_t, fit_t, data_set_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, &
+      & nuisance_contact_point, nuisance_lateral_gain, nuisance_spring_stiffness, event_pull_off_load, event_jump_in_approach
+   use adfric_fit_sphere_basis, only: basis_t, set_basis, of_radius, of_modulus, of_work, of_lambda, of_edge
+   use adfric_fit_state, only: state_t, get_state, add_derivatives
+   use adfric_sphere_contact, only: theory_maugis_dugdale
+   use adfric_sphere_variables, only: v_load, v_approach, v_interaction, v_branch, v_units, v_tangential_force, &
+      & v_tangential_displacement, r_load, r_friction_force, units_si
+   implicit none (type, external)
+   private
+   public :: sphere_curve_t, new_sphere_curve, is_sphere_curve
+
+   !> What all points of a curve have in common at one set of variables.
+   type :: common_t
+      !> Units and zeros of abscissa and ordinate.
+      real(dp) :: x_unit = 1, y_unit = 1, x_zero = 0, y_zero = 0
+      !> Changes by each free variable: logarithms of both units, zeros, lambda, ks, x.
+      real(dp), allocatable, dimension(:) :: x_unit_by, y_unit_by, x_zero_by, y_zero_by, lambda_by, ks_by, edge_by
+      !> Change of the zero of a load.
+      real(dp), allocatable :: load_zero_by(:)
+   end type common_t
+
+   !> A measured curve of a sphere.
+   type, extends(curve_t) :: sphere_curve_t
+      !> The ordinate, a place in the results of the model.
+      integer :: ordinate = 0
+      !> Is the abscissa the position of a base, not the load?
+      logical :: is_base = .false.
+      !> The free variables.
+      type(free_t), allocatable :: frees(:)
+      !> How well the loads are resolved, for points beyond the fold.
+      real(dp) :: resolution = 1
+      !> The sphere, its path, and what all points have in common.
+      type(basis_t) :: basis
+      !> The path of held states.
+      type(path_t) :: path
+      !> What all points have in common.
+      type(common_t) :: common
+      !> Of the last evaluation: places (0: none), what was held there, and its derivatives by the place, lambda and ks.
+      real(dp), allocatable :: t(:), held(:), held_t(:), held_l(:), held_ks(:)
+      !> Of the last evaluation: lambda and ks.
+      real(dp) :: last_lambda = 0, last_ks = 0
+   contains
+      procedure :: evaluate
+      procedure :: find_event
+      procedure :: most_rows
+   end type sphere_curve_t
+
+   !> Samples of a path on which feet beside the fold are looked for, and most steps of a search.
+   integer, parameter :: n_samples = 16, max_steps = 100
+   real(dp), parameter :: close_enough = 1.0e-8_dp
+
+contains
+
+   !> Is a data set of the model `sphere` one that this module computes? Otherwise the model itself is asked.
+   logical function is_sphere_curve(fit, data)
+      !> The fit.
+      type(fit_t), intent(in) :: fit
+      !> The data set.
+      type(data_set_t), intent(in) :: data
+
+      is_sphere_curve = .false.
+      if (fit%model%name /= 'sphere') return
+      is_sphere_curve = (data%abscissa == v_load .or. data%abscissa == v_approach) .and. is_ordinate(data%ordinate) &
+         & .and. nint(fit%base(v_units)) == units_si .and. nint(fit%base(v_branch)) == 1 &
+         & .and. .not. fit%base(v_interaction) > 0 .and. .not. any(fit%frees%variable == v_interaction) &
+         & .and. .not. is_set(fit%base(v_tangential_force)) .and. .not. is_set(fit%base(v_tangential_displacement))
+   end function is_sphere_curve
+
+   !> Take a data set.
+   subroutine new_sphere_curve(self, fit, number, unit)
+      !> Receives the curve.
+      type(sphere_curve_t), intent(out) :: self
+      !> The fit.
+      type(fit_t), intent(in) :: fit
+      !> Number of the data set.
+      integer, intent(in) :: number
+      !> The standard error of all ordinates where none is given.
+      real(dp), intent(in) :: unit
+
+      call take_points(self, number, fit%data_sets(number), unit)
+      self%ordinate = fit%data_sets(number)%ordinate
+      self%is_base = fit%data_sets(number)%abscissa == v_approach
+      self%frees = fit%frees
+      allocate (self%t(self%n), self%held(self%n), self%held_t(self%n), self%held_l(self%n), self%held_ks(self%n), source=0.0_dp)
+      self%resolution = median_step(pack(self%x, self%is_contact))/sqrt(12.0_dp)
+      associate (n => size(fit%frees), c => self%common)
+         allocate (c%x_unit_by(n), c%y_unit_by(n), c%x_zero_by(n), c%y_zero_by(n), c%lambda_by(n), c%ks_by(n), c%edge_by(n), &
+            & c%load_zero_by(n), source=0.0_dp)
+      end associate
+   end subroutine new_sphere_curve
+
+   !> Median distance of neighbouring numbers; their range over their count where most are equal.
+   pure real(dp) function median_step(numbers) result(step)
+      !> The numbers, in any order.
+      real(dp), intent(in) :: numbers(:)
+      real(dp) :: steps(max(size(numbers) - 1, 0)), sorted(size(numbers))
+      integer :: n
+
+      step = 1
+      n = size(numbers) - 1
+      if (n < 1) return
+      sorted = numbers
+      call sort(sorted)
+      steps = sorted(2:) - sorted(:n)
+      call sort(steps)
+      step = (steps((n + 1)/2) + steps(n/2 + 1))/2
+      if (.not. step > 0) step = (sorted(n + 1) - sorted(1))/n
+      if (.not. step > 0) step = max(abs(sorted(1)), tiny(step))
+   end function median_step
+
+   !> Sort numbers, the least first.
+   pure subroutine sort(numbers)
+      !> The numbers.
+      real(dp), intent(inout) :: numbers(:)
+      real(dp) :: number
+      integer :: gap, i, k
+
+      gap = size(numbers)/2
+      do while (gap > 0)
+         do i = gap + 1, size(numbers)
+            number = numbers(i)
+            k = i
+            do while (k > gap)
+               if (numbers(k - gap) <= number) exit
+               numbers(k) = numbers(k - gap)
+               k = k - gap
+            end do
+            numbers(k) = number
+         end do
+         gap = gap/2
+      end do
+   end subroutine sort
+
+   !> See `curve_t`: a second row for every point at most.
+   pure integer function most_rows(self)
+      !> The curve.
+      class(sphere_curve_t), intent(in) :: self
+
+      most_rows = 2*self%n
+   end function most_rows
+
+   !> Take new values: the sphere, the path, the units and zeros, and how they change.
+   subroutine take_values(self, values, nuisance, slopes)
+      !> The curve; it receives what all points have in common.
+      class(sphere_curve_t), intent(inout) :: self
+      !> Values of all variables of the model.
+      real(dp), intent(in) :: values(:)
+      !> Values of the nuisances of the curve.
+      real(dp), intent(in) :: nuisance(:)
+      !> Derivatives of each free variable by the number that is fitted.
+      real(dp), intent(in) :: slopes(:)
+      real(dp) :: ks, of_nuisance(size(slopes), n_nuisances)
+
+      call set_basis(self%basis, values, self%frees, slopes)
+      call nuisance_slopes(self%frees, self%data_set, slopes, of_nuisance)
+      associate (c => self%common, b => self%basis%by_free)
+         c%lambda_by = self%basis%lambda*b(:, of_lambda)
+         c%edge_by = b(:, of_edge)
+         c%load_zero_by = of_nuisance(:, nuisance_load_offset)
+         ks = 0
+         c%ks_by = 0
+         if (self%is_base .and. is_set(nuisance(nuisance_spring_stiffness))) then
+            ks = self%basis%force/(nuisance(nuisance_spring_stiffness)*self%basis%approach)
+            c%ks_by = ks*((b(:, of_work) + 2*b(:, of_radius) + 2*b(:, of_modulus))/3 &
+               & - of_nuisance(:, nuisance_spring_stiffness)/nuisance(nuisance_spring_stiffness))
+         end if
+         call get_unit(self%ordinate, self%basis, c%y_unit, c%y_unit_by)
+         c%y_unit = c%y_unit*nuisance(nuisance_lateral_gain)
+         c%y_unit_by = c%y_unit_by + of_nuisance(:, nuisance_lateral_gain)/nuisance(nuisance_lateral_gain)
+         c%y_zero = nuisance(nuisance_friction_offset)
+         c%y_zero_by = of_nuisance(:, nuisance_friction_offset)
+         if (self%ordinate == r_load) c%y_zero = c%y_zero + nuisance(nuisance_load_offset)
+         if (self%ordinate == r_load) c%y_zero_by = c%y_zero_by + c%load_zero_by
+         if (self%is_base) then
+            c%x_unit = self%basis%approach
+            c%x_unit_by = (2*b(:, of_work) + b(:, of_radius) - 2*b(:, of_modulus))/3
+            c%x_zero = nuisance(nuisance_contact_point)
+            c%x_zero_by = of_nuisance(:, nuisance_contact_point)
+         else
+            c%x_unit = self%basis%force
+            c%x_unit_by = b(:, of_work) + b(:, of_radius)
+            c%x_zero = nuisance(nuisance_load_offset)
+            c%x_zero_by = c%load_zero_by
+         end if
+      end associate
+      call set_path(self%path, self%basis%theory, self%is_base, self%basis%lambda, ks)
+   end subroutine take_values
+
+   !> See `curve_t`.
+   subroutine evaluate(self, values, nuisance, slopes, is_exact, n_rows, r, j, is_valid)
+      !> The curve, which keeps the places for its next evaluation.
+      class(sphere_curve_t), intent(inout) :: self
+      !> Values of all variables of the model.
+      real(dp), intent(in) :: values(:)
+      !> Values of the nuisances of the curve.
+      real(dp), intent(in) :: nuisance(:)
+      !> Derivatives of each free variable by the number that is fitted.
+      real(dp), intent(in) :: slopes(:)
+      !> Has no meaning here: the derivatives are always exact.
+      logical, intent(in) :: is_exact
+      !> Receives the number of rows.
+      integer, intent(out) :: n_rows
+      !> Receives the residuals.
+      real(dp), intent(inout) :: r(:)
+      !> Receives their derivatives.
+      real(dp), intent(inout) :: j(:, :)
+      !> Has the model a value at all points?
+      logical, intent(out) :: is_valid
+      integer :: i
+
+      call take_values(self, values, nuisance, slopes)
+      n_rows = self%n
+      do i = 1, self%n
+         if (.not. self%is_contact(i)) then
+            self%fitted(i) = self%common%y_zero
+            r(i) = (self%common%y_zero - self%y(i))/self%sigma(i)
+            j(i, :) = self%common%y_zero_by/self%sigma(i)
+         else if (self%x_sigma(i) > 0) then
+            call evaluate_latent(self, i, n_rows, r, j)
+         else
+            call evaluate_exact(self, i, n_rows, r, j)
+         end if
+         self%residual(i) = -r(i)
+      end do
+      self%last_lambda = self%path%lambda
+      self%last_ks = self%path%ks
+      is_valid = all(abs(r(:n_rows)) <= sqrt(huge(1.0_dp)))
+      associate (unused => is_exact)
+      end associate
+   end subroutine evaluate
+
+   !> A point whose abscissa has no error.
+   subroutine evaluate_exact(self, i, n_rows, r, j)
+      !> The curve.
+      class(sphere_curve_t), intent(inout) :: self
+      !> Number of the point.
+      integer, intent(in) :: i
+      !> Number of rows so far; a point beyond the fold adds one.
+      integer, intent(inout) :: n_rows
+      !> Receives the residuals.
+      real(dp), intent(inout) :: r(:)
+      !> Receives their derivatives.
+      real(dp), intent(inout) :: j(:, :)
+      type(state_t) :: s
+      type(ordinate_t) :: o
+      real(dp) :: held, share, held_l, held_ks, weight
+
+      associate (c => self%common, path => self%path)
+         held = (self%x(i) - c%x_zero)/c%x_unit
+         call predict(self, i, held)
+         call find_state(path, held, self%t(i), s, self%is_beyond(i))
+         if (.not. self%is_beyond(i)) call add_derivatives(path%theory, path%lambda, s)
+         call get_ordinate(self%ordinate, self%basis%edge, s, o)
+         self%fitted(i) = c%y_unit*o%y + c%y_zero
+         r(i) = (self%fitted(i) - self%y(i))/self%sigma(i)
+         weight = c%y_unit/self%sigma(i)
+         if (self%is_beyond(i)) then
+            self%t(i) = 0
+            j(i, :) = weight*(o%y*c%y_unit_by + o%y_l*c%lambda_by + o%y_x*c%edge_by &
+               & + o%y_t*(path%fold_l*c%lambda_by + path%fold_ks*c%ks_by)) + c%y_zero_by/self%sigma(i)
+            if (self%is_base) return
+            n_rows = n_rows + 1
+            r(n_rows) = c%x_unit*(path%held_at_fold - held)/self%resolution
+            j(n_rows, :) = (c%x_unit*(path%held_at_fold*c%x_unit_by + s%p_l*c%lambda_by) + c%x_zero_by)/self%resolution
+            return
+         end if
+         held_l = s%p_l
+         held_ks = 0
+         self%held_t(i) = s%p_t
+         if (self%is_base) then
+            held_l = s%d_l + path%ks*s%p_l
+            held_ks = s%p
+            self%held_t(i) = s%d_t + path%ks*s%p_t
+         end if
+         self%held(i) = held
+         self%held_l(i) = held_l
+         self%held_ks(i) = held_ks
+         share = o%y_t/self%held_t(i)
+         j(i, :) = weight*(o%y*c%y_unit_by + (o%y_l - share*held_l)*c%lambda_by + o%y_x*c%edge_by &
+            & - share*(held*c%x_unit_by + c%x_zero_by/c%x_unit + held_ks*c%ks_by)) + c%y_zero_by/self%sigma(i)
+      end associate
+   end subroutine evaluate_exact
+
+   !> Move the last place of a point along the tangent to where it is now, if it is not far.
+   subroutine predict(self, i, held)
+      !> The curve.
+      class(sphere_curve_t), intent(inout) :: self
+      !> Number of the point.
+      integer, intent(in) :: i
+      !> What is held now.
+      real(dp), intent(in) :: held
+      real(dp) :: t
+
+      if (.not. self%t(i) > 0) return
+      t = self%t(i) + (held - self%held(i) - self%held_l(i)*(self%path%lambda - self%last_lambda) &
+         & - self%held_ks(i)*(self%path%ks - self%last_ks))/self%held_t(i)
+      if (abs(t - self%t(i)) < self%t(i)/2 .and. is_outer(self%path, t, self%path%fold%t)) self%t(i) = t
+   end subroutine predict
+
+   !> A point whose abscissa has an error.
+   subroutine evaluate_latent(self, i, n_rows, r, j)
+      !> The curve.
+      class(sphere_curve_t), intent(inout) :: self
+      !> Number of the point.
+      integer, intent(in) :: i
+      !> Number of rows so far; a point whose foot is the fold adds one.
+      integer, intent(inout) :: n_rows
+      !> Receives the residuals.
+      real(dp), intent(inout) :: r(:)
+      !> Receives their derivatives.
+      real(dp), intent(inout) :: j(:, :)
+      type(state_t) :: s
+      type(ordinate_t) :: o
+      real(dp) :: u, v, u_t, v_t, length, x_weight, y_weight
+      logical :: is_fold
+
+      associate (c => self%common, path => self%path)
+         call find_foot(self, i, s, o, is_fold)
+         x_weight = c%x_unit/self%x_sigma(i)
+         y_weight = c%y_unit/self%sigma(i)
+         u = (c%x_unit*s%p + c%x_zero - self%x(i))/self%x_sigma(i)
+         v = (c%y_unit*o%y + c%y_zero - self%y(i))/self%sigma(i)
+         self%fitted(i) = c%y_unit*o%y + c%y_zero
+         self%is_beyond(i) = .false.
+         if (is_fold) then
+            r(i) = v
+            j(i, :) = y_weight*(o%y*c%y_unit_by + o%y_l*c%lambda_by + o%y_x*c%edge_by + o%y_t*path%fold_l*c%lambda_by) &
+               & + c%y_zero_by/self%sigma(i)
+            n_rows = n_rows + 1
+            r(n_rows) = u
+            j(n_rows, :) = x_weight*(s%p*c%x_unit_by + s%p_l*c%lambda_by) + c%x_zero_by/self%x_sigma(i)
+            return
+         end if
+         ! the normal, upward, in standard errors
+         u_t = abs(x_weight*s%p_t)
+         v_t = abs(y_weight*o%y_t)
+         length = hypot(u_t, v_t)
+         u_t = u_t/length
+         v_t = v_t/length
+         r(i) = u_t*v - v_t*u
+         j(i, :) = u_t*(y_weight*(o%y*c%y_unit_by + o%y_l*c%lambda_by + o%y_x*c%edge_by) + c%y_zero_by/self%sigma(i)) &
+            & - v_t*(x_weight*(s%p*c%x_unit_by + s%p_l*c%lambda_by) + c%x_zero_by/self%x_sigma(i))
+      end associate
+   end subroutine evaluate_latent
+
+   !> The point of the curve nearest to a measured one.
+   subroutine find_foot(self, i, s, o, is_fold)
+      !> The curve, which keeps the place.
+      class(sphere_curve_t), intent(inout) :: self
+      !> Number of the point.
+      integer, intent(in) :: i
+      !> Receives the state.
+      type(state_t), intent(out) :: s
+      !> Receives its ordinate.
+      type(ordinate_t), intent(out) :: o
+      !> Is it the fold?
+      logical, intent(out) :: is_fold
+      real(dp) :: at_fold, inner, outer, t, distance
+      logical :: is_beside
+
+      associate (c => self%common, path => self%path)
+         call get_ordinate(self%ordinate, self%basis%edge, path%fold, o)
+         at_fold = (c%y_unit*o%y + c%y_zero - self%y(i))/self%sigma(i)
+         is_fold = at_fold >= 0
+         inner = path%fold%t
+         outer = -1
+         distance = 0
+         t = self%t(i)
+         if (is_fold) then
+            s = path%fold
+            is_beside = c%x_unit*path%held_at_fold + c%x_zero < self%x(i)
+            if (is_beside) call look_beside(self, i, inner, outer, is_beside)
+            if (.not. is_beside) return
+            distance = at_fold**2 + ((c%x_unit*s%p + c%x_zero - self%x(i))/self%x_sigma(i))**2
+            t = 0
+         end if
+         if (.not. (t > 0 .and. is_outer(path, t, inner))) call guess_foot(self, i, t)
+         call find_root(self, i, inner, outer, t, s, o)
+         if (is_fold) then
+            is_fold = .not. ((c%y_unit*o%y + c%y_zero - self%y(i))/self%sigma(i))**2 &
+               & + ((c%x_unit*s%p + c%x_zero - self%x(i))/self%x_sigma(i))**2 < distance
+            if (is_fold) s = path%fold
+            if (is_fold) call get_ordinate(self%ordinate, self%basis%edge, s, o)
+         else
+            self%t(i) = t
+         end if
+      end associate
+   end subroutine find_foot
+
+   !> A first guess of a foot: the place of the measured abscissa, or near the fold.
+   subroutine guess_foot(self, i, t)
+      !> The curve.
+      class(sphere_curve_t), intent(in) :: self
+      !> Number of the point.
+      integer, intent(in) :: i
+      !> Receives the place.
+      real(dp), intent(out) :: t
+      type(state_t) :: s
+      logical :: is_beyond
+      real(dp) :: held
+
+      held = (self%x(i) - self%common%x_zero)/self%common%x_unit
+      t = 0
+      call find_state(self%path, held, t, s, is_beyond)
+      if (is_beyond) t = self%path%fold%t + self%path%side*self%path%fold%t/20
+      if (.not. is_outer(self%path, t, self%path%fold%t)) t = self%path%fold%t + self%path%side*0.1_dp
+   end subroutine guess_foot
+
+   !> h = u u_t + v v_t times the side, positive outside of the foot, and its derivative by the place.
+   subroutine get_slope(self, i, t, s, o, h, h_t)
+      !> The curve.
+      class(sphere_curve_t), intent(in) :: self
+      !> Number of the point.
+      integer, intent(in) :: i
+      !> The place.
+      real(dp), intent(in) :: t
+      !> Receives the state.
+      type(state_t), intent(inout) :: s
+      !> Receives its ordinate.
+      type(ordinate_t), intent(out) :: o
+      !> Receives h times the side.
+      real(dp), intent(out) :: h
+      !> Receives the derivative of h.
+      real(dp), intent(out) :: h_t
+      real(dp) :: u, v, x_weight, y_weight
+
+      associate (c => self%common, path => self%path)
+         call get_state(path%theory, path%lambda, t, s)
+         call add_derivatives(path%theory, path%lambda, s)
+         call get_ordinate(self%ordinate, self%basis%edge, s, o)
+         x_weight = c%x_unit/self%x_sigma(i)
+         y_weight = c%y_unit/self%sigma(i)
+         u = (c%x_unit*s%p + c%x_zero - self%x(i))/self%x_sigma(i)
+         v = (c%y_unit*o%y + c%y_zero - self%y(i))/self%sigma(i)
+         h = path%side*(u*x_weight*s%p_t + v*y_weight*o%y_t)
+         h_t = (x_weight*s%p_t)**2 + (y_weight*o%y_t)**2 + u*x_weight*s%p_tt + v*y_weight*o%y_tt
+      end associate
+   end subroutine get_slope
+
+   !> Newton's method for the foot, within what is known of where it is.
+   subroutine find_root(self, i, from, to, t, s, o)
+      !> The curve.
+      class(sphere_curve_t), intent(in) :: self
+      !> Number of the point.
+      integer, intent(in) :: i
+      !> The place inside of the foot, and the one outside; < 0: not known.
+      real(dp), intent(in) :: from, to
+      !> In: a guess. Out: the place.
+      real(dp), intent(inout) :: t
+      !> Receives the state.
+      type(state_t), intent(inout) :: s
+      !> Receives its ordinate.
+      type(ordinate_t), intent(inout) :: o
+      real(dp) :: inner, outer, h, h_t, step
+      integer :: k
+      logical :: is_inside
+
+      inner = from
+      outer = to
+      ! places of Maugis-Dugdale end at 0 outward
+      if (self%path%side < 0) outer = max(outer, 0.0_dp)
+      if (.not. is_outer(self%path, t, inner) .or. outer >= 0 .and. .not. is_outer(self%path, outer, t)) t = (inner + outer)/2
+      do k = 1, max_steps
+         call get_slope(self, i, t, s, o, h, h_t)
+         if (h > 0) then
+            outer = t
+         else
+            inner = t
+         end if
+         step = huge(step)
+         if (h_t > 0) step = -self%path%side*h/h_t
+         if (abs(step) <= close_enough*min(t, abs(t - self%path%fold%t))) return
+         is_inside = step < huge(step)
+         if (is_inside) is_inside = is_outer(self%path, t + step, inner) .and. (outer < 0 .or. is_outer(self%path, outer, t + step))
+         if (.not. is_inside) step = merge((inner + outer)/2, 2*t + 1, outer >= 0) - t
+         if (self%path%side < 0 .and. .not. is_inside .and. .not. outer > 0) step = -t/2
+         if (abs(step) <= 4*epsilon(t)*t) return
+         t = t + step
+      end do
+   end subroutine find_root
+
+   !> Look for a foot between the fold and the place of the measured abscissa, for a point below the fold's ordinate.
+   subroutine look_beside(self, i, inner, outer, is_there)
+      !> The curve.
+      class(sphere_curve_t), intent(in) :: self
+      !> Number of the point.
+      integer, intent(in) :: i
+      !> Receives a place inside of that foot, and one outside.
+      real(dp), intent(out) :: inner, outer
+      !> Is there such a foot?
+      logical, intent(out) :: is_there
+      type(state_t) :: s
+      type(ordinate_t) :: o
+      real(dp) :: far, h, h_t
+      integer :: k
+
+      call guess_foot(self, i, far)
+      outer = far
+      is_there = .false.
+      do k = 1, n_samples - 1
+         inner = far + (self%path%fold%t - far)*k/real(n_samples, dp)
+         call get_slope(self, i, inner, s, o, h, h_t)
+         is_there = .not. h > 0
+         if (is_there) return
+         outer = inner
+      end do
+   end subroutine look_beside
+
+   !> See `curve_t`. The jump into contact happens where the zone of adhesion begins, at delta = -2/(pi lambda); in the theories without
+   !> such a zone, at touch. It loads no spring.
+   subroutine find_event(self, kind, values, nuisance, slopes, value, gradient, is_valid)
+      !> The curve, whose nuisances shift the event.
+      class(sphere_curve_t), intent(inout) :: self
+      !> One of `event_...`.
+      integer, intent(in) :: kind
+      !> Values of all variables of the model.
+      real(dp), intent(in) :: values(:)
+      !> Values of the nuisances of the curve.
+      real(dp), intent(in) :: nuisance(:)
+      !> Derivatives of each free variable by the number that is fitted.
+      real(dp), intent(in) :: slopes(:)
+      !> Receives the load [N] or position [m].
+      real(dp), intent(out) :: value
+      !> Receives its derivatives.
+      real(dp), intent(out) :: gradient(:)
+      !> Has the model such an event?
+      logical, intent(out) :: is_valid
+      type(path_t) :: path
+      real(dp) :: jump
+
+      call take_values(self, values, nuisance, slopes)
+      associate (c => self%common, b => self%basis%by_free, p => self%path)
+         is_valid = kind == event_pull_off_load .or. self%is_base
+         value = 0
+         gradient = 0
+         if (kind == event_pull_off_load) then
+            path = self%path
+            call set_path(path, p%theory, .false., p%lambda, 0.0_dp)
+            value = self%basis%force*path%fold%p + nuisance(nuisance_load_offset)
+            gradient = self%basis%force*(path%fold%p*(b(:, of_work) + b(:, of_radius)) + path%fold%p_l*c%lambda_by) + c%load_zero_by
+         else if (kind == event_jump_in_approach) then
+            jump = 0
+            if (p%theory == theory_maugis_dugdale) jump = -2/(pi*p%lambda)
+            value = c%x_unit*jump + c%x_zero
+            gradient = c%x_unit*jump*(c%x_unit_by - b(:, of_lambda)) + c%x_zero_by
+         else
+            value = c%x_unit*p%held_at_fold + c%x_zero
+            gradient = c%x_unit*(p%held_at_fold*c%x_unit_by + (p%fold%d_l + p%ks*p%fold%p_l)*c%lambda_by + p%fold%p*c%ks_by) &
+               & + c%x_zero_by
+         end if
+      end associate
+   end subroutine find_event
+
+end module adfric_fit_sphere_curve
