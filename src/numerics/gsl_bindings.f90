@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Bindings of the GNU Scientific Library. Its functions end the process where an argument is outside of their domain: only
-!> `adfric_numerics_elliptic`, `adfric_numerics_bessel_ratios` and `adfric_numerics_unit_samples` call them, which look at the
-!> arguments before.
+!> `adfric_numerics_elliptic`, `adfric_numerics_bessel_ratios`, `adfric_numerics_unit_samples` and `adfric_numerics_distributions` call
+!> them, which look at the arguments before.
 module adfric_numerics_gsl_bindings
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_long, c_ptr
    implicit none (type, external)
@@ -10,6 +10,7 @@ module adfric_numerics_gsl_bindings
    public :: gsl_sf_bessel_i0_scaled, gsl_sf_bessel_i1_scaled, gsl_sf_bessel_k0_scaled, gsl_sf_bessel_k1_scaled
    public :: gsl_qrng_sobol, gsl_qrng_alloc, gsl_qrng_get, gsl_qrng_free
    public :: gsl_rng_mt19937, gsl_rng_alloc, gsl_rng_set, gsl_rng_uniform, gsl_rng_uniform_int, gsl_rng_free, gsl_cdf_ugaussian_pinv
+   public :: gsl_cdf_chisq_q, gsl_cdf_chisq_pinv, gsl_cdf_fdist_pinv, gsl_cdf_tdist_pinv, gsl_cdf_ugaussian_q
 
    !> Mode of a special function: all digits of double precision.
    integer(c_int), parameter :: gsl_prec_double = 0
@@ -152,6 +153,54 @@ module adfric_numerics_gsl_bindings
          !> Argument of the function, > 0.
          real(c_double), intent(in), value :: x
       end function gsl_sf_bessel_k1_scaled
+
+      !> Probability that chi squared is above a value.
+      pure real(c_double) function gsl_cdf_chisq_q(x, nu) bind(c, name='gsl_cdf_chisq_Q')
+         import :: c_double
+         implicit none (type, external)
+         !> The value, >= 0.
+         real(c_double), intent(in), value :: x
+         !> Degrees of freedom, > 0.
+         real(c_double), intent(in), value :: nu
+      end function gsl_cdf_chisq_q
+
+      !> The value that chi squared is below with a probability.
+      pure real(c_double) function gsl_cdf_chisq_pinv(p, nu) bind(c, name='gsl_cdf_chisq_Pinv')
+         import :: c_double
+         implicit none (type, external)
+         !> The probability, between 0 and 1.
+         real(c_double), intent(in), value :: p
+         !> Degrees of freedom, > 0.
+         real(c_double), intent(in), value :: nu
+      end function gsl_cdf_chisq_pinv
+
+      !> The value that F is below with a probability.
+      pure real(c_double) function gsl_cdf_fdist_pinv(p, nu1, nu2) bind(c, name='gsl_cdf_fdist_Pinv')
+         import :: c_double
+         implicit none (type, external)
+         !> The probability, between 0 and 1.
+         real(c_double), intent(in), value :: p
+         !> Degrees of freedom of numerator and denominator, > 0.
+         real(c_double), intent(in), value :: nu1, nu2
+      end function gsl_cdf_fdist_pinv
+
+      !> The value that Student's t is below with a probability.
+      pure real(c_double) function gsl_cdf_tdist_pinv(p, nu) bind(c, name='gsl_cdf_tdist_Pinv')
+         import :: c_double
+         implicit none (type, external)
+         !> The probability, between 0 and 1.
+         real(c_double), intent(in), value :: p
+         !> Degrees of freedom, > 0.
+         real(c_double), intent(in), value :: nu
+      end function gsl_cdf_tdist_pinv
+
+      !> Probability that a normal number is above a value.
+      pure real(c_double) function gsl_cdf_ugaussian_q(x) bind(c, name='gsl_cdf_ugaussian_Q')
+         import :: c_double
+         implicit none (type, external)
+         !> The value.
+         real(c_double), intent(in), value :: x
+      end function gsl_cdf_ugaussian_q
    end interface
 
 end module adfric_numerics_gsl_bindings
