@@ -29,6 +29,7 @@ contains
       type(path_t) :: path
       real(dp) :: stress
 
+      if (allocated(solution%derived)) deallocate (solution%derived)
       allocate (solution%derived(0))
       if (size(self%spheres) == 0) return
       associate (basis => self%spheres(1)%basis, b => self%spheres(1)%basis%by_free)

@@ -61,6 +61,7 @@ contains
          n = n + count(abs_of(solution%data_sets(k)%residual) > outlier_limit)
       end do
       solution%n_outliers = n
+      if (allocated(solution%outliers)) deallocate (solution%outliers)
       allocate (solution%outliers(2, n))
       n = 0
       do k = 1, size(solution%data_sets)

@@ -6,11 +6,13 @@ module adfric_fit_solve
    use adfric_fit_covariance, only: find_covariance
    use adfric_fit_derived, only: find_derived
    use adfric_fit_objective, only: objective_t, new_objective, take_estimate, most_rows_of, count_terms
-   use adfric_fit_problem, only: fit_t
+   use adfric_fit_intervals, only: take_covariance_intervals, take_profile
+   use adfric_fit_problem, only: fit_t, intervals_covariance
    use adfric_fit_residuals, only: look_at_residuals, take_curve
    use adfric_fit_scales, only: scales_t, set_scales, find_refusal
    use adfric_fit_search, only: minima_t, find_minima, add_search, sort_minima, minima_limit
    use adfric_fit_solution, only: solution_t, fit_solved, fit_too_few_points, fit_not_converged, fit_not_identifiable
+   use adfric_fit_starts, only: lambda_free
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, new_squares_work, squares_converged, &
       & squares_stuck
    use adfric_numerics_distributions, only: chi_squared_above
@@ -20,6 +22,9 @@ module adfric_fit_solve
 
    !> Steps in standard errors that end a search with derivatives by steps forward, and what counts as a combination of columns then.
    real(dp), parameter :: forward_step = 1.0e-4_dp, forward_rank = 1.0e-5_dp, central_rank = 1.0e-7_dp
+
+   !> How often a profile may find a better minimum.
+   integer, parameter :: most_restarts = 4
 
    !> A fit on its way: what its parts share.
    type :: course_t
@@ -68,7 +73,46 @@ contains
       end if
       call take_minima(course, solution)
       call finish_estimate(course, fit, solution)
+      if (solution%status == fit_solved) call take_intervals(course, fit, solution)
+      solution%evaluations = course%objective%evaluations
    end subroutine solve_fit
+
+   !> Intervals of all variables. A profile that falls below the least S has found a better minimum: the fit is finished again with it.
+   subroutine take_intervals(course, fit, solution)
+      !> What the parts share.
+      type(course_t), intent(inout) :: course
+      !> The fit.
+      type(fit_t), intent(in) :: fit
+      !> Receives the intervals.
+      type(solution_t), intent(inout) :: solution
+      real(dp) :: below(size(fit%frees))
+      logical :: is_below
+      integer :: k, n, again
+
+      if (.not. allocated(fit%levels)) return
+      if (size(fit%levels) == 0) return
+      if (fit%intervals == intervals_covariance .or. course%objective%is_robust()) then
+         call take_covariance_intervals(course%minima%q(:, 1), course%scales, course%objective, fit%levels, course%limits%freedom, &
+            & solution)
+         return
+      end if
+      do again = 1, most_restarts
+         if (allocated(solution%profiles)) deallocate (solution%profiles)
+         allocate (solution%profiles(size(fit%frees)))
+         n = size(solution%minima_chi2)
+         do k = 1, size(fit%frees)
+            call take_profile(course%objective, course%scales, course%limits, course%work, k, course%minima%q(:, :n), &
+               & course%minima%cost(:n), course%variance, fit%levels, k == lambda_free(fit), solution, below, is_below)
+            if (is_below) exit
+         end do
+         if (.not. is_below) return
+         call add_search(course%objective, course%scales, course%limits, course%work, below, course%minima)
+         call sort_minima(course%minima, size(fit%frees))
+         call take_minima(course, solution)
+         call finish_estimate(course, fit, solution)
+         if (solution%status /= fit_solved) return
+      end do
+   end subroutine take_intervals
 
    !> Give every part of the solution its shape.
    subroutine make_room(fit, solution)
@@ -166,6 +210,7 @@ contains
       if (.not. course%variance > 0) course%variance = tiny(1.0_dp)
       n = count(course%minima%cost(:course%minima%n) - course%minima%cost(1) < minima_limit*course%variance)
       n = max(n, 1)
+      if (allocated(solution%minima)) deallocate (solution%minima, solution%minima_chi2, solution%minima_at_bound)
       allocate (solution%minima(n_free, n), solution%minima_chi2(n), slopes(n_free))
       allocate (solution%minima_at_bound(n_free, n), source=0)
       do k = 1, n

@@ -1,0 +1,485 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The profile of S over one variable, the least S over all others, and the sets where it stays below a limit.
+!>
+!> Is every piece of a set found? Each piece {S_p - S_min <= T} holds a local minimum of S, or one that a bound holds: S_p is continuous
+!> and has a least value on a closed piece, and at a place where two valleys of the other variables cross S_p has no least value, for the
+!> lesser of two functions has a maximum there. So it is enough to walk from every known minimum to both sides until S_p is above the
+!> largest limit, or to the bound; a piece whose minimum the search has missed is missed here, too. For lambda the nodes are 47 on a grid,
+!> and every minimum. All nodes are solved from all minima and from both neighbours.
+!>
+!> Is every end of a piece found? Between neighbouring nodes a gap may be too narrow for them. It lies where two valleys cross: there, at the place
+!> where their tangents meet, one more node is put. Crossings are refined by the secant rule with the exact slope of S_p, 2 J' r.
+!>
+!> A search that falls below S_min has found a better answer; it is handed back.
+module adfric_fit_profile
+   use adfric_base_kinds, only: dp
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_fit_objective, only: objective_t
+   use adfric_fit_scales, only: scales_t
+   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, find_least_squares, &
+      & squares_no_value
+   implicit none (type, external)
+   private
+   public :: profile_t, find_profile, find_pieces
+
+   !> Nodes of a grid over lambda, most nodes of a walk, and most of all.
+   integer, parameter :: n_grid = 47, most_walk = 60, most_nodes = 600
+   !> First step of a walk in standard errors, and its longest one as a difference of the number that is fitted.
+   real(dp), parameter :: first_step = 0.4_dp, longest_step = 1.0_dp
+   !> Accuracy of S at a node, as a step in standard errors, and of a crossing relative to the limit.
+   real(dp), parameter :: node_step = 1.0e-4_dp, of_limit = 1.0e-7_dp
+   integer, parameter :: most_refinements = 40
+   !> A crossing is known to this part of the distance between its nodes.
+   real(dp), parameter :: smallest_part = 1.0e-9_dp
+
+   !> A profile on its way.
+   type :: profile_t
+      !> Number of the variable, and of nodes.
+      integer :: free = 0, n = 0
+      !> Nodes, rising; S there, its slope, and all numbers that are fitted; shape `(n_free, n)`.
+      real(dp), allocatable :: x(:), cost(:), slope(:), q(:, :)
+      !> Least S, and variance of a point, by which S - S_min is divided.
+      real(dp) :: least = 0, variance = 1
+      !> Is a node a minimum of S?
+      logical, allocatable :: is_minimum(:)
+      !> Has a search fallen below the least S?
+      logical :: is_below = .false.
+      !> Where that was.
+      real(dp), allocatable :: below(:)
+      !> Most points beyond the fold at any node.
+      integer :: n_beyond = 0
+   end type profile_t
+
+contains
+
+   !> Find the profile over one variable.
+   subroutine find_profile(self, objective, scales, limits, work, free, minima, costs, variance, error, largest, is_lambda)
+      !> Receives the profile.
+      type(profile_t), intent(out) :: self
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: objective
+      !> Units and bounds.
+      type(scales_t), intent(in) :: scales
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Room to work in.
+      type(squares_work_t), intent(inout) :: work
+      !> Number of the variable.
+      integer, intent(in) :: free
+      !> Minima, the least first; shape `(n_free, n_minima)`.
+      real(dp), intent(in) :: minima(:, :)
+      !> S there.
+      real(dp), intent(in) :: costs(:)
+      !> Variance of a point in units of the residuals.
+      real(dp), intent(in) :: variance
+      !> Standard error of the number that is fitted.
+      real(dp), intent(in) :: error
+      !> Largest limit of S - S_min, over the variance.
+      real(dp), intent(in) :: largest
+      !> Does the variable set lambda?
+      logical, intent(in) :: is_lambda
+      integer :: k
+
+      self%free = free
+      self%least = costs(1)
+      self%variance = variance
+      allocate (self%x(most_nodes), self%cost(most_nodes), self%slope(most_nodes), source=0.0_dp)
+      allocate (self%q(size(minima, 1), most_nodes), source=0.0_dp)
+      allocate (self%is_minimum(most_nodes), source=.false.)
+      do k = 1, size(costs)
+         call insert(self, minima(free, k), costs(k), 0.0_dp, minima(:, k), .true.)
+      end do
+      if (is_lambda .and. abs(scales%lower(free)) < 200 .and. abs(scales%upper(free)) < 200) then
+         do k = 0, n_grid - 1
+            call add_node(self, objective, scales, limits, work, minima, scales%lower(free) + (scales%upper(free) &
+               & - scales%lower(free))*k/(n_grid - 1))
+         end do
+      else
+         do k = 1, size(costs)
+            call walk(self, objective, scales, limits, work, minima, minima(:, k), error, largest, 1)
+            call walk(self, objective, scales, limits, work, minima, minima(:, k), error, largest, -1)
+         end do
+      end if
+      call sweep(self, objective, scales, limits, work)
+      call look_between(self, objective, scales, limits, work, largest)
+   end subroutine find_profile
+
+   !> Put a node in its place; at a place that has one the lesser S stays.
+   pure subroutine insert(self, x, cost, slope, q, is_minimum)
+      !> The profile.
+      type(profile_t), intent(inout) :: self
+      !> The place, S and its slope there.
+      real(dp), intent(in) :: x, cost, slope
+      !> All numbers that are fitted.
+      real(dp), intent(in) :: q(:)
+      !> Is it a minimum of S?
+      logical, intent(in) :: is_minimum
+      integer :: i, n
+
+      n = self%n
+      i = count(self%x(:n) < x) + 1
+      if (i <= n) then
+         if (.not. self%x(i) > x) then
+            if (cost >= self%cost(i)) return
+            self%cost(i) = cost
+            self%slope(i) = slope
+            self%q(:, i) = q
+            self%is_minimum(i) = is_minimum
+            return
+         end if
+      end if
+      if (n == most_nodes) return
+      self%x(i + 1:n + 1) = self%x(i:n)
+      self%cost(i + 1:n + 1) = self%cost(i:n)
+      self%slope(i + 1:n + 1) = self%slope(i:n)
+      self%q(:, i + 1:n + 1) = self%q(:, i:n)
+      self%is_minimum(i + 1:n + 1) = self%is_minimum(i:n)
+      self%x(i) = x
+      self%cost(i) = cost
+      self%slope(i) = slope
+      self%q(:, i) = q
+      self%is_minimum(i) = is_minimum
+      self%n = n + 1
+   end subroutine insert
+
+   !> The least S over all other variables at a place, from one start.
+   subroutine solve_at(self, objective, scales, limits, work, x, q, cost, slope, has_value)
+      !> The profile, which notes what is below its least S.
+      type(profile_t), intent(inout) :: self
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: objective
+      !> Units and bounds.
+      type(scales_t), intent(in) :: scales
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Room to work in.
+      type(squares_work_t), intent(inout) :: work
+      !> The place.
+      real(dp), intent(in) :: x
+      !> In: a start for the others. Out: all numbers that are fitted.
+      real(dp), intent(inout) :: q(:)
+      !> Receives S and its slope.
+      real(dp), intent(out) :: cost, slope
+      !> Has the model a value there?
+      logical, intent(out) :: has_value
+      type(squares_limits_t) :: coarse
+      type(squares_outcome_t) :: outcome
+      logical :: is_held(size(q))
+
+      q(self%free) = x
+      is_held = .false.
+      is_held(self%free) = .true.
+      coarse = limits
+      coarse%step_tolerance = max(node_step, limits%step_tolerance)
+      coarse%relative_tolerance = max(limits%relative_tolerance, 1.0e-9_dp)
+      coarse%most_steps = 60
+      call find_least_squares(objective, scales%lower, scales%upper, is_held, coarse, work, q, outcome)
+      has_value = outcome%status /= squares_no_value
+      cost = outcome%cost
+      slope = 0
+      if (.not. has_value) return
+      slope = 2*dot_product(work%j(:work%n_rows, self%free), work%r(:work%n_rows))
+      self%n_beyond = max(self%n_beyond, objective%n_beyond())
+      if (cost < self%least - 1.0e-5_dp*self%variance) then
+         if (.not. self%is_below) self%below = q
+         self%is_below = .true.
+      end if
+   end subroutine solve_at
+
+   !> The least S over all other variables at a place, from several starts.
+   subroutine solve_best(self, objective, scales, limits, work, x, starts, q, cost, slope, has_value)
+      !> The profile.
+      type(profile_t), intent(inout) :: self
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: objective
+      !> Units and bounds.
+      type(scales_t), intent(in) :: scales
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Room to work in.
+      type(squares_work_t), intent(inout) :: work
+      !> The place.
+      real(dp), intent(in) :: x
+      !> Starts; shape `(n_free, n_starts)`.
+      real(dp), intent(in) :: starts(:, :)
+      !> Receives all numbers that are fitted.
+      real(dp), intent(out) :: q(:)
+      !> Receives S and its slope.
+      real(dp), intent(out) :: cost, slope
+      !> Has the model a value there?
+      logical, intent(out) :: has_value
+      real(dp) :: trial(size(q)), trial_cost, trial_slope
+      logical :: is_valid
+      integer :: k
+
+      has_value = .false.
+      cost = huge(cost)
+      slope = 0
+      q = starts(:, 1)
+      do k = 1, size(starts, 2)
+         trial = starts(:, k)
+         call solve_at(self, objective, scales, limits, work, x, trial, trial_cost, trial_slope, is_valid)
+         if (.not. is_valid) cycle
+         has_value = .true.
+         if (trial_cost >= cost) cycle
+         cost = trial_cost
+         slope = trial_slope
+         q = trial
+      end do
+   end subroutine solve_best
+
+   !> Add a node, solved from all minima.
+   subroutine add_node(self, objective, scales, limits, work, starts, x)
+      !> The profile.
+      type(profile_t), intent(inout) :: self
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: objective
+      !> Units and bounds.
+      type(scales_t), intent(in) :: scales
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Room to work in.
+      type(squares_work_t), intent(inout) :: work
+      !> Starts; shape `(n_free, n_starts)`.
+      real(dp), intent(in) :: starts(:, :)
+      !> The place.
+      real(dp), intent(in) :: x
+      real(dp) :: q(size(starts, 1)), cost, slope
+      logical :: has_value
+
+      call solve_best(self, objective, scales, limits, work, x, starts, q, cost, slope, has_value)
+      if (has_value) call insert(self, x, cost, slope, q, .false.)
+   end subroutine add_node
+
+   !> Walk from a minimum to one side, until S is above the largest limit, or to the bound.
+   subroutine walk(self, objective, scales, limits, work, minima, from, error, largest, side)
+      !> The profile.
+      type(profile_t), intent(inout) :: self
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: objective
+      !> Units and bounds.
+      type(scales_t), intent(in) :: scales
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Room to work in.
+      type(squares_work_t), intent(inout) :: work
+      !> All minima; shape `(n_free, n_minima)`.
+      real(dp), intent(in) :: minima(:, :)
+      !> The minimum.
+      real(dp), intent(in) :: from(:)
+      !> Standard error of the number that is fitted, and the largest limit.
+      real(dp), intent(in) :: error, largest
+      !> 1: to larger values; -1: to smaller ones.
+      integer, intent(in) :: side
+      real(dp) :: q(size(from)), starts(size(from), size(minima, 2) + 1), x, step, bound, cost, slope, last
+      logical :: has_value
+      integer :: k
+
+      bound = merge(scales%upper(self%free), scales%lower(self%free), side > 0)
+      step = longest_step/10
+      if (error > 0 .and. error < 10*longest_step) step = first_step*error
+      starts(:, 2:) = minima
+      q = from
+      x = from(self%free)
+      last = self%least
+      do k = 1, most_walk
+         if (side*(bound - x) <= 0) return
+         starts(:, 1) = q
+         call solve_best(self, objective, scales, limits, work, merge(min(x + step, bound), max(x - step, bound), side > 0), &
+            & starts, &
+            & q, cost, slope, has_value)
+         if (.not. has_value .or. (cost - last > 2*largest*self%variance .and. k < most_walk/2)) then
+            ! too far
+            q = starts(:, 1)
+            step = step/4
+            if (step < 1.0e-3_dp*min(error, 1.0_dp)) return
+            cycle
+         end if
+         x = q(self%free)
+         call insert(self, x, cost, slope, q, .false.)
+         if (cost - self%least > 1.02_dp*largest*self%variance) return
+         if (abs(cost - last) < largest*self%variance/8) step = min(2*step, longest_step*max(1.0_dp, min(error, 20.0_dp)))
+         last = cost
+      end do
+   end subroutine walk
+
+   !> Solve each node from its neighbours.
+   subroutine sweep(self, objective, scales, limits, work)
+      !> The profile.
+      type(profile_t), intent(inout) :: self
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: objective
+      !> Units and bounds.
+      type(scales_t), intent(in) :: scales
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Room to work in.
+      type(squares_work_t), intent(inout) :: work
+      integer :: k
+
+      do k = 2, self%n
+         call try_neighbour(k - 1, k)
+      end do
+      do k = self%n - 1, 1, -1
+         call try_neighbour(k + 1, k)
+      end do
+
+   contains
+
+      !> Solve a node from a neighbour.
+      subroutine try_neighbour(from, to)
+         !> Numbers of the neighbour and of the node.
+         integer, intent(in) :: from, to
+         real(dp) :: q(size(self%q, 1)), cost, slope
+         logical :: has_value
+
+         q = self%q(:, from)
+         call solve_at(self, objective, scales, limits, work, self%x(to), q, cost, slope, has_value)
+         if (.not. has_value .or. cost >= self%cost(to)) return
+         self%cost(to) = cost
+         self%slope(to) = slope
+         self%q(:, to) = q
+      end subroutine try_neighbour
+
+   end subroutine sweep
+
+   !> Put a node where the tangents of neighbours meet above both, and one between two minima that are neighbours.
+   subroutine look_between(self, objective, scales, limits, work, largest)
+      !> The profile.
+      type(profile_t), intent(inout) :: self
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: objective
+      !> Units and bounds.
+      type(scales_t), intent(in) :: scales
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Room to work in.
+      type(squares_work_t), intent(inout) :: work
+      !> The largest limit.
+      real(dp), intent(in) :: largest
+      real(dp), allocatable :: places(:), starts(:, :, :)
+      real(dp) :: at, bend
+      integer :: k, n
+
+      n = 0
+      allocate (places(self%n), starts(size(self%q, 1), 2, self%n))
+      do k = 1, self%n - 1
+         if (min(self%cost(k), self%cost(k + 1)) - self%least > largest*self%variance) cycle
+         bend = self%slope(k) - self%slope(k + 1)
+         at = (self%x(k) + self%x(k + 1))/2
+         if (.not. (self%is_minimum(k) .and. self%is_minimum(k + 1))) then
+            if (.not. bend > 0) cycle
+            at = self%x(k) + (self%cost(k + 1) - self%cost(k) - self%slope(k + 1)*(self%x(k + 1) - self%x(k)))/bend
+            if (.not. (at > self%x(k) .and. at < self%x(k + 1))) cycle
+         end if
+         n = n + 1
+         places(n) = at
+         starts(:, :, n) = self%q(:, k:k + 1)
+      end do
+      do k = 1, n
+         call add_node(self, objective, scales, limits, work, starts(:, :, k), places(k))
+      end do
+   end subroutine look_between
+
+   !> The pieces of the set where S - S_min stays below a limit, as numbers that are fitted; NaN: open at the bound.
+   subroutine find_pieces(self, objective, scales, limits, work, limit, pieces, n_pieces)
+      !> The profile.
+      type(profile_t), intent(inout) :: self
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: objective
+      !> Units and bounds.
+      type(scales_t), intent(in) :: scales
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Room to work in.
+      type(squares_work_t), intent(inout) :: work
+      !> The limit, over the variance.
+      real(dp), intent(in) :: limit
+      !> Receives low and high ends; shape `(2, most_pieces)`.
+      real(dp), intent(out) :: pieces(:, :)
+      !> Receives the number of pieces.
+      integer, intent(out) :: n_pieces
+      logical :: is_in(self%n)
+      integer :: k
+
+      is_in = self%cost(:self%n) - self%least <= limit*self%variance
+      pieces = not_a_number()
+      n_pieces = 0
+      do k = 1, self%n
+         if (.not. is_in(k)) cycle
+         if (k == 1) then
+            n_pieces = 1
+         else if (.not. is_in(k - 1)) then
+            if (n_pieces == size(pieces, 2)) return
+            n_pieces = n_pieces + 1
+            call refine(self, objective, scales, limits, work, limit, k, k - 1, pieces(1, n_pieces))
+         end if
+         if (k == self%n) cycle
+         if (.not. is_in(k + 1)) call refine(self, objective, scales, limits, work, limit, k, k + 1, pieces(2, n_pieces))
+      end do
+   end subroutine find_pieces
+
+   !> Where S - S_min crosses a limit between two nodes: false position, halved where one end stays (Illinois).
+   subroutine refine(self, objective, scales, limits, work, limit, inner, outer, at)
+      !> The profile.
+      type(profile_t), intent(inout) :: self
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: objective
+      !> Units and bounds.
+      type(scales_t), intent(in) :: scales
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Room to work in.
+      type(squares_work_t), intent(inout) :: work
+      !> The limit, over the variance.
+      real(dp), intent(in) :: limit
+      !> Numbers of the nodes within the set and outside.
+      integer, intent(in) :: inner, outer
+      !> Receives the place.
+      real(dp), intent(out) :: at
+      real(dp) :: a, b, fa, fb, cost, slope, starts(size(self%q, 1), 2), q(size(self%q, 1)), value
+      logical :: has_value
+      integer :: k, last
+
+      a = self%x(inner)
+      b = self%x(outer)
+      fa = (self%cost(inner) - self%least)/self%variance - limit
+      fb = (self%cost(outer) - self%least)/self%variance - limit
+      starts(:, 1) = self%q(:, inner)
+      starts(:, 2) = self%q(:, outer)
+      last = 0
+      at = a
+      do k = 1, most_refinements
+         ! S is nearly a parabola: its root is nearly linear
+         at = a + (b - a)*share_of(fa, fb)
+         if (mod(k, 6) == 0) at = (a + b)/2
+         call solve_best(self, objective, scales, limits, work, at, starts, q, cost, slope, has_value)
+         if (.not. has_value) return
+         value = (cost - self%least)/self%variance - limit
+         if (abs(value) <= of_limit*limit) return
+         if (value < 0) then
+            a = at
+            fa = value
+            starts(:, 1) = q
+            if (last == 1) fb = fb/2
+            last = 1
+         else
+            b = at
+            fb = value
+            starts(:, 2) = q
+            if (last == 2) fa = fa/2
+            last = 2
+         end if
+         if (abs(b - a) <= smallest_part*abs(self%x(outer) - self%x(inner))) return
+      end do
+   end subroutine refine
+
+   !> Where a straight line is 0.
+   pure real(dp) function share_of(inner, outer)
+      !> Values at its ends, of which one is <= 0, the other > 0.
+      real(dp), intent(in) :: inner, outer
+
+      share_of = inner/(inner - outer)
+   end function share_of
+
+end module adfric_fit_profile
