@@ -20,8 +20,8 @@ module adfric_fit_curve
       real(dp), allocatable :: x(:), y(:), sigma(:), x_sigma(:)
       !> Is the point one of contact?
       logical, allocatable :: is_contact(:)
-      !> Of the last evaluation: the model's ordinates, residuals (data less model, in standard errors), points beyond the fold.
-      real(dp), allocatable :: fitted(:), residual(:)
+      !> Of the last evaluation: the model's ordinates, their abscissas, and residuals (data less model, in standard errors).
+      real(dp), allocatable :: fitted(:), foot(:), residual(:)
       !> Of the last evaluation: is the point beyond the fold?
       logical, allocatable :: is_beyond(:)
    contains
@@ -120,6 +120,7 @@ contains
       allocate (self%is_contact(self%n), source=.true.)
       if (allocated(data%is_contact)) self%is_contact = data%is_contact(self%place)
       allocate (self%fitted(self%n), self%residual(self%n), source=0.0_dp)
+      self%foot = self%x
       allocate (self%is_beyond(self%n), source=.false.)
    end subroutine take_points
 

@@ -14,10 +14,12 @@ module adfric_fit_intervals
    use adfric_numerics_distributions, only: chi_squared_quantile, f_quantile, t_quantile, normal_quantile
    implicit none (type, external)
    private
-   public :: take_covariance_intervals, take_profile, limit_of, value_of, most_pieces
+   public :: take_covariance_intervals, take_profile, limit_of, value_of, make_pieces
 
    !> Most pieces of a set.
    integer, parameter :: most_pieces = 8
+   !> Most starts that the profile over lambda gives to the others.
+   integer, parameter :: most_others = 10
 
 contains
 
@@ -90,7 +92,7 @@ contains
    end subroutine take_covariance_intervals
 
    !> Intervals of one variable from its profile, and the profile itself.
-   subroutine take_profile(objective, scales, limits, work, free, minima, costs, variance, levels, is_lambda, solution, &
+   subroutine take_profile(objective, scales, limits, work, free, minima, costs, others, variance, levels, is_lambda, solution, &
       & below, is_below)
       !> The sum of squares.
       type(objective_t), intent(inout) :: objective
@@ -106,6 +108,8 @@ contains
       real(dp), intent(in) :: minima(:, :)
       !> S there.
       real(dp), intent(in) :: costs(:)
+      !> In: more starts; shape `(n_free, n_others)`. Out: those that the profile over lambda has found, if it is this one.
+      real(dp), allocatable, intent(inout) :: others(:, :)
       !> Variance of a point in units of the residuals.
       real(dp), intent(in) :: variance
       !> The levels.
@@ -120,15 +124,17 @@ contains
       logical, intent(out) :: is_below
       type(profile_t) :: profile
       real(dp) :: pieces(2, most_pieces), limit(size(levels)), error
-      integer :: k, n
+      integer, allocatable :: kept(:)
+      integer :: k, n, step
 
-      if (free == 1) call make_pieces(solution, most_pieces, size(levels), size(minima, 1))
+      if (size(solution%interval, 2) /= most_pieces) call make_pieces(solution, most_pieces, size(levels), size(minima, 1))
       do k = 1, size(levels)
          limit(k) = limit_of(levels(k), limits%freedom)
       end do
       error = solution%error_internal(free)/scales%unit(free)
       if (limits%freedom > 0) error = max(error, tiny(error))
-      call find_profile(profile, objective, scales, limits, work, free, minima, costs, variance, error, maxval(limit), is_lambda)
+      call find_profile(profile, objective, scales, limits, work, free, minima, costs, others, variance, error, limit, &
+         & is_lambda)
       is_below = profile%is_below
       if (is_below) then
          below = profile%below
@@ -142,6 +148,12 @@ contains
       n = profile%n
       solution%profiles(free)%value = value_of(profile%x(:n), scales%unit(free), objective%frees(free)%is_log)
       solution%profiles(free)%excess = (profile%cost(:n) - profile%least)/variance
+      if (is_lambda) then
+         ! nodes near the largest limit show the valleys that a walk of another variable may come to
+         kept = pack([(k, k=1, n)], profile%cost(:n) - profile%least <= 2.5_dp*maxval(limit)*variance)
+         step = 1 + size(kept)/most_others
+         others = profile%q(:, kept(::step))
+      end if
       solution%points_beyond_fold_in_profile = max(solution%points_beyond_fold_in_profile, profile%n_beyond)
    end subroutine take_profile
 

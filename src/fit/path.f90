@@ -7,7 +7,8 @@
 !>
 !> Fold of the load: P_t = 0 has one root (`adfric_sphere_maugis_dugdale`). Fold of the base: phi_t = delta_t + ks P_t is negative at the
 !> fold of the load, where delta_t < 0, and positive where delta_t = 0, beyond which P_t > 0. So the root lies between the two, or the path goes
-!> through th = pi/2 to states without contact, whose phi is a parabola in c.
+!> through th = pi/2 to states without intimate contact, whose phi is a parabola in c. A measured point in contact belongs to a state with
+!> intimate contact: its path ends at th = pi/2 (`ends_at_touch`). The pull-off of a base is the end of all states.
 module adfric_fit_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
@@ -26,6 +27,8 @@ module adfric_fit_path
       integer :: theory = theory_maugis_dugdale
       !> Is the base of a spring held, not the load?
       logical :: is_base = .false.
+      !> Does the path end where intimate contact does?
+      logical :: ends_at_touch = .true.
       !> Maugis's parameter, and the reduced compliance L/(k D) of the spring.
       real(dp) :: lambda = 0, ks = 0
       !> -1: the place falls outward; 1: it rises.
@@ -47,7 +50,7 @@ module adfric_fit_path
 contains
 
    !> Make a path, and find its fold.
-   pure subroutine set_path(path, theory, is_base, lambda, ks)
+   pure subroutine set_path(path, theory, is_base, lambda, ks, has_apart)
       !> In: the path of a neighbour that helps the search, or a new one. Out: the path.
       type(path_t), intent(inout) :: path
       !> One of `theory_...`.
@@ -58,11 +61,16 @@ contains
       real(dp), intent(in) :: lambda
       !> Reduced compliance L/(k D) of the spring, >= 0.
       real(dp), intent(in) :: ks
-      logical :: is_same
+      !> Do states without intimate contact belong to the path? If absent, not.
+      logical, intent(in), optional :: has_apart
+      logical :: is_same, is_full
 
+      is_full = .false.
+      if (present(has_apart)) is_full = has_apart
       is_same = path%theory == theory .and. (path%is_base .eqv. is_base) .and. .not. abs(path%lambda - lambda) > 0 &
          & .and. .not. abs(path%ks - ks) > 0
-      if (is_same) return
+      if (is_same .and. (path%ends_at_touch .eqv. .not. is_full)) return
+      path%ends_at_touch = .not. is_full
       path%theory = theory
       path%is_base = is_base
       path%lambda = lambda
@@ -77,6 +85,8 @@ contains
          path%held_tt = s%p_tt
          if (is_base) path%held_tt = s%d_tt + ks*s%p_tt
          if (.not. abs(path%held_tt) > 0) return
+         ! touch stays where it is, at th = pi/2
+         if (path%ends_at_touch .and. s%t >= half_pi .and. path%side < 0) return
          if (is_base) then
             path%fold_l = -(s%d_tl + ks*s%p_tl)/path%held_tt
             path%fold_ks = -s%p_t/path%held_tt
@@ -144,7 +154,8 @@ contains
          end if
          first = get_disc_radius(path%lambda, 1.0_dp)
          disc = first
-         if (path%ks*pi*path%lambda < 1) disc = min(first, 8*path%lambda/(3*pi*(1 - path%ks*pi*path%lambda)))
+         if (.not. path%ends_at_touch .and. path%ks*pi*path%lambda < 1) disc = min(first, &
+            & 8*path%lambda/(3*pi*(1 - path%ks*pi*path%lambda)))
          call get_state(path%theory, path%lambda, half_pi + 1 - disc/first, path%fold)
       case (theory_jkr)
          high = sqrt(1.5_dp)
@@ -223,11 +234,6 @@ contains
          return
       end if
       inner = path%fold%t
-      if (path%theory == theory_maugis_dugdale .and. path%is_base .and. inner >= half_pi) then
-         call try_apart(path, held, t, s, has_outer)
-         if (has_outer) return
-         inner = half_pi
-      end if
       has_outer = path%side < 0
       outer = 0
       if (.not. (path%side*(t - inner) > 0 .and. t > 0)) call guess_state(path, held, inner, t)
@@ -306,31 +312,5 @@ contains
       if (.not. (t > 0) .or. is_outer(path, t, far)) t = far
       if (.not. is_outer(path, t, inner)) t = merge(inner/2, 2*inner + 1, path%side < 0)
    end subroutine guess_state
-
-   !> Look for a state without contact: phi = (1 - pi lambda ks) c^2/2 - (8/3pi) lambda c - 2/(pi lambda).
-   pure subroutine try_apart(path, held, t, s, is_found)
-      !> The path, whose fold is without contact.
-      type(path_t), intent(in) :: path
-      !> Position of the base, reduced, above that of the fold.
-      real(dp), intent(in) :: held
-      !> Receives the place if there is such a state.
-      real(dp), intent(inout) :: t
-      !> Receives the state if there is such a one.
-      type(state_t), intent(inout) :: s
-      !> Is there such a state?
-      logical, intent(out) :: is_found
-      real(dp) :: stiff, pull, c, first
-
-      stiff = 1 - pi*path%lambda*path%ks
-      pull = 8*path%lambda/(3*pi)
-      first = get_disc_radius(path%lambda, 1.0_dp)
-      is_found = stiff > 0
-      if (.not. is_found) return
-      c = (pull + sqrt(max(pull**2 + 2*stiff*(2/(pi*path%lambda) + held), 0.0_dp)))/stiff
-      is_found = c < first
-      if (.not. is_found) return
-      t = half_pi + 1 - c/first
-      call get_state(path%theory, path%lambda, t, s)
-   end subroutine try_apart
 
 end module adfric_fit_path

@@ -5,7 +5,9 @@
 !> and has a least value on a closed piece, and at a place where two valleys of the other variables cross S_p has no least value, for the
 !> lesser of two functions has a maximum there. So it is enough to walk from every known minimum to both sides until S_p is above the
 !> largest limit, or to the bound; a piece whose minimum the search has missed is missed here, too. For lambda the nodes are 47 on a grid,
-!> and every minimum. All nodes are solved from all minima and from both neighbours.
+!> and every minimum. All nodes are solved from all minima and from both neighbours. S_p itself is the least of several valleys, and a valley
+!> need not have a minimum of its own. Lambda is what makes valleys, so the walks of the other variables start each node from the nodes
+!> of the profile over lambda, too.
 !>
 !> Is every end of a piece found? Between neighbouring nodes a gap may be too narrow for them. It lies where two valleys cross: there, at the place
 !> where their tangents meet, one more node is put. Crossings are refined by the secant rule with the exact slope of S_p, 2 J' r.
@@ -40,6 +42,8 @@ module adfric_fit_profile
       real(dp), allocatable :: x(:), cost(:), slope(:), q(:, :)
       !> Least S, and variance of a point, by which S - S_min is divided.
       real(dp) :: least = 0, variance = 1
+      !> S - S_min over the variance below which a place belongs to all sets.
+      real(dp) :: enough = 0
       !> Is a node a minimum of S?
       logical, allocatable :: is_minimum(:)
       !> Has a search fallen below the least S?
@@ -53,7 +57,7 @@ module adfric_fit_profile
 contains
 
    !> Find the profile over one variable.
-   subroutine find_profile(self, objective, scales, limits, work, free, minima, costs, variance, error, largest, is_lambda)
+   subroutine find_profile(self, objective, scales, limits, work, free, minima, costs, others, variance, error, limit, is_lambda)
       !> Receives the profile.
       type(profile_t), intent(out) :: self
       !> The sum of squares.
@@ -70,18 +74,25 @@ contains
       real(dp), intent(in) :: minima(:, :)
       !> S there.
       real(dp), intent(in) :: costs(:)
+      !> More starts, such as those of the profile over lambda; shape `(n_free, n_others)`.
+      real(dp), intent(in) :: others(:, :)
       !> Variance of a point in units of the residuals.
       real(dp), intent(in) :: variance
       !> Standard error of the number that is fitted.
       real(dp), intent(in) :: error
-      !> Largest limit of S - S_min, over the variance.
-      real(dp), intent(in) :: largest
+      !> Limits of S - S_min, over the variance.
+      real(dp), intent(in) :: limit(:)
       !> Does the variable set lambda?
       logical, intent(in) :: is_lambda
+      real(dp) :: starts(size(minima, 1), size(minima, 2) + size(others, 2)), largest
       integer :: k
 
       self%free = free
+      starts(:, :size(costs)) = minima
+      starts(:, size(costs) + 1:) = others
       self%least = costs(1)
+      largest = maxval(limit)
+      self%enough = minval(limit)/2
       self%variance = variance
       allocate (self%x(most_nodes), self%cost(most_nodes), self%slope(most_nodes), source=0.0_dp)
       allocate (self%q(size(minima, 1), most_nodes), source=0.0_dp)
@@ -91,13 +102,13 @@ contains
       end do
       if (is_lambda .and. abs(scales%lower(free)) < 200 .and. abs(scales%upper(free)) < 200) then
          do k = 0, n_grid - 1
-            call add_node(self, objective, scales, limits, work, minima, scales%lower(free) + (scales%upper(free) &
+            call add_node(self, objective, scales, limits, work, starts, scales%lower(free) + (scales%upper(free) &
                & - scales%lower(free))*k/(n_grid - 1))
          end do
       else
          do k = 1, size(costs)
-            call walk(self, objective, scales, limits, work, minima, minima(:, k), error, largest, 1)
-            call walk(self, objective, scales, limits, work, minima, minima(:, k), error, largest, -1)
+            call walk(self, objective, scales, limits, work, starts, minima(:, k), error, largest, 1)
+            call walk(self, objective, scales, limits, work, starts, minima(:, k), error, largest, -1)
          end do
       end if
       call sweep(self, objective, scales, limits, work)
@@ -225,6 +236,8 @@ contains
          cost = trial_cost
          slope = trial_slope
          q = trial
+         ! well within every set: no other start changes that
+         if (cost - self%least <= self%enough*self%variance) return
       end do
    end subroutine solve_best
 

@@ -3,16 +3,20 @@
 module adfric_fit_solve
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_fit_bootstrap, only: take_bootstrap
    use adfric_fit_covariance, only: find_covariance
    use adfric_fit_derived, only: find_derived
    use adfric_fit_objective, only: objective_t, new_objective, take_estimate, most_rows_of, count_terms
+   use adfric_fit_drawn_curves, only: draw_curves
    use adfric_fit_intervals, only: take_covariance_intervals, take_profile
-   use adfric_fit_problem, only: fit_t, intervals_covariance
+   use adfric_fit_problem, only: fit_t, intervals_covariance, intervals_profile, intervals_bootstrap, nuisance_load_offset, &
+      & nuisance_friction_offset
    use adfric_fit_residuals, only: look_at_residuals, take_curve
    use adfric_fit_scales, only: scales_t, set_scales, find_refusal
    use adfric_fit_search, only: minima_t, find_minima, add_search, sort_minima, minima_limit
    use adfric_fit_solution, only: solution_t, fit_solved, fit_too_few_points, fit_not_converged, fit_not_identifiable
    use adfric_fit_starts, only: lambda_free
+   use adfric_fit_theories, only: make_theory, theory_name
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, new_squares_work, squares_converged, &
       & squares_stuck
    use adfric_numerics_distributions, only: chi_squared_above
@@ -38,6 +42,8 @@ module adfric_fit_solve
       type(squares_work_t) :: work
       !> All minima.
       type(minima_t) :: minima
+      !> Covariance of the numbers that are fitted.
+      real(dp), allocatable :: covariance(:, :)
       !> Points; points, events and priors; degrees of freedom.
       integer :: n_points = 0, n_terms = 0, freedom = 0
       !> Square of the unit of the residuals: that of the ordinates where sigma is not known, else 1; and variance of a point in it.
@@ -54,13 +60,31 @@ contains
       type(solution_t), intent(out) :: solution
       type(course_t) :: course
 
+      call solve_best(fit, course, solution)
+      if (solution%status /= fit_solved) return
+      if (fit%wants_curves) call draw_curves(fit, course%scales, course%minima%q(:, 1), course%covariance, course%limits%freedom, &
+         & solution)
+      call take_intervals(course, fit, solution)
+      if (allocated(fit%theories)) call compare_theories(fit, solution)
+      solution%evaluations = course%objective%evaluations
+   end subroutine solve_fit
+
+   !> Estimates and their statistics, without intervals.
+   subroutine solve_best(fit, course, solution)
+      !> What is to be fitted.
+      type(fit_t), intent(in) :: fit
+      !> Receives what the parts share.
+      type(course_t), intent(out) :: course
+      !> Receives what is found.
+      type(solution_t), intent(inout) :: solution
+
       call make_room(fit, solution)
       call find_refusal(fit, solution%reason)
       if (len(solution%reason) > 0) return
       call begin_course(course, fit)
       solution%points_used = course%n_points
       solution%degrees_of_freedom = course%freedom
-      if (course%freedom < 0 .or. course%n_points < 1 .or. (course%freedom < 1 .and. course%scales%unknown_unit > 0)) then
+      if (has_too_few_points(course, fit)) then
          solution%status = fit_too_few_points
          solution%reason = 'there are fewer points than free variables'
          return
@@ -73,9 +97,64 @@ contains
       end if
       call take_minima(course, solution)
       call finish_estimate(course, fit, solution)
-      if (solution%status == fit_solved) call take_intervals(course, fit, solution)
-      solution%evaluations = course%objective%evaluations
-   end subroutine solve_fit
+   end subroutine solve_best
+
+   !> Are there fewer points, events and priors than free variables, or fewer in contact than those that need contact?
+   pure logical function has_too_few_points(course, fit)
+      !> What the parts share.
+      type(course_t), intent(in) :: course
+      !> The fit.
+      type(fit_t), intent(in) :: fit
+      integer :: k, n_contact, n_free
+
+      n_contact = course%n_terms - course%n_points
+      do k = 1, size(course%objective%spheres)
+         n_contact = n_contact + count(course%objective%spheres(k)%is_contact)
+      end do
+      do k = 1, size(course%objective%others)
+         n_contact = n_contact + count(course%objective%others(k)%is_contact)
+      end do
+      n_free = count(fit%frees%nuisance /= nuisance_load_offset .and. fit%frees%nuisance /= nuisance_friction_offset)
+      has_too_few_points = course%freedom < 0 .or. course%n_points < 1 .or. n_contact < n_free &
+         & .or. (course%freedom < 1 .and. course%scales%unknown_unit > 0)
+   end function has_too_few_points
+
+   !> Fit the same data by other theories.
+   subroutine compare_theories(fit, solution)
+      !> The fit.
+      type(fit_t), intent(in) :: fit
+      !> Receives what they find.
+      type(solution_t), intent(inout) :: solution
+      type(fit_t) :: other
+      type(course_t) :: course
+      type(solution_t) :: found
+      integer, allocatable :: kept(:)
+      logical :: is_possible
+      real(dp) :: none
+      integer :: k
+
+      none = not_a_number()
+      if (allocated(solution%theories)) deallocate (solution%theories)
+      allocate (solution%theories(size(fit%theories)))
+      do k = 1, size(fit%theories)
+         associate (theory => solution%theories(k))
+            theory%chi2 = none
+            theory%aic = none
+            theory%bic = none
+            allocate (theory%estimate(size(fit%frees)), source=none)
+            call theory_name(fit, fit%theories(k), theory%name)
+            call make_theory(fit, fit%theories(k), other, kept, is_possible)
+            if (.not. is_possible) cycle
+            found = solution_t()
+            call solve_best(other, course, found)
+            if (.not. any(found%status == [fit_solved, fit_not_identifiable])) cycle
+            theory%chi2 = found%chi2
+            theory%aic = found%aic
+            theory%bic = found%bic
+            theory%estimate(kept) = found%estimate
+         end associate
+      end do
+   end subroutine compare_theories
 
    !> Intervals of all variables. A profile that falls below the least S has found a better minimum: the fit is finished again with it.
    subroutine take_intervals(course, fit, solution)
@@ -86,23 +165,35 @@ contains
       !> Receives the intervals.
       type(solution_t), intent(inout) :: solution
       real(dp) :: below(size(fit%frees))
+      real(dp), allocatable :: others(:, :)
       logical :: is_below
-      integer :: k, n, again
+      integer :: i, k, n, again
 
       if (.not. allocated(fit%levels)) return
       if (size(fit%levels) == 0) return
-      if (fit%intervals == intervals_covariance .or. course%objective%is_robust()) then
+      if (fit%intervals == intervals_covariance .or. (fit%intervals == intervals_profile .and. course%objective%is_robust())) then
          call take_covariance_intervals(course%minima%q(:, 1), course%scales, course%objective, fit%levels, course%limits%freedom, &
             & solution)
+         return
+      end if
+      if (fit%intervals == intervals_bootstrap) then
+         n = size(solution%minima_chi2)
+         call evaluate_best(course)
+         call take_bootstrap(course%objective, fit, course%scales, course%limits, course%work, course%minima%q(:, :n), &
+            & sqrt(course%variance), solution)
          return
       end if
       do again = 1, most_restarts
          if (allocated(solution%profiles)) deallocate (solution%profiles)
          allocate (solution%profiles(size(fit%frees)))
          n = size(solution%minima_chi2)
-         do k = 1, size(fit%frees)
+         others = course%minima%q(:, :0)
+         do i = 0, size(fit%frees)
+            ! lambda is the first, for its profile shows valleys to the others
+            k = merge(lambda_free(fit), i, i == 0)
+            if (k == 0 .or. i == lambda_free(fit) .and. i > 0) cycle
             call take_profile(course%objective, course%scales, course%limits, course%work, k, course%minima%q(:, :n), &
-               & course%minima%cost(:n), course%variance, fit%levels, k == lambda_free(fit), solution, below, is_below)
+               & course%minima%cost(:n), others, course%variance, fit%levels, k == lambda_free(fit), solution, below, is_below)
             if (is_below) exit
          end do
          if (.not. is_below) return
@@ -113,6 +204,18 @@ contains
          if (solution%status /= fit_solved) return
       end do
    end subroutine take_intervals
+
+   !> Let the sum of squares hold the curves of the best minimum.
+   subroutine evaluate_best(course)
+      !> What the parts share.
+      type(course_t), intent(inout) :: course
+      real(dp) :: cost
+      logical :: is_valid
+
+      associate (work => course%work)
+         call course%objective%evaluate(course%minima%q(:, 1), work%n_rows, work%r, work%j, cost, is_valid)
+      end associate
+   end subroutine evaluate_best
 
    !> Give every part of the solution its shape.
    subroutine make_room(fit, solution)
@@ -257,6 +360,7 @@ contains
       if (.not. is_identifiable) return
       solution%covariance_scaled = course%scales%unknown_unit > 0
       if (solution%covariance_scaled) covariance = covariance*course%variance
+      course%covariance = covariance
       do k = 1, size(v)
          solution%covariance(:, k) = covariance(:, k)*slopes*slopes(k)
          solution%covariance_internal(:, k) = covariance(:, k)*course%scales%unit*course%scales%unit(k)

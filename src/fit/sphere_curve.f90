@@ -349,6 +349,7 @@ contains
          u = (c%x_unit*s%p + c%x_zero - self%x(i))/self%x_sigma(i)
          v = (c%y_unit*o%y + c%y_zero - self%y(i))/self%sigma(i)
          self%fitted(i) = c%y_unit*o%y + c%y_zero
+         self%foot(i) = c%x_unit*s%p + c%x_zero
          self%is_beyond(i) = .false.
          if (is_fold) then
             r(i) = v
@@ -572,9 +573,11 @@ contains
             value = c%x_unit*jump + c%x_zero
             gradient = c%x_unit*jump*(c%x_unit_by - b(:, of_lambda)) + c%x_zero_by
          else
-            value = c%x_unit*p%held_at_fold + c%x_zero
-            gradient = c%x_unit*(p%held_at_fold*c%x_unit_by + (p%fold%d_l + p%ks*p%fold%p_l)*c%lambda_by + p%fold%p*c%ks_by) &
-               & + c%x_zero_by
+            path = self%path
+            call set_path(path, p%theory, .true., p%lambda, p%ks, .true.)
+            value = c%x_unit*path%held_at_fold + c%x_zero
+            gradient = c%x_unit*(path%held_at_fold*c%x_unit_by + (path%fold%d_l + p%ks*path%fold%p_l)*c%lambda_by &
+               & + path%fold%p*c%ks_by) + c%x_zero_by
          end if
       end associate
    end subroutine find_event
