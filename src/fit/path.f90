@@ -19,7 +19,7 @@ module adfric_fit_path
    use adfric_fit_state, only: state_t, get_state, add_derivatives
    implicit none (type, external)
    private
-   public :: path_t, set_path, find_state, held_value, is_outer
+   public :: path_t, set_path, find_state, move_state, held_value, is_outer
 
    !> A path.
    type :: path_t
@@ -212,21 +212,24 @@ contains
    end subroutine find_zero_slope
 
    !> Find the state with a held value.
-   pure subroutine find_state(path, held, t, s, is_beyond)
+   pure subroutine find_state(path, held, t, s, last_step, is_beyond)
       !> The path.
       type(path_t), intent(in) :: path
       !> Load, or position of the base, reduced.
       real(dp), intent(in) :: held
       !> In: a guess, or 0. Out: the place of the state.
       real(dp), intent(inout) :: t
-      !> Receives the state with the derivatives by the place.
+      !> Receives a state so near that the path is straight up to the place, with the derivatives by the place.
       type(state_t), intent(inout) :: s
+      !> Receives how far the place is from that state, for `move_state`.
+      real(dp), intent(out) :: last_step
       !> Is there no such state? Then the fold is given.
       logical, intent(out) :: is_beyond
       real(dp) :: inner, outer, value, slope, step
       logical :: has_outer, is_inside
       integer :: k
 
+      last_step = 0
       is_beyond = .not. held > path%held_at_fold
       if (is_beyond) then
          s = path%fold
@@ -259,16 +262,16 @@ contains
             cycle
          end if
          if (abs(step) <= close_enough*min(t, abs(path%fold%t - t))) then
-            call move(s, step)
-            t = s%t
+            last_step = step
+            t = t + step
             return
          end if
          t = t + step
       end do
    end subroutine find_state
 
-   !> Go a step so small that the path is straight.
-   pure subroutine move(s, step)
+   !> Go a step so small that the path is straight, from a state with all derivatives.
+   pure subroutine move_state(s, step)
       !> The state.
       type(state_t), intent(inout) :: s
       !> Change of the place.
@@ -279,7 +282,15 @@ contains
       s%c = s%c + s%c_t*step
       s%p = s%p + s%p_t*step
       s%d = s%d + s%d_t*step
-   end subroutine move
+      s%a_t = s%a_t + s%a_tt*step
+      s%c_t = s%c_t + s%c_tt*step
+      s%p_t = s%p_t + s%p_tt*step
+      s%d_t = s%d_t + s%d_tt*step
+      s%a_l = s%a_l + s%a_tl*step
+      s%c_l = s%c_l + s%c_tl*step
+      s%p_l = s%p_l + s%p_tl*step
+      s%d_l = s%d_l + s%d_tl*step
+   end subroutine move_state
 
    !> A first guess of the state: by the parabola at the fold, or as a large contact.
    pure subroutine guess_state(path, held, inner, t)

@@ -25,7 +25,7 @@ module adfric_fit_sphere_curve
    use adfric_base_unset, only: is_set
    use adfric_fit_curve, only: curve_t, take_points, nuisance_slopes
    use adfric_fit_ordinate, only: ordinate_t, get_ordinate, get_unit, is_ordinate
-   use adfric_fit_path, only: path_t, set_path, find_state, held_value, is_outer
+   use adfric_fit_path, only: path_t, set_path, find_state, move_state, is_outer
    use adfric_fit_problem, only: free_t, fit_t, data_set_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, &
       & nuisance_contact_point, nuisance_lateral_gain, nuisance_spring_stiffness, event_pull_off_load, event_jump_in_approach
    use adfric_fit_sphere_basis, only: basis_t, set_basis, of_radius, of_modulus, of_work, of_lambda, of_edge
@@ -271,13 +271,16 @@ contains
       real(dp), intent(inout) :: j(:, :)
       type(state_t) :: s
       type(ordinate_t) :: o
-      real(dp) :: held, share, held_l, held_ks, weight
+      real(dp) :: held, share, held_l, held_ks, weight, last_step
 
       associate (c => self%common, path => self%path)
          held = (self%x(i) - c%x_zero)/c%x_unit
          call predict(self, i, held)
-         call find_state(path, held, self%t(i), s, self%is_beyond(i))
-         if (.not. self%is_beyond(i)) call add_derivatives(path%theory, path%lambda, s)
+         call find_state(path, held, self%t(i), s, last_step, self%is_beyond(i))
+         if (.not. self%is_beyond(i)) then
+            call add_derivatives(path%theory, path%lambda, s)
+            call move_state(s, last_step)
+         end if
          call get_ordinate(self%ordinate, self%basis%edge, s, o)
          self%fitted(i) = c%y_unit*o%y + c%y_zero
          r(i) = (self%fitted(i) - self%y(i))/self%sigma(i)
@@ -426,11 +429,11 @@ contains
       real(dp), intent(out) :: t
       type(state_t) :: s
       logical :: is_beyond
-      real(dp) :: held
+      real(dp) :: held, last_step
 
       held = (self%x(i) - self%common%x_zero)/self%common%x_unit
       t = 0
-      call find_state(self%path, held, t, s, is_beyond)
+      call find_state(self%path, held, t, s, last_step, is_beyond)
       if (is_beyond) t = self%path%fold%t + self%path%side*self%path%fold%t/20
       if (.not. is_outer(self%path, t, self%path%fold%t)) t = self%path%fold%t + self%path%side*0.1_dp
    end subroutine guess_foot

@@ -7,7 +7,7 @@ module adfric_numerics_column_factors
    use adfric_base_asserts, only: assert, has_asserts
    implicit none (type, external)
    private
-   public :: factor_columns, solve_triangle, get_singular_values, solve_upper
+   public :: factor_columns, solve_triangle, get_singular_values
 
    !> Sweeps of rotations in which any matrix of so few columns has become orthogonal.
    integer, parameter :: max_sweeps = 60
@@ -62,21 +62,6 @@ contains
          end if
       end do
    end subroutine solve_triangle
-
-   !> Solve R' x = b with a triangle R whose diagonal has no zero.
-   pure subroutine solve_upper(r, b, x)
-      !> The triangle on and above the diagonal; shape `(n_rows, n)`, with n rows or more.
-      real(dp), intent(in) :: r(:, :)
-      !> The right side; shape `(n)`.
-      real(dp), intent(in) :: b(:)
-      !> Receives the solution; shape `(n)`.
-      real(dp), intent(out) :: x(:)
-      integer :: k
-
-      do k = 1, size(x)
-         x(k) = (b(k) - dot_product(r(1:k - 1, k), x(1:k - 1)))/r(k, k)
-      end do
-   end subroutine solve_upper
 
    !> Singular values, the largest first, and the directions that belong to them (one-sided rotations of Hestenes).
    pure subroutine get_singular_values(a, values, directions)

@@ -11,7 +11,9 @@ module fit_cases
    use reference_table, only: table_t, read_table
    implicit none (type, external)
    private
-   public :: new_reference_fit, new_sphere_values, answer, has_answer, same_name, add_free, add_sphere_data, models_t, new_models
+   public :: theory_place
+   public :: new_reference_fit, new_sphere_values, answer, has_answer, reference_name, add_free, add_sphere_data, models_t, &
+      & new_models
 
    !> The models that fits point to.
    type :: models_t
@@ -40,13 +42,15 @@ contains
    end subroutine new_sphere_values
 
    !> The fit of a reference set, and the table of its answers.
-   subroutine new_reference_fit(models, name, number, fit, answers)
+   subroutine new_reference_fit(models, name, number, fit, answers, is_there)
       type(models_t), intent(in), target :: models
       character(*), intent(in) :: name
       !> Number of the fit in the set, from 1.
       integer, intent(in) :: number
       type(fit_t), intent(out) :: fit
       type(table_t), intent(out) :: answers
+      !> Has the set a fit of this number?
+      logical, intent(out) :: is_there
       character(:), allocatable :: kind
       real(dp) :: value
       integer :: k
@@ -54,6 +58,8 @@ contains
       call read_table(answers, 'fit/'//name//'_answers')
       if (answers%n_rows == 0) error stop 'fit_cases: there is no such set'
       kind = word_of(answers, number, 'kind')
+      is_there = len(kind) > 0
+      if (.not. is_there) return
       if (kind == 'velocity') then
          fit%model => models%wavy
          fit%base = models%wavy%variables%default
@@ -116,7 +122,8 @@ contains
 
       theory = ''
       do k = 1, answers%n_rows
-         if (nint(answers%number(k, 'fit')) == number .and. answers%text(k, 'quantity') == 'kind') theory = answers%text(k, 'second')
+         if (nint(answers%number(k, 'fit')) == number .and. answers%text(k, 'quantity') == 'kind') theory = answers%text(k, &
+            & 'second')
       end do
    end function theory_of
 
@@ -179,12 +186,14 @@ contains
       if (k > 0) answer = answers%number(k, 'value')
    end function answer
 
-   !> Is a free variable the one of that name in the reference?
-   pure logical function same_name(name, other)
-      character(*), intent(in) :: name, other
+   !> Name of a free variable in the reference.
+   function reference_name(name) result(other)
+      character(*), intent(in) :: name
+      character(:), allocatable :: other
 
-      same_name = name == other .or. (name == 'retardation_ratio' .and. other == 'retardation_excess')
-   end function same_name
+      other = name
+      if (name == 'retardation_ratio') other = 'retardation_excess'
+   end function reference_name
 
    !> Give a value to what is not free.
    subroutine set_fixed(fit, name, value)
