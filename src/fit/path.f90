@@ -41,8 +41,8 @@ module adfric_fit_path
       real(dp) :: fold_l = 0, fold_ks = 0
    end type path_t
 
-   !> A Newton step of this size, relative to the distance from the ends of the path, is the last: the tangent is exact then.
-   real(dp), parameter :: close_enough = 1.0e-7_dp
+   !> A Newton step of this size, relative to the distance from the ends of the path, is the last: the parabola leaves its cube.
+   real(dp), parameter :: close_enough = 3.0e-5_dp
    integer, parameter :: max_steps = 200
    !> So near to th = pi/2, where all derivatives by th vanish, the path's direction is asked for.
    real(dp), parameter :: before_end = 1.0e-5_dp
@@ -219,9 +219,9 @@ contains
       real(dp), intent(in) :: held
       !> In: a guess, or 0. Out: the place of the state.
       real(dp), intent(inout) :: t
-      !> Receives a state so near that the path is straight up to the place, with the derivatives by the place.
+      !> Receives a state near the place, with the derivatives by the place.
       type(state_t), intent(inout) :: s
-      !> Receives how far the place is from that state, for `move_state`.
+      !> Receives Newton's step from that state to the place, for `move_state`.
       real(dp), intent(out) :: last_step
       !> Is there no such state? Then the fold is given.
       logical, intent(out) :: is_beyond
@@ -270,18 +270,25 @@ contains
       end do
    end subroutine find_state
 
-   !> Go a step so small that the path is straight, from a state with all derivatives.
-   pure subroutine move_state(s, step)
+   !> Go the last step of Newton's method for what is held, along parabolas, from a state with all derivatives.
+   pure subroutine move_state(path, s, newton_step)
+      !> The path.
+      type(path_t), intent(in) :: path
       !> The state.
       type(state_t), intent(inout) :: s
-      !> Change of the place.
-      real(dp), intent(in) :: step
+      !> Change of the place by Newton's method.
+      real(dp), intent(in) :: newton_step
+      real(dp) :: bend, step, half
 
+      bend = s%p_tt
+      if (path%is_base) bend = s%d_tt + path%ks*s%p_tt
+      step = newton_step - bend*newton_step**2/(2*held_slope(path, s))
+      half = step/2
       s%t = s%t + step
-      s%a = s%a + s%a_t*step
-      s%c = s%c + s%c_t*step
-      s%p = s%p + s%p_t*step
-      s%d = s%d + s%d_t*step
+      s%a = s%a + step*(s%a_t + half*s%a_tt)
+      s%c = s%c + step*(s%c_t + half*s%c_tt)
+      s%p = s%p + step*(s%p_t + half*s%p_tt)
+      s%d = s%d + step*(s%d_t + half*s%d_tt)
       s%a_t = s%a_t + s%a_tt*step
       s%c_t = s%c_t + s%c_tt*step
       s%p_t = s%p_t + s%p_tt*step

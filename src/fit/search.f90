@@ -2,8 +2,8 @@
 !> All minima of a fit's sum of squares that count.
 !>
 !> Lambda is always scanned, since friction against load may have two answers for it. At each node (those of the model page: 0.03, 0.1,
-!> 0.2, 0.35, 0.6, 1, 2, 5, 20, the bounds and the user's start) the other variables are solved first, from the neighbouring node or from
-!> the data, whichever is better. That gives the profile S_p(ln lambda) and, by the envelope theorem, its slope 2 J' r. A minimum of S
+!> 0.2, 0.35, 0.6, 1, 2, 5, 20, the bounds and the user's start) the other variables are solved first, at lambda = 1 from the data, then
+!> outward from each neighbour. That gives the profile S_p(ln lambda) and, by the envelope theorem, its slope 2 J' r. A minimum of S
 !> is one of S_p. Between two nodes there is one if the slope is negative at the left and positive at the right one, and there may be one if
 !> the cubic through both values and slopes has one, or if the lower bound has a positive slope, the upper one a negative one. From each of
 !> these places, from the best node and from the user's start the search goes on in all variables.
@@ -262,7 +262,8 @@ contains
       allocate (q(self%n_free, size(places)), node(size(places)))
       middle = minloc(abs(log(lambdas)), 1)
       do k = middle, size(places)
-         call solve_node(self, fit, scales, limits, work, free, places(k), lambdas(k), k > middle, q(:, max(k - 1, 1)), q(:, k), &
+         call solve_node(self, fit, scales, limits, work, free, places(k), lambdas(k), k > middle .and. node(max(k - 1, &
+            & 1))%has_value, q(:, max(k - 1, 1)), q(:, k), &
             & node(k), minima)
       end do
       do k = middle - 1, 1, -1
@@ -334,19 +335,14 @@ contains
       type(minima_t), intent(inout) :: minima
       type(squares_limits_t) :: coarse
       type(squares_outcome_t) :: outcome
-      real(dp) :: other(size(q)), cost, other_cost
-      logical :: is_held(size(q)), is_valid
+      logical :: is_held(size(q))
 
-      call get_start(self, fit, lambda, work, q)
-      q(free) = place
       if (has_neighbour) then
-         call self%evaluate(q, work%n_rows, work%r, work%j, cost, is_valid)
-         other = neighbour
-         other(free) = place
-         call self%evaluate(other, work%n_rows, work%r, work%j, other_cost, node%has_value)
-         if (node%has_value .and. is_valid) node%has_value = other_cost < cost
-         if (node%has_value) q = other
+         q = neighbour
+      else
+         call get_start(self, fit, lambda, work, q)
       end if
+      q(free) = place
       is_held = .false.
       is_held(free) = .true.
       coarse = limits

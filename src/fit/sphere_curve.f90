@@ -18,7 +18,7 @@
 !> - A point of contact beyond the fold has the fold's ordinate; where the abscissa is a load, one more row says how far it is beyond,
 !>   in units of the median step of the loads over the root of 12. S has a kink there, and its count is reported.
 !>
-!> A place found for one set of variables is the start for the next, moved along the tangent.
+!> A place found for one set of variables is the start for the next, moved along a parabola.
 module adfric_fit_sphere_curve
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
@@ -63,16 +63,21 @@ module adfric_fit_sphere_curve
       type(path_t) :: path
       !> What all points have in common.
       type(common_t) :: common
-      !> Of the last evaluation: places (0: none), what was held there, and its derivatives by the place, lambda and ks.
-      real(dp), allocatable :: t(:), held(:), held_t(:), held_l(:), held_ks(:)
+      !> Of the last evaluation: places (0: none), what was held there, and its derivatives by the place (two), lambda and ks.
+      real(dp), allocatable :: t(:), held(:), held_t(:), held_tt(:), held_l(:), held_ks(:)
       !> Of the last evaluation: lambda and ks.
       real(dp) :: last_lambda = 0, last_ks = 0
+      !> Derivatives of the residuals by what a free variable may change: the places `by_...`; shape `(n, n_changes)`.
+      real(dp), allocatable :: change(:, :)
    contains
       procedure :: evaluate
       procedure :: find_event
       procedure :: most_rows
    end type sphere_curve_t
 
+   !> What a free variable may change: the logarithms of both units, lambda, x, both zeros, ks.
+   integer, parameter :: by_y_unit = 1, by_x_unit = 2, by_lambda = 3, by_edge = 4, by_y_zero = 5, by_x_zero = 6, by_ks = 7, &
+      & n_changes = 7
    !> Samples of a path on which feet beside the fold are looked for, and most steps of a search.
    integer, parameter :: n_samples = 16, max_steps = 100
    real(dp), parameter :: close_enough = 1.0e-8_dp
@@ -109,7 +114,9 @@ contains
       self%ordinate = fit%data_sets(number)%ordinate
       self%is_base = fit%data_sets(number)%abscissa == v_approach
       self%frees = fit%frees
-      allocate (self%t(self%n), self%held(self%n), self%held_t(self%n), self%held_l(self%n), self%held_ks(self%n), source=0.0_dp)
+      allocate (self%t(self%n), self%held(self%n), self%held_t(self%n), self%held_tt(self%n), self%held_l(self%n), &
+         & self%held_ks(self%n), source=0.0_dp)
+      allocate (self%change(self%n, n_changes), source=0.0_dp)
       self%resolution = median_step(pack(self%x, self%is_contact))/sqrt(12.0_dp)
       associate (n => size(fit%frees), c => self%common)
          allocate (c%x_unit_by(n), c%y_unit_by(n), c%x_zero_by(n), c%y_zero_by(n), c%lambda_by(n), c%ks_by(n), c%edge_by(n), &
@@ -242,7 +249,7 @@ contains
          if (.not. self%is_contact(i)) then
             self%fitted(i) = self%common%y_zero
             r(i) = (self%common%y_zero - self%y(i))/self%sigma(i)
-            j(i, :) = self%common%y_zero_by/self%sigma(i)
+            self%change(i, by_y_zero) = 1/self%sigma(i)
          else if (self%x_sigma(i) > 0) then
             call evaluate_latent(self, i, n_rows, r, j)
          else
@@ -250,12 +257,33 @@ contains
          end if
          self%residual(i) = -r(i)
       end do
+      call add_changes(self, j)
       self%last_lambda = self%path%lambda
       self%last_ks = self%path%ks
       is_valid = all(abs(r(:n_rows)) <= sqrt(huge(1.0_dp)))
       associate (unused => is_exact)
       end associate
    end subroutine evaluate
+
+   !> Derivatives of the points' residuals by the free variables, of which most change few things.
+   pure subroutine add_changes(self, j)
+      !> The curve.
+      class(sphere_curve_t), intent(in) :: self
+      !> Receives the derivatives.
+      real(dp), intent(inout) :: j(:, :)
+      real(dp) :: share(n_changes)
+      integer :: k, m
+
+      associate (c => self%common)
+         do k = 1, size(self%frees)
+            share = [c%y_unit_by(k), c%x_unit_by(k), c%lambda_by(k), c%edge_by(k), c%y_zero_by(k), c%x_zero_by(k), c%ks_by(k)]
+            j(:self%n, k) = 0
+            do m = 1, n_changes
+               if (abs(share(m)) > 0) j(:self%n, k) = j(:self%n, k) + share(m)*self%change(:, m)
+            end do
+         end do
+      end associate
+   end subroutine add_changes
 
    !> A point whose abscissa has no error.
    subroutine evaluate_exact(self, i, n_rows, r, j)
@@ -279,7 +307,8 @@ contains
          call find_state(path, held, self%t(i), s, last_step, self%is_beyond(i))
          if (.not. self%is_beyond(i)) then
             call add_derivatives(path%theory, path%lambda, s)
-            call move_state(s, last_step)
+            call move_state(path, s, last_step)
+            self%t(i) = s%t
          end if
          call get_ordinate(self%ordinate, self%basis%edge, s, o)
          self%fitted(i) = c%y_unit*o%y + c%y_zero
@@ -287,8 +316,12 @@ contains
          weight = c%y_unit/self%sigma(i)
          if (self%is_beyond(i)) then
             self%t(i) = 0
-            j(i, :) = weight*(o%y*c%y_unit_by + o%y_l*c%lambda_by + o%y_x*c%edge_by &
-               & + o%y_t*(path%fold_l*c%lambda_by + path%fold_ks*c%ks_by)) + c%y_zero_by/self%sigma(i)
+            self%change(i, :) = 0
+            self%change(i, by_y_unit) = weight*o%y
+            self%change(i, by_lambda) = weight*(o%y_l + o%y_t*path%fold_l)
+            self%change(i, by_edge) = weight*o%y_x
+            self%change(i, by_ks) = weight*o%y_t*path%fold_ks
+            self%change(i, by_y_zero) = 1/self%sigma(i)
             if (self%is_base) return
             n_rows = n_rows + 1
             r(n_rows) = c%x_unit*(path%held_at_fold - held)/self%resolution
@@ -298,17 +331,24 @@ contains
          held_l = s%p_l
          held_ks = 0
          self%held_t(i) = s%p_t
+         self%held_tt(i) = s%p_tt
          if (self%is_base) then
             held_l = s%d_l + path%ks*s%p_l
             held_ks = s%p
             self%held_t(i) = s%d_t + path%ks*s%p_t
+            self%held_tt(i) = s%d_tt + path%ks*s%p_tt
          end if
          self%held(i) = held
          self%held_l(i) = held_l
          self%held_ks(i) = held_ks
          share = o%y_t/self%held_t(i)
-         j(i, :) = weight*(o%y*c%y_unit_by + (o%y_l - share*held_l)*c%lambda_by + o%y_x*c%edge_by &
-            & - share*(held*c%x_unit_by + c%x_zero_by/c%x_unit + held_ks*c%ks_by)) + c%y_zero_by/self%sigma(i)
+         self%change(i, by_y_unit) = weight*o%y
+         self%change(i, by_x_unit) = -weight*share*held
+         self%change(i, by_lambda) = weight*(o%y_l - share*held_l)
+         self%change(i, by_edge) = weight*o%y_x
+         self%change(i, by_y_zero) = 1/self%sigma(i)
+         self%change(i, by_x_zero) = -weight*share/c%x_unit
+         self%change(i, by_ks) = -weight*share*held_ks
       end associate
    end subroutine evaluate_exact
 
@@ -320,11 +360,14 @@ contains
       integer, intent(in) :: i
       !> What is held now.
       real(dp), intent(in) :: held
-      real(dp) :: t
+      real(dp) :: t, step, bend
 
       if (.not. self%t(i) > 0) return
-      t = self%t(i) + (held - self%held(i) - self%held_l(i)*(self%path%lambda - self%last_lambda) &
+      step = (held - self%held(i) - self%held_l(i)*(self%path%lambda - self%last_lambda) &
          & - self%held_ks(i)*(self%path%ks - self%last_ks))/self%held_t(i)
+      bend = self%held_tt(i)*step/(2*self%held_t(i))
+      if (abs(bend) < 0.3_dp) step = step*(1 - bend)
+      t = self%t(i) + step
       if (abs(t - self%t(i)) < self%t(i)/2 .and. is_outer(self%path, t, self%path%fold%t)) self%t(i) = t
    end subroutine predict
 
@@ -356,8 +399,11 @@ contains
          self%is_beyond(i) = .false.
          if (is_fold) then
             r(i) = v
-            j(i, :) = y_weight*(o%y*c%y_unit_by + o%y_l*c%lambda_by + o%y_x*c%edge_by + o%y_t*path%fold_l*c%lambda_by) &
-               & + c%y_zero_by/self%sigma(i)
+            self%change(i, :) = 0
+            self%change(i, by_y_unit) = y_weight*o%y
+            self%change(i, by_lambda) = y_weight*(o%y_l + o%y_t*path%fold_l)
+            self%change(i, by_edge) = y_weight*o%y_x
+            self%change(i, by_y_zero) = 1/self%sigma(i)
             n_rows = n_rows + 1
             r(n_rows) = u
             j(n_rows, :) = x_weight*(s%p*c%x_unit_by + s%p_l*c%lambda_by) + c%x_zero_by/self%x_sigma(i)
@@ -370,8 +416,12 @@ contains
          u_t = u_t/length
          v_t = v_t/length
          r(i) = u_t*v - v_t*u
-         j(i, :) = u_t*(y_weight*(o%y*c%y_unit_by + o%y_l*c%lambda_by + o%y_x*c%edge_by) + c%y_zero_by/self%sigma(i)) &
-            & - v_t*(x_weight*(s%p*c%x_unit_by + s%p_l*c%lambda_by) + c%x_zero_by/self%x_sigma(i))
+         self%change(i, by_y_unit) = u_t*y_weight*o%y
+         self%change(i, by_x_unit) = -v_t*x_weight*s%p
+         self%change(i, by_lambda) = u_t*y_weight*o%y_l - v_t*x_weight*s%p_l
+         self%change(i, by_edge) = u_t*y_weight*o%y_x
+         self%change(i, by_y_zero) = u_t/self%sigma(i)
+         self%change(i, by_x_zero) = -v_t/self%x_sigma(i)
       end associate
    end subroutine evaluate_latent
 
