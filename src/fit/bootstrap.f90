@@ -7,6 +7,7 @@ module adfric_fit_bootstrap
    use adfric_base_kinds, only: dp
    use adfric_fit_curve, only: curve_t
    use adfric_fit_objective, only: objective_t
+   use adfric_fit_order, only: sort
    use adfric_fit_problem, only: fit_t
    use adfric_fit_scales, only: scales_t
    use adfric_base_unset, only: is_set
@@ -173,24 +174,15 @@ contains
       type(objective_t), intent(in) :: objective
       !> Receives the intervals.
       type(solution_t), intent(inout) :: solution
-      real(dp) :: sorted(size(found, 1)), number
-      integer :: k, level, i, at, n, ends(2)
+      real(dp) :: sorted(size(found, 1))
+      integer :: k, level, n, ends(2)
 
       n = size(found, 1)
       call make_pieces(solution, 1, size(levels), size(found, 2))
       if (n < 2) return
       do k = 1, size(found, 2)
          sorted = found(:, k)
-         do i = 2, n
-            number = sorted(i)
-            at = i
-            do while (at > 1)
-               if (sorted(at - 1) <= number) exit
-               sorted(at) = sorted(at - 1)
-               at = at - 1
-            end do
-            sorted(at) = number
-         end do
+         call sort(sorted)
          do level = 1, size(levels)
             ends(1) = max(1, nint((1 - levels(level))/2*(n + 1)))
             ends(2) = n + 1 - ends(1)

@@ -20,13 +20,15 @@ module adfric_fit_drawn_curves
 contains
 
    !> Draw the curves of all data sets.
-   subroutine draw_curves(fit, scales, q, covariance, freedom, solution)
+   subroutine draw_curves(fit, scales, minima, covariance, freedom, solution)
       !> The fit.
       type(fit_t), intent(in) :: fit
       !> Units and bounds.
       type(scales_t), intent(in) :: scales
-      !> The estimate, as numbers that are fitted, and their covariance.
-      real(dp), intent(in) :: q(:), covariance(:, :)
+      !> The best minimum and, if there is one, the second one, as numbers that are fitted; shape `(n_free, 1 or 2)`.
+      real(dp), intent(in) :: minima(:, :)
+      !> Covariance of the best one.
+      real(dp), intent(in) :: covariance(:, :)
       !> Degrees of freedom where sigma is not known, else 0.
       integer, intent(in) :: freedom
       !> Receives the curves.
@@ -40,7 +42,7 @@ contains
          ! one curve at a time, for one may lie where another has no value
          call make_grid(fit, k, drawn)
          if (size(drawn%data_sets(k)%x) == 0) cycle
-         call draw(drawn, scales, k, q, covariance, freedom, solution)
+         call draw(drawn, scales, k, minima, covariance, freedom, solution)
       end do
    end subroutine draw_curves
 
@@ -82,15 +84,17 @@ contains
    end subroutine make_grid
 
    !> Draw the curve of one data set. It has no value beyond the fold.
-   subroutine draw(drawn, scales, number, q, covariance, freedom, solution)
+   subroutine draw(drawn, scales, number, minima, covariance, freedom, solution)
       !> The fit with points to be drawn for data.
       type(fit_t), intent(in) :: drawn
       !> Units and bounds.
       type(scales_t), intent(in) :: scales
       !> Number of the data set.
       integer, intent(in) :: number
-      !> The estimate, as numbers that are fitted, and their covariance.
-      real(dp), intent(in) :: q(:), covariance(:, :)
+      !> One or two minima, as numbers that are fitted.
+      real(dp), intent(in) :: minima(:, :)
+      !> Covariance of the first one.
+      real(dp), intent(in) :: covariance(:, :)
       !> Degrees of freedom where sigma is not known, else 0.
       integer, intent(in) :: freedom
       !> Receives the curve.
@@ -102,8 +106,8 @@ contains
       integer :: i
 
       call new_objective(objective, drawn, scales%unit, scales%lower, scales%upper, 0.0_dp)
-      call new_squares_work(work, most_rows_of(objective), size(q))
-      call objective%evaluate(q, work%n_rows, work%r, work%j, cost, is_valid)
+      call new_squares_work(work, most_rows_of(objective), size(minima, 1))
+      call objective%evaluate(minima(:, 1), work%n_rows, work%r, work%j, cost, is_valid)
       if (.not. is_valid) return
       reach = normal_quantile(band_level)
       if (freedom > 0) reach = t_quantile(band_level, freedom)
@@ -118,6 +122,12 @@ contains
          where (is_beyond) data%curve = not_a_number()
          data%band_low = data%curve - half
          data%band_high = data%curve + half
+         if (size(minima, 2) < 2) return
+         call objective%evaluate(minima(:, 2), work%n_rows, work%r, work%j, cost, is_valid)
+         if (.not. is_valid) return
+         if (objective%is_sphere(number)) is_beyond = objective%spheres(objective%number(number))%is_beyond
+         data%second_curve = work%r(:n_drawn)
+         where (is_beyond) data%second_curve = not_a_number()
       end associate
    end subroutine draw
 

@@ -11,48 +11,26 @@
 !>
 !> Is every end of a piece found? Between neighbouring nodes a gap may be too narrow for them. It lies where two valleys cross: there, at the place
 !> where their tangents meet, one more node is put. Crossings are refined by the secant rule with the exact slope of S_p, 2 J' r.
-!>
-!> A search that falls below S_min has found a better answer; it is handed back.
 module adfric_fit_profile
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_fit_objective, only: objective_t
+   use adfric_fit_profile_nodes, only: profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
    use adfric_fit_scales, only: scales_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, find_least_squares, &
-      & squares_no_value
+   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t
    implicit none (type, external)
    private
    public :: profile_t, find_profile, find_pieces
 
-   !> Nodes of a grid over lambda, most nodes of a walk, and most of all.
-   integer, parameter :: n_grid = 47, most_walk = 60, most_nodes = 600
+   !> Nodes of a grid over lambda, and most nodes of a walk.
+   integer, parameter :: n_grid = 47, most_walk = 60
    !> First step of a walk in standard errors, and its longest one as a difference of the number that is fitted.
    real(dp), parameter :: first_step = 0.4_dp, longest_step = 1.0_dp
-   !> Accuracy of S at a node, as a step in standard errors, and of a crossing relative to the limit.
-   real(dp), parameter :: node_step = 1.0e-4_dp, of_limit = 1.0e-7_dp
+   !> Accuracy of a crossing relative to the limit.
+   real(dp), parameter :: of_limit = 1.0e-7_dp
    integer, parameter :: most_refinements = 40
    !> A crossing is known to this part of the distance between its nodes.
    real(dp), parameter :: smallest_part = 1.0e-9_dp
-
-   !> A profile on its way.
-   type :: profile_t
-      !> Number of the variable, and of nodes.
-      integer :: free = 0, n = 0
-      !> Nodes, rising; S there, its slope, and all numbers that are fitted; shape `(n_free, n)`.
-      real(dp), allocatable :: x(:), cost(:), slope(:), q(:, :)
-      !> Least S, and variance of a point, by which S - S_min is divided.
-      real(dp) :: least = 0, variance = 1
-      !> S - S_min over the variance below which a place belongs to all sets.
-      real(dp) :: enough = 0
-      !> Is a node a minimum of S?
-      logical, allocatable :: is_minimum(:)
-      !> Has a search fallen below the least S?
-      logical :: is_below = .false.
-      !> Where that was.
-      real(dp), allocatable :: below(:)
-      !> Most points beyond the fold at any node.
-      integer :: n_beyond = 0
-   end type profile_t
 
 contains
 
@@ -87,18 +65,12 @@ contains
       real(dp) :: starts(size(minima, 1), size(minima, 2) + size(others, 2)), largest
       integer :: k
 
-      self%free = free
       starts(:, :size(costs)) = minima
       starts(:, size(costs) + 1:) = others
-      self%least = costs(1)
       largest = maxval(limit)
-      self%enough = minval(limit)/2
-      self%variance = variance
-      allocate (self%x(most_nodes), self%cost(most_nodes), self%slope(most_nodes), source=0.0_dp)
-      allocate (self%q(size(minima, 1), most_nodes), source=0.0_dp)
-      allocate (self%is_minimum(most_nodes), source=.false.)
+      call new_profile(self, free, size(minima, 1), costs(1), variance, minval(limit)/2)
       do k = 1, size(costs)
-         call insert(self, minima(free, k), costs(k), 0.0_dp, minima(:, k), .true.)
+         call insert_node(self, minima(free, k), costs(k), 0.0_dp, minima(:, k), .true.)
       end do
       if (is_lambda .and. abs(scales%lower(free)) < 200 .and. abs(scales%upper(free)) < 200) then
          do k = 0, n_grid - 1
@@ -114,155 +86,6 @@ contains
       call sweep(self, objective, scales, limits, work)
       call look_between(self, objective, scales, limits, work, largest)
    end subroutine find_profile
-
-   !> Put a node in its place; at a place that has one the lesser S stays.
-   pure subroutine insert(self, x, cost, slope, q, is_minimum)
-      !> The profile.
-      type(profile_t), intent(inout) :: self
-      !> The place, S and its slope there.
-      real(dp), intent(in) :: x, cost, slope
-      !> All numbers that are fitted.
-      real(dp), intent(in) :: q(:)
-      !> Is it a minimum of S?
-      logical, intent(in) :: is_minimum
-      integer :: i, n
-
-      n = self%n
-      i = count(self%x(:n) < x) + 1
-      if (i <= n) then
-         if (.not. self%x(i) > x) then
-            if (cost >= self%cost(i)) return
-            self%cost(i) = cost
-            self%slope(i) = slope
-            self%q(:, i) = q
-            self%is_minimum(i) = is_minimum
-            return
-         end if
-      end if
-      if (n == most_nodes) return
-      self%x(i + 1:n + 1) = self%x(i:n)
-      self%cost(i + 1:n + 1) = self%cost(i:n)
-      self%slope(i + 1:n + 1) = self%slope(i:n)
-      self%q(:, i + 1:n + 1) = self%q(:, i:n)
-      self%is_minimum(i + 1:n + 1) = self%is_minimum(i:n)
-      self%x(i) = x
-      self%cost(i) = cost
-      self%slope(i) = slope
-      self%q(:, i) = q
-      self%is_minimum(i) = is_minimum
-      self%n = n + 1
-   end subroutine insert
-
-   !> The least S over all other variables at a place, from one start.
-   subroutine solve_at(self, objective, scales, limits, work, x, q, cost, slope, has_value)
-      !> The profile, which notes what is below its least S.
-      type(profile_t), intent(inout) :: self
-      !> The sum of squares.
-      type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
-      type(scales_t), intent(in) :: scales
-      !> When a search ends.
-      type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
-      type(squares_work_t), intent(inout) :: work
-      !> The place.
-      real(dp), intent(in) :: x
-      !> In: a start for the others. Out: all numbers that are fitted.
-      real(dp), intent(inout) :: q(:)
-      !> Receives S and its slope.
-      real(dp), intent(out) :: cost, slope
-      !> Has the model a value there?
-      logical, intent(out) :: has_value
-      type(squares_limits_t) :: coarse
-      type(squares_outcome_t) :: outcome
-      logical :: is_held(size(q))
-
-      q(self%free) = x
-      is_held = .false.
-      is_held(self%free) = .true.
-      coarse = limits
-      coarse%step_tolerance = max(node_step, limits%step_tolerance)
-      coarse%relative_tolerance = max(limits%relative_tolerance, 1.0e-9_dp)
-      coarse%most_steps = 60
-      call find_least_squares(objective, scales%lower, scales%upper, is_held, coarse, work, q, outcome)
-      has_value = outcome%status /= squares_no_value
-      cost = outcome%cost
-      slope = 0
-      if (.not. has_value) return
-      slope = 2*dot_product(work%j(:work%n_rows, self%free), work%r(:work%n_rows))
-      self%n_beyond = max(self%n_beyond, objective%n_beyond())
-      if (cost < self%least - 1.0e-5_dp*self%variance) then
-         if (.not. self%is_below) self%below = q
-         self%is_below = .true.
-      end if
-   end subroutine solve_at
-
-   !> The least S over all other variables at a place, from several starts.
-   subroutine solve_best(self, objective, scales, limits, work, x, starts, q, cost, slope, has_value)
-      !> The profile.
-      type(profile_t), intent(inout) :: self
-      !> The sum of squares.
-      type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
-      type(scales_t), intent(in) :: scales
-      !> When a search ends.
-      type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
-      type(squares_work_t), intent(inout) :: work
-      !> The place.
-      real(dp), intent(in) :: x
-      !> Starts; shape `(n_free, n_starts)`.
-      real(dp), intent(in) :: starts(:, :)
-      !> Receives all numbers that are fitted.
-      real(dp), intent(out) :: q(:)
-      !> Receives S and its slope.
-      real(dp), intent(out) :: cost, slope
-      !> Has the model a value there?
-      logical, intent(out) :: has_value
-      real(dp) :: trial(size(q)), trial_cost, trial_slope
-      logical :: is_valid
-      integer :: k
-
-      has_value = .false.
-      cost = huge(cost)
-      slope = 0
-      q = starts(:, 1)
-      do k = 1, size(starts, 2)
-         trial = starts(:, k)
-         call solve_at(self, objective, scales, limits, work, x, trial, trial_cost, trial_slope, is_valid)
-         if (.not. is_valid) cycle
-         has_value = .true.
-         if (trial_cost >= cost) cycle
-         cost = trial_cost
-         slope = trial_slope
-         q = trial
-         ! well within every set: no other start changes that
-         if (cost - self%least <= self%enough*self%variance) return
-      end do
-   end subroutine solve_best
-
-   !> Add a node, solved from all minima.
-   subroutine add_node(self, objective, scales, limits, work, starts, x)
-      !> The profile.
-      type(profile_t), intent(inout) :: self
-      !> The sum of squares.
-      type(objective_t), intent(inout) :: objective
-      !> Units and bounds.
-      type(scales_t), intent(in) :: scales
-      !> When a search ends.
-      type(squares_limits_t), intent(in) :: limits
-      !> Room to work in.
-      type(squares_work_t), intent(inout) :: work
-      !> Starts; shape `(n_free, n_starts)`.
-      real(dp), intent(in) :: starts(:, :)
-      !> The place.
-      real(dp), intent(in) :: x
-      real(dp) :: q(size(starts, 1)), cost, slope
-      logical :: has_value
-
-      call solve_best(self, objective, scales, limits, work, x, starts, q, cost, slope, has_value)
-      if (has_value) call insert(self, x, cost, slope, q, .false.)
-   end subroutine add_node
 
    !> Walk from a minimum to one side, until S is above the largest limit, or to the bound.
    subroutine walk(self, objective, scales, limits, work, minima, from, error, largest, side)
@@ -298,7 +121,7 @@ contains
       do k = 1, most_walk
          if (side*(bound - x) <= 0) return
          starts(:, 1) = q
-         call solve_best(self, objective, scales, limits, work, merge(min(x + step, bound), max(x - step, bound), side > 0), &
+         call solve_best_node(self, objective, scales, limits, work, merge(min(x + step, bound), max(x - step, bound), side > 0), &
             & starts, &
             & q, cost, slope, has_value)
          if (.not. has_value .or. (cost - last > 2*largest*self%variance .and. k < most_walk/2)) then
@@ -309,7 +132,7 @@ contains
             cycle
          end if
          x = q(self%free)
-         call insert(self, x, cost, slope, q, .false.)
+         call insert_node(self, x, cost, slope, q, .false.)
          if (cost - self%least > 1.02_dp*largest*self%variance) return
          if (abs(cost - last) < largest*self%variance/8) step = min(2*step, longest_step*max(1.0_dp, min(error, 20.0_dp)))
          last = cost
@@ -347,7 +170,7 @@ contains
          logical :: has_value
 
          q = self%q(:, from)
-         call solve_at(self, objective, scales, limits, work, self%x(to), q, cost, slope, has_value)
+         call solve_node(self, objective, scales, limits, work, self%x(to), q, cost, slope, has_value)
          if (.not. has_value .or. cost >= self%cost(to)) return
          self%cost(to) = cost
          self%slope(to) = slope
@@ -466,7 +289,7 @@ contains
          ! S is nearly a parabola: its root is nearly linear
          at = a + (b - a)*share_of(fa, fb)
          if (mod(k, 6) == 0) at = (a + b)/2
-         call solve_best(self, objective, scales, limits, work, at, starts, q, cost, slope, has_value)
+         call solve_best_node(self, objective, scales, limits, work, at, starts, q, cost, slope, has_value)
          if (.not. has_value) return
          value = (cost - self%least)/self%variance - limit
          if (abs(value) <= of_limit*limit) return

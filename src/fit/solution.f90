@@ -18,6 +18,8 @@ module adfric_fit_solution
       real(dp), allocatable :: fitted(:), residual(:)
       !> The curve at 201 abscissas over the range of the data, with its band of 95 % by the linear rule.
       real(dp), allocatable :: curve_x(:), curve(:), band_low(:), band_high(:)
+      !> The curve of the second minimum at the same abscissas; not allocated if there is none.
+      real(dp), allocatable :: second_curve(:)
       !> Points that are used.
       integer :: points_used = 0
    end type data_solution_t

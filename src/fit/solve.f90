@@ -3,54 +3,30 @@
 module adfric_fit_solve
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_unset, only: unset
    use adfric_fit_bootstrap, only: take_bootstrap
+   use adfric_fit_course, only: course_t, begin_course, has_too_few_points, refine_minima, take_minima, evaluate_best
    use adfric_fit_covariance, only: find_covariance
    use adfric_fit_derived, only: find_derived
-   use adfric_fit_objective, only: objective_t, new_objective, take_estimate, most_rows_of, count_terms
    use adfric_fit_drawn_curves, only: draw_curves
    use adfric_fit_intervals, only: take_covariance_intervals, take_profile
-   use adfric_fit_problem, only: fit_t, intervals_covariance, intervals_profile, intervals_bootstrap, nuisance_load_offset, &
-      & nuisance_friction_offset
+   use adfric_fit_minima, only: add_search, sort_minima
+   use adfric_fit_objective, only: take_estimate
+   use adfric_fit_problem, only: fit_t, intervals_covariance, intervals_profile, intervals_bootstrap
    use adfric_fit_residuals, only: look_at_residuals, take_curve
-   use adfric_fit_scales, only: scales_t, set_scales, find_refusal
-   use adfric_fit_search, only: minima_t, find_minima, add_search, sort_minima, minima_limit
+   use adfric_fit_scales, only: find_refusal
+   use adfric_fit_search, only: find_minima
    use adfric_fit_solution, only: solution_t, fit_solved, fit_too_few_points, fit_not_converged, fit_not_identifiable
-   use adfric_fit_starts, only: lambda_free
+   use adfric_fit_starts, only: get_start, lambda_free
    use adfric_fit_theories, only: make_theory, theory_name
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, &
-      & new_squares_work, find_least_squares, squares_converged, squares_stuck, squares_no_value
+   use adfric_numerics_bounded_least_squares, only: squares_converged, squares_stuck
    use adfric_numerics_distributions, only: chi_squared_above
    implicit none (type, external)
    private
-   public :: solve_fit
-
-   !> Steps in standard errors that end a search with derivatives by steps forward, and what counts as a combination of columns then.
-   real(dp), parameter :: forward_step = 1.0e-4_dp, forward_rank = 1.0e-5_dp, central_step = 1.0e-6_dp, central_rank = 1.0e-7_dp
-   !> The same for the best minimum with exact derivatives.
-   real(dp), parameter :: last_step = 1.0e-9_dp
+   public :: solve_fit, find_start
 
    !> How often a profile may find a better minimum.
    integer, parameter :: most_restarts = 4
-
-   !> A fit on its way: what its parts share.
-   type :: course_t
-      !> Units and bounds.
-      type(scales_t) :: scales
-      !> The sum of squares.
-      type(objective_t) :: objective
-      !> When a search ends.
-      type(squares_limits_t) :: limits
-      !> Room to work in.
-      type(squares_work_t) :: work
-      !> All minima.
-      type(minima_t) :: minima
-      !> Covariance of the numbers that are fitted.
-      real(dp), allocatable :: covariance(:, :)
-      !> Points; points, events and priors; degrees of freedom.
-      integer :: n_points = 0, n_terms = 0, freedom = 0
-      !> Square of the unit of the residuals: that of the ordinates where sigma is not known, else 1; and variance of a point in it.
-      real(dp) :: unit2 = 1, variance = 1
-   end type course_t
 
 contains
 
@@ -64,8 +40,8 @@ contains
 
       call solve_best(fit, course, solution)
       if (solution%status /= fit_solved) return
-      if (fit%wants_curves) call draw_curves(fit, course%scales, course%minima%q(:, 1), course%covariance, course%limits%freedom, &
-         & solution)
+      if (fit%wants_curves) call draw_curves(fit, course%scales, course%minima%q(:, :min(2, size(solution%minima_chi2))), &
+         & course%covariance, course%limits%freedom, solution)
       call take_intervals(course, fit, solution)
       if (allocated(fit%theories)) call compare_theories(fit, solution)
       solution%evaluations = course%objective%evaluations
@@ -100,26 +76,6 @@ contains
       call take_minima(course, solution)
       call finish_estimate(course, fit, solution)
    end subroutine solve_best
-
-   !> Are there fewer points, events and priors than free variables, or fewer in contact than those that need contact?
-   pure logical function has_too_few_points(course, fit)
-      !> What the parts share.
-      type(course_t), intent(in) :: course
-      !> The fit.
-      type(fit_t), intent(in) :: fit
-      integer :: k, n_contact, n_free
-
-      n_contact = course%n_terms - course%n_points
-      do k = 1, size(course%objective%spheres)
-         n_contact = n_contact + count(course%objective%spheres(k)%is_contact)
-      end do
-      do k = 1, size(course%objective%others)
-         n_contact = n_contact + count(course%objective%others(k)%is_contact)
-      end do
-      n_free = count(fit%frees%nuisance /= nuisance_load_offset .and. fit%frees%nuisance /= nuisance_friction_offset)
-      has_too_few_points = course%freedom < 0 .or. course%n_points < 1 .or. n_contact < n_free &
-         & .or. (course%freedom < 1 .and. course%scales%unknown_unit > 0)
-   end function has_too_few_points
 
    !> Fit the same data by other theories.
    subroutine compare_theories(fit, solution)
@@ -207,18 +163,6 @@ contains
       end do
    end subroutine take_intervals
 
-   !> Let the sum of squares hold the curves of the best minimum.
-   subroutine evaluate_best(course)
-      !> What the parts share.
-      type(course_t), intent(inout) :: course
-      real(dp) :: cost
-      logical :: is_valid
-
-      associate (work => course%work)
-         call course%objective%evaluate(course%minima%q(:, 1), work%n_rows, work%r, work%j, cost, is_valid)
-      end associate
-   end subroutine evaluate_best
-
    !> Give every part of the solution its shape.
    subroutine make_room(fit, solution)
       !> The fit.
@@ -250,94 +194,6 @@ contains
       solution%aic = none
       solution%bic = none
    end subroutine make_room
-
-   !> Make the sum of squares and room for searches.
-   subroutine begin_course(course, fit)
-      !> Receives what the parts share.
-      type(course_t), intent(inout) :: course
-      !> The fit.
-      type(fit_t), intent(in) :: fit
-
-      call set_scales(course%scales, fit)
-      associate (scales => course%scales)
-         call new_objective(course%objective, fit, scales%unit, scales%lower, scales%upper, scales%unknown_unit)
-      end associate
-      call count_terms(course%objective, course%n_points, course%n_terms)
-      course%freedom = course%n_terms - size(fit%frees)
-      call new_squares_work(course%work, most_rows_of(course%objective), size(fit%frees))
-      course%limits%relative_tolerance = fit%relative_tolerance
-      if (course%scales%unknown_unit > 0) then
-         course%limits%freedom = max(course%freedom, 1)
-         course%unit2 = course%scales%unknown_unit**2
-      end if
-      if (size(course%objective%others) == 0) return
-      course%limits%step_tolerance = forward_step
-      course%limits%rank_tolerance = forward_rank
-   end subroutine begin_course
-
-   !> Search on from the minima that count: with central differences where derivatives were steps forward, and to the last digits from
-   !> the best one, for in a flat valley a millionth of a standard error of ln lambda moves the covariance by a ten-thousandth.
-   subroutine refine_minima(course)
-      !> What the parts share.
-      type(course_t), intent(inout) :: course
-      type(squares_limits_t) :: limits
-      type(squares_outcome_t) :: outcome
-      real(dp) :: least
-      integer :: k
-      logical :: is_held(course%objective%n_free)
-
-      if (course%minima%n < 1) return
-      least = course%minima%cost(1)
-      limits = course%limits
-      course%objective%is_exact = .true.
-      is_held = .false.
-      do k = 1, course%minima%n
-         limits%step_tolerance = last_step
-         if (size(course%objective%others) > 0) then
-            limits%step_tolerance = central_step
-            limits%rank_tolerance = central_rank
-            if (course%minima%cost(k) > least + minima_limit*max(1.0_dp, least/max(course%freedom, 1))) exit
-         else if (k > 1) then
-            exit
-         end if
-         call find_least_squares(course%objective, course%scales%lower, course%scales%upper, is_held, limits, course%work, &
-            & course%minima%q(:, k), outcome)
-         if (outcome%status == squares_no_value) cycle
-         course%minima%steps = course%minima%steps + outcome%steps
-         course%minima%cost(k) = outcome%cost
-         course%minima%status(k) = min(course%minima%status(k), outcome%status)
-      end do
-      course%objective%is_exact = .false.
-      call sort_minima(course%minima, course%objective%n_free)
-   end subroutine refine_minima
-
-   !> Put the minima that count into the solution.
-   subroutine take_minima(course, solution)
-      !> What the parts share.
-      type(course_t), intent(inout) :: course
-      !> Receives the minima.
-      type(solution_t), intent(inout) :: solution
-      real(dp), allocatable :: slopes(:)
-      integer :: k, n, n_free
-
-      n_free = course%objective%n_free
-      if (course%limits%freedom > 0) course%variance = course%minima%cost(1)/course%limits%freedom
-      if (.not. course%variance > 0) course%variance = tiny(1.0_dp)
-      n = count(course%minima%cost(:course%minima%n) - course%minima%cost(1) < minima_limit*course%variance)
-      n = max(n, 1)
-      if (allocated(solution%minima)) deallocate (solution%minima, solution%minima_chi2, solution%minima_at_bound)
-      allocate (solution%minima(n_free, n), solution%minima_chi2(n), slopes(n_free))
-      allocate (solution%minima_at_bound(n_free, n), source=0)
-      do k = 1, n
-         call take_estimate(course%objective, course%minima%q(:, k), solution%minima(:, k), slopes)
-         solution%minima_at_bound(:, k) = merge(1, 0, course%minima%q(:, k) >= course%scales%upper) &
-            & - merge(1, 0, course%minima%q(:, k) <= course%scales%lower)
-      end do
-      solution%minima_chi2 = course%minima%cost(:n)*course%unit2
-      solution%starts = course%minima%searches
-      solution%starts_at_best = course%minima%times(1)
-      solution%iterations = course%minima%steps
-   end subroutine take_minima
 
    !> Estimates, errors, goodness.
    subroutine finish_estimate(course, fit, solution)
@@ -435,5 +291,32 @@ contains
       end do
       call look_at_residuals(fit, solution)
    end subroutine take_residuals
+
+   !> Where the search would begin, from the user's values or the data, and S there.
+   subroutine find_start(fit, start, chi2, reason)
+      !> The fit.
+      type(fit_t), intent(in) :: fit
+      !> Receives values of the free variables in their units; shape `(n_free)`. NaN if the fit is refused.
+      real(dp), allocatable, intent(out) :: start(:)
+      !> Receives S; NaN where the model has no value.
+      real(dp), intent(out) :: chi2
+      !> Receives why the fit is refused; empty if it is not.
+      character(:), allocatable, intent(out) :: reason
+      type(course_t) :: course
+      real(dp) :: q(size(fit%frees)), slopes(size(fit%frees)), cost
+      logical :: is_valid
+
+      allocate (start(size(fit%frees)), source=not_a_number())
+      chi2 = not_a_number()
+      call find_refusal(fit, reason)
+      if (len(reason) > 0) return
+      call begin_course(course, fit)
+      call get_start(course%objective, fit, unset, course%work, q)
+      call take_estimate(course%objective, q, start, slopes)
+      associate (work => course%work)
+         call course%objective%evaluate(q, work%n_rows, work%r, work%j, cost, is_valid)
+      end associate
+      if (is_valid) chi2 = cost*course%unit2
+   end subroutine find_start
 
 end module adfric_fit_solve

@@ -5,15 +5,8 @@
 !> `adfric_fit_ordinate`), and d ln X0, d ln Y0, d ln ks, d lambda the changes with a free variable:
 !>
 !> - Exact abscissas: t is where X(t) = X_i, so dY = Y0 (y dlnY0 + y_l dl + (y_t/phi_t) (-phi dlnX0 - dx0/X0 - phi_l dl - P dks)) + dy0.
-!> - Abscissas with errors: the state is the point of the curve nearest to the measured one, in standard errors of both, its foot. There
-!>   h = u u_t + v v_t = 0 with u = (X - X_i)/sX, v = (Y - Y_i)/sY. By the envelope theorem the distance along the normal changes as if t
-!>   were held. X and Y both rise outward. So where u and v are both positive the distance falls inward, where both are negative it
-!>   rises, and a root lies between the t of X_i and the t of Y_i. Is it alone? A point above the curve is outside of a convex set, since Y is
-!>   a concave function of X, and such a set has one nearest point. For a point below, near the fold, X is a parabola in Y: with U, V the
-!>   coordinates from the fold and r the radius of curvature there, h is V^3/(2 r^2) + V (1 - U/r) - V_i, which has one positive root for
-!>   V_i > 0 by Descartes' rule. For V_i <= 0 the foot is the fold, unless U > r, where two roots may appear: then places between are looked at,
-!>   and the nearer of fold and root is taken. A pair of roots so close together that no sample lies between them does no harm: the distance
-!>   falls on to the fold behind it, so the fold is nearer.
+!> - Abscissas with errors: the state is the nearest point of the curve, the foot (`adfric_fit_foot`). By the envelope theorem the distance
+!>   along the normal changes as if t were held.
 !> - The foot is the fold: both components count, and the fold moves with lambda and ks.
 !> - A point of contact beyond the fold has the fold's ordinate; where the abscissa is a load, one more row says how far it is beyond,
 !>   in units of the median step of the loads over the root of 12. S has a kink there, and its count is reported.
@@ -23,29 +16,21 @@ module adfric_fit_sphere_curve
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: curve_t, take_points, nuisance_slopes
-   use adfric_fit_ordinate, only: ordinate_t, get_ordinate, get_unit, is_ordinate
+   use adfric_fit_curve, only: curve_t, take_points
+   use adfric_fit_foot, only: foot_t, find_foot
+   use adfric_fit_frame, only: frame_t, new_frame, set_frame
+   use adfric_fit_order, only: median_step
+   use adfric_fit_ordinate, only: ordinate_t, get_ordinate, is_ordinate
    use adfric_fit_path, only: path_t, set_path, find_state, move_state, is_outer
-   use adfric_fit_problem, only: free_t, fit_t, data_set_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, &
-      & nuisance_contact_point, nuisance_lateral_gain, nuisance_spring_stiffness, event_pull_off_load, event_jump_in_approach
-   use adfric_fit_sphere_basis, only: basis_t, set_basis, of_radius, of_modulus, of_work, of_lambda, of_edge
-   use adfric_fit_state, only: state_t, get_state, add_derivatives
+   use adfric_fit_problem, only: free_t, fit_t, data_set_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset
+   use adfric_fit_sphere_basis, only: basis_t, set_basis, of_radius, of_work, of_lambda
+   use adfric_fit_state, only: state_t, add_derivatives
    use adfric_sphere_contact, only: theory_maugis_dugdale
    use adfric_sphere_variables, only: v_load, v_approach, v_interaction, v_branch, v_units, v_tangential_force, &
       & v_tangential_displacement, r_load, r_friction_force, units_si
    implicit none (type, external)
    private
    public :: sphere_curve_t, new_sphere_curve, is_sphere_curve
-
-   !> What all points of a curve have in common at one set of variables.
-   type :: common_t
-      !> Units and zeros of abscissa and ordinate.
-      real(dp) :: x_unit = 1, y_unit = 1, x_zero = 0, y_zero = 0
-      !> Changes by each free variable: logarithms of both units, zeros, lambda, ks, x.
-      real(dp), allocatable, dimension(:) :: x_unit_by, y_unit_by, x_zero_by, y_zero_by, lambda_by, ks_by, edge_by
-      !> Change of the zero of a load.
-      real(dp), allocatable :: load_zero_by(:)
-   end type common_t
 
    !> A measured curve of a sphere.
    type, extends(curve_t) :: sphere_curve_t
@@ -62,7 +47,7 @@ module adfric_fit_sphere_curve
       !> The path of held states.
       type(path_t) :: path
       !> What all points have in common.
-      type(common_t) :: common
+      type(frame_t) :: common
       !> Of the last evaluation: places (0: none), what was held there, and its derivatives by the place (two), lambda and ks.
       real(dp), allocatable :: t(:), held(:), held_t(:), held_tt(:), held_l(:), held_ks(:)
       !> Of the last evaluation: lambda and ks.
@@ -78,9 +63,6 @@ module adfric_fit_sphere_curve
    !> What a free variable may change: the logarithms of both units, lambda, x, both zeros, ks.
    integer, parameter :: by_y_unit = 1, by_x_unit = 2, by_lambda = 3, by_edge = 4, by_y_zero = 5, by_x_zero = 6, by_ks = 7, &
       & n_changes = 7
-   !> Samples of a path on which feet beside the fold are looked for, and most steps of a search.
-   integer, parameter :: n_samples = 16, max_steps = 100
-   real(dp), parameter :: close_enough = 1.0e-8_dp
 
 contains
 
@@ -118,53 +100,8 @@ contains
          & self%held_ks(self%n), source=0.0_dp)
       allocate (self%change(self%n, n_changes), source=0.0_dp)
       self%resolution = median_step(pack(self%x, self%is_contact))/sqrt(12.0_dp)
-      associate (n => size(fit%frees), c => self%common)
-         allocate (c%x_unit_by(n), c%y_unit_by(n), c%x_zero_by(n), c%y_zero_by(n), c%lambda_by(n), c%ks_by(n), c%edge_by(n), &
-            & c%load_zero_by(n), source=0.0_dp)
-      end associate
+      call new_frame(self%common, size(fit%frees))
    end subroutine new_sphere_curve
-
-   !> Median distance of neighbouring numbers; their range over their count where most are equal.
-   pure real(dp) function median_step(numbers) result(step)
-      !> The numbers, in any order.
-      real(dp), intent(in) :: numbers(:)
-      real(dp) :: steps(max(size(numbers) - 1, 0)), sorted(size(numbers))
-      integer :: n
-
-      step = 1
-      n = size(numbers) - 1
-      if (n < 1) return
-      sorted = numbers
-      call sort(sorted)
-      steps = sorted(2:) - sorted(:n)
-      call sort(steps)
-      step = (steps((n + 1)/2) + steps(n/2 + 1))/2
-      if (.not. step > 0) step = (sorted(n + 1) - sorted(1))/n
-      if (.not. step > 0) step = max(abs(sorted(1)), tiny(step))
-   end function median_step
-
-   !> Sort numbers, the least first.
-   pure subroutine sort(numbers)
-      !> The numbers.
-      real(dp), intent(inout) :: numbers(:)
-      real(dp) :: number
-      integer :: gap, i, k
-
-      gap = size(numbers)/2
-      do while (gap > 0)
-         do i = gap + 1, size(numbers)
-            number = numbers(i)
-            k = i
-            do while (k > gap)
-               if (numbers(k - gap) <= number) exit
-               numbers(k) = numbers(k - gap)
-               k = k - gap
-            end do
-            numbers(k) = number
-         end do
-         gap = gap/2
-      end do
-   end subroutine sort
 
    !> See `curve_t`: a second row for every point at most.
    pure integer function most_rows(self)
@@ -184,40 +121,10 @@ contains
       real(dp), intent(in) :: nuisance(:)
       !> Derivatives of each free variable by the number that is fitted.
       real(dp), intent(in) :: slopes(:)
-      real(dp) :: ks, of_nuisance(size(slopes), n_nuisances)
+      real(dp) :: ks
 
       call set_basis(self%basis, values, self%frees, slopes)
-      call nuisance_slopes(self%frees, self%data_set, slopes, of_nuisance)
-      associate (c => self%common, b => self%basis%by_free)
-         c%lambda_by = self%basis%lambda*b(:, of_lambda)
-         c%edge_by = b(:, of_edge)
-         c%load_zero_by = of_nuisance(:, nuisance_load_offset)
-         ks = 0
-         c%ks_by = 0
-         if (self%is_base .and. is_set(nuisance(nuisance_spring_stiffness))) then
-            ks = self%basis%force/(nuisance(nuisance_spring_stiffness)*self%basis%approach)
-            c%ks_by = ks*((b(:, of_work) + 2*b(:, of_radius) + 2*b(:, of_modulus))/3 &
-               & - of_nuisance(:, nuisance_spring_stiffness)/nuisance(nuisance_spring_stiffness))
-         end if
-         call get_unit(self%ordinate, self%basis, c%y_unit, c%y_unit_by)
-         c%y_unit = c%y_unit*nuisance(nuisance_lateral_gain)
-         c%y_unit_by = c%y_unit_by + of_nuisance(:, nuisance_lateral_gain)/nuisance(nuisance_lateral_gain)
-         c%y_zero = nuisance(nuisance_friction_offset)
-         c%y_zero_by = of_nuisance(:, nuisance_friction_offset)
-         if (self%ordinate == r_load) c%y_zero = c%y_zero + nuisance(nuisance_load_offset)
-         if (self%ordinate == r_load) c%y_zero_by = c%y_zero_by + c%load_zero_by
-         if (self%is_base) then
-            c%x_unit = self%basis%approach
-            c%x_unit_by = (2*b(:, of_work) + b(:, of_radius) - 2*b(:, of_modulus))/3
-            c%x_zero = nuisance(nuisance_contact_point)
-            c%x_zero_by = of_nuisance(:, nuisance_contact_point)
-         else
-            c%x_unit = self%basis%force
-            c%x_unit_by = b(:, of_work) + b(:, of_radius)
-            c%x_zero = nuisance(nuisance_load_offset)
-            c%x_zero_by = c%load_zero_by
-         end if
-      end associate
+      call set_frame(self%common, self%basis, self%frees, self%data_set, self%ordinate, self%is_base, nuisance, slopes, ks)
       call set_path(self%path, self%basis%theory, self%is_base, self%basis%lambda, ks)
    end subroutine take_values
 
@@ -385,11 +292,13 @@ contains
       real(dp), intent(inout) :: j(:, :)
       type(state_t) :: s
       type(ordinate_t) :: o
+      type(foot_t) :: point
       real(dp) :: u, v, u_t, v_t, length, x_weight, y_weight
       logical :: is_fold
 
       associate (c => self%common, path => self%path)
-         call find_foot(self, i, s, o, is_fold)
+         point = foot_t(self%ordinate, self%basis%edge, self%x(i), self%y(i), self%x_sigma(i), self%sigma(i))
+         call find_foot(point, c, path, self%t(i), s, o, is_fold)
          x_weight = c%x_unit/self%x_sigma(i)
          y_weight = c%y_unit/self%sigma(i)
          u = (c%x_unit*s%p + c%x_zero - self%x(i))/self%x_sigma(i)
@@ -425,170 +334,6 @@ contains
       end associate
    end subroutine evaluate_latent
 
-   !> The point of the curve nearest to a measured one.
-   subroutine find_foot(self, i, s, o, is_fold)
-      !> The curve, which keeps the place.
-      class(sphere_curve_t), intent(inout) :: self
-      !> Number of the point.
-      integer, intent(in) :: i
-      !> Receives the state.
-      type(state_t), intent(out) :: s
-      !> Receives its ordinate.
-      type(ordinate_t), intent(out) :: o
-      !> Is it the fold?
-      logical, intent(out) :: is_fold
-      real(dp) :: at_fold, inner, outer, t, distance
-      logical :: is_beside
-
-      associate (c => self%common, path => self%path)
-         call get_ordinate(self%ordinate, self%basis%edge, path%fold, o)
-         at_fold = (c%y_unit*o%y + c%y_zero - self%y(i))/self%sigma(i)
-         is_fold = at_fold >= 0
-         inner = path%fold%t
-         outer = -1
-         distance = 0
-         t = self%t(i)
-         if (is_fold) then
-            s = path%fold
-            is_beside = c%x_unit*path%held_at_fold + c%x_zero < self%x(i)
-            if (is_beside) call look_beside(self, i, inner, outer, is_beside)
-            if (.not. is_beside) return
-            distance = at_fold**2 + ((c%x_unit*s%p + c%x_zero - self%x(i))/self%x_sigma(i))**2
-            t = 0
-         end if
-         if (.not. (t > 0 .and. is_outer(path, t, inner))) call guess_foot(self, i, t)
-         call find_root(self, i, inner, outer, t, s, o)
-         if (is_fold) then
-            is_fold = .not. ((c%y_unit*o%y + c%y_zero - self%y(i))/self%sigma(i))**2 &
-               & + ((c%x_unit*s%p + c%x_zero - self%x(i))/self%x_sigma(i))**2 < distance
-            if (is_fold) s = path%fold
-            if (is_fold) call get_ordinate(self%ordinate, self%basis%edge, s, o)
-         else
-            self%t(i) = t
-         end if
-      end associate
-   end subroutine find_foot
-
-   !> A first guess of a foot: the place of the measured abscissa, or near the fold.
-   subroutine guess_foot(self, i, t)
-      !> The curve.
-      class(sphere_curve_t), intent(in) :: self
-      !> Number of the point.
-      integer, intent(in) :: i
-      !> Receives the place.
-      real(dp), intent(out) :: t
-      type(state_t) :: s
-      logical :: is_beyond
-      real(dp) :: held, last_step
-
-      held = (self%x(i) - self%common%x_zero)/self%common%x_unit
-      t = 0
-      call find_state(self%path, held, t, s, last_step, is_beyond)
-      if (is_beyond) t = self%path%fold%t + self%path%side*self%path%fold%t/20
-      if (.not. is_outer(self%path, t, self%path%fold%t)) t = self%path%fold%t + self%path%side*0.1_dp
-   end subroutine guess_foot
-
-   !> h = u u_t + v v_t times the side, positive outside of the foot, and its derivative by the place.
-   subroutine get_slope(self, i, t, s, o, h, h_t)
-      !> The curve.
-      class(sphere_curve_t), intent(in) :: self
-      !> Number of the point.
-      integer, intent(in) :: i
-      !> The place.
-      real(dp), intent(in) :: t
-      !> Receives the state.
-      type(state_t), intent(inout) :: s
-      !> Receives its ordinate.
-      type(ordinate_t), intent(out) :: o
-      !> Receives h times the side.
-      real(dp), intent(out) :: h
-      !> Receives the derivative of h.
-      real(dp), intent(out) :: h_t
-      real(dp) :: u, v, x_weight, y_weight
-
-      associate (c => self%common, path => self%path)
-         call get_state(path%theory, path%lambda, t, s)
-         call add_derivatives(path%theory, path%lambda, s)
-         call get_ordinate(self%ordinate, self%basis%edge, s, o)
-         x_weight = c%x_unit/self%x_sigma(i)
-         y_weight = c%y_unit/self%sigma(i)
-         u = (c%x_unit*s%p + c%x_zero - self%x(i))/self%x_sigma(i)
-         v = (c%y_unit*o%y + c%y_zero - self%y(i))/self%sigma(i)
-         h = path%side*(u*x_weight*s%p_t + v*y_weight*o%y_t)
-         h_t = (x_weight*s%p_t)**2 + (y_weight*o%y_t)**2 + u*x_weight*s%p_tt + v*y_weight*o%y_tt
-      end associate
-   end subroutine get_slope
-
-   !> Newton's method for the foot, within what is known of where it is.
-   subroutine find_root(self, i, from, to, t, s, o)
-      !> The curve.
-      class(sphere_curve_t), intent(in) :: self
-      !> Number of the point.
-      integer, intent(in) :: i
-      !> The place inside of the foot, and the one outside; < 0: not known.
-      real(dp), intent(in) :: from, to
-      !> In: a guess. Out: the place.
-      real(dp), intent(inout) :: t
-      !> Receives the state.
-      type(state_t), intent(inout) :: s
-      !> Receives its ordinate.
-      type(ordinate_t), intent(inout) :: o
-      real(dp) :: inner, outer, h, h_t, step
-      integer :: k
-      logical :: is_inside
-
-      inner = from
-      outer = to
-      ! places of Maugis-Dugdale end at 0 outward
-      if (self%path%side < 0) outer = max(outer, 0.0_dp)
-      if (.not. is_outer(self%path, t, inner) .or. outer >= 0 .and. .not. is_outer(self%path, outer, t)) t = (inner + outer)/2
-      do k = 1, max_steps
-         call get_slope(self, i, t, s, o, h, h_t)
-         if (h > 0) then
-            outer = t
-         else
-            inner = t
-         end if
-         step = huge(step)
-         if (h_t > 0) step = -self%path%side*h/h_t
-         if (abs(step) <= close_enough*min(t, abs(t - self%path%fold%t))) return
-         is_inside = step < huge(step)
-         if (is_inside) is_inside = is_outer(self%path, t + step, inner) .and. (outer < 0 .or. is_outer(self%path, outer, t + step))
-         if (.not. is_inside) step = merge((inner + outer)/2, 2*t + 1, outer >= 0) - t
-         if (self%path%side < 0 .and. .not. is_inside .and. .not. outer > 0) step = -t/2
-         if (abs(step) <= 4*epsilon(t)*t) return
-         t = t + step
-      end do
-   end subroutine find_root
-
-   !> Look for a foot between the fold and the place of the measured abscissa, for a point below the fold's ordinate.
-   subroutine look_beside(self, i, inner, outer, is_there)
-      !> The curve.
-      class(sphere_curve_t), intent(in) :: self
-      !> Number of the point.
-      integer, intent(in) :: i
-      !> Receives a place inside of that foot, and one outside.
-      real(dp), intent(out) :: inner, outer
-      !> Is there such a foot?
-      logical, intent(out) :: is_there
-      type(state_t) :: s
-      type(ordinate_t) :: o
-      real(dp) :: far, h, h_t
-      integer :: k
-
-      call guess_foot(self, i, far)
-      outer = far
-      is_there = .false.
-      do k = 1, n_samples - 1
-         inner = far + (self%path%fold%t - far)*k/real(n_samples, dp)
-         call get_slope(self, i, inner, s, o, h, h_t)
-         is_there = .not. h > 0
-         if (is_there) return
-         outer = inner
-      end do
-   end subroutine look_beside
-
-   !> See `curve_t`. The jump into contact happens where the zone of adhesion begins, at delta = -2/(pi lambda); in the theories without
    !> such a zone, at touch. It loads no spring.
    subroutine find_event(self, kind, values, nuisance, slopes, value, gradient, is_valid)
       !> The curve, whose nuisances shift the event.

@@ -1,0 +1,116 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The minima of a sum of squares, as searches find them one after the other.
+module adfric_fit_minima
+   use adfric_base_kinds, only: dp
+   use adfric_fit_objective, only: objective_t
+   use adfric_fit_scales, only: scales_t
+   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, find_least_squares, &
+      & squares_no_value
+   implicit none (type, external)
+   private
+   public :: minima_t, new_minima, add_search, sort_minima, minima_limit
+
+   !> Minima with S - S_min above this are not kept.
+   real(dp), parameter :: minima_limit = 12.0_dp
+   !> Most minima.
+   integer, parameter :: most_minima = 40
+   !> Two minima are one if they are as near as that in standard errors, and their S too.
+   real(dp), parameter :: same_distance = 0.01_dp, same_cost = 1.0e-4_dp
+
+   !> Minima found so far, in the order in which they were found, or sorted.
+   type :: minima_t
+      !> Number of minima.
+      integer :: n = 0
+      !> Numbers that are fitted; shape `(n_free, most_minima)`.
+      real(dp), allocatable :: q(:, :)
+      !> Least cost of each, how often it was found, and how the search ended (`squares_...`).
+      real(dp), allocatable :: cost(:)
+      !> How often each was found, and how its search ended.
+      integer, allocatable :: times(:), status(:)
+      !> Searches, steps.
+      integer :: searches = 0, steps = 0
+   end type minima_t
+
+contains
+
+   !> Make an empty list.
+   pure subroutine new_minima(minima, n_free)
+      !> Receives the list.
+      type(minima_t), intent(out) :: minima
+      !> Number of free variables.
+      integer, intent(in) :: n_free
+
+      allocate (minima%q(n_free, most_minima), minima%cost(most_minima), source=0.0_dp)
+      allocate (minima%times(most_minima), minima%status(most_minima), source=0)
+   end subroutine new_minima
+
+   !> Search from a start, and add the minimum if it is new.
+   subroutine add_search(self, scales, limits, work, q, minima)
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: self
+      !> Units and bounds.
+      type(scales_t), intent(in) :: scales
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Room to work in.
+      type(squares_work_t), intent(inout) :: work
+      !> In: the start. Out: where the search ended.
+      real(dp), intent(inout) :: q(:)
+      !> The minima.
+      type(minima_t), intent(inout) :: minima
+      type(squares_outcome_t) :: outcome
+      logical :: is_held(size(q))
+      real(dp) :: variance
+      integer :: k
+
+      is_held = .false.
+      call find_least_squares(self, scales%lower, scales%upper, is_held, limits, work, q, outcome)
+      minima%searches = minima%searches + 1
+      minima%steps = minima%steps + outcome%steps
+      if (outcome%status == squares_no_value) return
+      variance = 1
+      if (limits%freedom > 0) variance = outcome%cost/limits%freedom
+      do k = 1, minima%n
+         if (abs(minima%cost(k) - outcome%cost) > same_cost*variance .and. abs(minima%cost(k) - outcome%cost) > &
+            & 1.0e-20_dp) cycle
+         if (norm2(matmul(work%j(:work%n_rows, :), minima%q(:, k) - q)) > same_distance*sqrt(variance) + 1.0e-10_dp) cycle
+         minima%times(k) = minima%times(k) + 1
+         if (outcome%status > minima%status(k)) return
+         if (outcome%status == minima%status(k) .and. outcome%cost >= minima%cost(k)) return
+         exit
+      end do
+      if (k > most_minima) return
+      minima%n = max(minima%n, k)
+      minima%times(k) = max(minima%times(k), 1)
+      minima%q(:, k) = q
+      minima%cost(k) = outcome%cost
+      minima%status(k) = outcome%status
+   end subroutine add_search
+
+   !> Sort the minima, the least first.
+   pure subroutine sort_minima(minima, n_free)
+      !> The minima.
+      type(minima_t), intent(inout) :: minima
+      !> Number of free variables.
+      integer, intent(in) :: n_free
+      real(dp) :: q(n_free), cost
+      integer :: i, k, times, status
+
+      do i = 1, minima%n - 1
+         k = i - 1 + minloc(minima%cost(i:minima%n), 1)
+         q = minima%q(:, i)
+         cost = minima%cost(i)
+         times = minima%times(i)
+         status = minima%status(i)
+         minima%q(:, i) = minima%q(:, k)
+         minima%cost(i) = minima%cost(k)
+         minima%times(i) = minima%times(k)
+         minima%status(i) = minima%status(k)
+         minima%q(:, k) = q
+         minima%cost(k) = cost
+         minima%times(k) = times
+         minima%status(k) = status
+      end do
+   end subroutine sort_minima
+
+end module adfric_fit_minima
