@@ -42,7 +42,7 @@ module adfric_fit_path
    end type path_t
 
    !> A Newton step of this size, relative to the distance from the ends of the path, is the last: the parabola leaves its cube.
-   real(dp), parameter :: close_enough = 3.0e-5_dp
+   real(dp), parameter :: close_enough = 1.0e-5_dp
    integer, parameter :: max_steps = 200
    !> So near to th = pi/2, where all derivatives by th vanish, the path's direction is asked for.
    real(dp), parameter :: before_end = 1.0e-5_dp

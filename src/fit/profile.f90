@@ -235,23 +235,22 @@ contains
       real(dp), intent(out) :: pieces(:, :)
       !> Receives the number of pieces.
       integer, intent(out) :: n_pieces
-      logical :: is_in(self%n)
+      logical :: is_in(self%n), was_in
       integer :: k
 
       is_in = self%cost(:self%n) - self%least <= limit*self%variance
       pieces = not_a_number()
       n_pieces = 0
+      was_in = .false.
       do k = 1, self%n
-         if (.not. is_in(k)) cycle
-         if (k == 1) then
-            n_pieces = 1
-         else if (.not. is_in(k - 1)) then
+         if (is_in(k) .and. .not. was_in) then
             if (n_pieces == size(pieces, 2)) return
             n_pieces = n_pieces + 1
-            call refine(self, objective, scales, limits, work, limit, k, k - 1, pieces(1, n_pieces))
+            if (k > 1) call refine(self, objective, scales, limits, work, limit, k, k - 1, pieces(1, n_pieces))
+         else if (was_in .and. .not. is_in(k)) then
+            call refine(self, objective, scales, limits, work, limit, k - 1, k, pieces(2, n_pieces))
          end if
-         if (k == self%n) cycle
-         if (.not. is_in(k + 1)) call refine(self, objective, scales, limits, work, limit, k, k + 1, pieces(2, n_pieces))
+         was_in = is_in(k)
       end do
    end subroutine find_pieces
 
