@@ -81,7 +81,7 @@ contains
             & q(:, k), &
             & node(k), minima)
       end do
-      call search_valleys(self, scales, limits, work, free, places, q, node, minima)
+      call search_valleys(self, scales, limits, work, places, q, node, minima)
    end subroutine scan_lambda
 
    !> The nodes, rising in the number that is fitted, and their lambda.
@@ -167,7 +167,7 @@ contains
    end subroutine solve_node
 
    !> Search in all variables wherever the profile shows a valley.
-   subroutine search_valleys(self, scales, limits, work, free, places, q, node, minima)
+   subroutine search_valleys(self, scales, limits, work, places, q, node, minima)
       !> The sum of squares.
       type(objective_t), intent(inout) :: self
       !> Units and bounds.
@@ -176,8 +176,6 @@ contains
       type(squares_limits_t), intent(in) :: limits
       !> Room to work in.
       type(squares_work_t), intent(inout) :: work
-      !> Number of the free variable that sets lambda.
-      integer, intent(in) :: free
       !> The nodes.
       real(dp), intent(in) :: places(:)
       !> What was found there; shape `(n_free, n_nodes)`.
