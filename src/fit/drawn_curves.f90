@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The best curve over the range of the data, with its band by the linear rule.
 module adfric_fit_drawn_curves
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_fit_objective, only: objective_t, new_objective, most_rows_of
@@ -68,7 +69,7 @@ contains
             data%loss = loss_gauss
             data%x = from%x(:0)
             if (k == number) then
-               counts = abs(from%x) <= huge(low) .and. abs(from%y) <= huge(low)
+               counts = ieee_is_finite(from%x) .and. ieee_is_finite(from%y)
                if (allocated(from%is_contact)) counts = counts .and. from%is_contact
                if (allocated(from%is_used)) counts = counts .and. from%is_used
                if (any(counts)) then

@@ -6,6 +6,7 @@
 !> (Hertz), or from the size of an area, tau0 from the size of a friction force. The last two are exact scalings, of powers -2/3 and 1, at
 !> given w and lambda.
 module adfric_fit_starts
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
@@ -196,14 +197,16 @@ contains
       integer, intent(in) :: data_set
       !> One of `nuisance_...`.
       integer, intent(in) :: nuisance
-      logical :: is_contact(size(fit%data_sets(data_set)%x)), is_load, is_first(size(fit%data_sets(data_set)%x))
+      logical, dimension(size(fit%data_sets(data_set)%x)) :: is_number, is_contact, is_first
+      logical :: is_load
       integer :: k
 
       associate (data => fit%data_sets(data_set))
-         is_contact = .true.
-         if (allocated(data%is_contact)) is_contact = data%is_contact
-         is_first = is_contact .and. abs(data%x) <= huge(value)
-         if (allocated(data%segment) .and. any(is_contact)) is_first = is_first .and. data%segment == minval(data%segment)
+         is_number = ieee_is_finite(data%x) .and. ieee_is_finite(data%y)
+         is_contact = is_number
+         if (allocated(data%is_contact)) is_contact = is_number .and. data%is_contact
+         is_first = is_contact
+         if (allocated(data%segment) .and. any(is_contact)) is_first = is_first .and. data%segment == minval(data%segment, is_contact)
          if (.not. any(is_first)) is_first = is_contact
          is_load = fit%model%results(data%ordinate)%name == 'load'
          value = 0
@@ -211,9 +214,11 @@ contains
          case (nuisance_lateral_gain)
             value = 1
          case (nuisance_load_offset)
-            if (is_load .and. .not. all(is_contact)) value = sum(data%y, .not. is_contact)/count(.not. is_contact)
+            if (is_load .and. any(is_number .neqv. is_contact)) value = sum(data%y, is_number .and. .not. is_contact) &
+               & /count(is_number .and. .not. is_contact)
          case (nuisance_friction_offset)
-            if (.not. is_load .and. .not. all(is_contact)) value = sum(data%y, .not. is_contact)/count(.not. is_contact)
+            if (.not. is_load .and. any(is_number .neqv. is_contact)) value = sum(data%y, is_number .and. &
+               & .not. is_contact)/count(is_number .and. .not. is_contact)
          case (nuisance_contact_point)
             if (any(is_first)) value = minval(data%x, is_first)
             if (allocated(fit%events)) then

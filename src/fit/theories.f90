@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A fit as another theory of the sphere would have it.
 module adfric_fit_theories
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset, is_set
    use adfric_fit_problem, only: fit_t
@@ -78,6 +79,7 @@ contains
       !> The fit.
       type(fit_t), intent(in) :: fit
       real(dp), allocatable :: loads(:)
+      logical, allocatable :: counts(:)
       integer :: k
 
       has_negative_loads = .false.
@@ -91,7 +93,9 @@ contains
             else
                cycle
             end if
-            if (allocated(data%is_contact)) loads = pack(loads, data%is_contact)
+            counts = ieee_is_finite(loads)
+            if (allocated(data%is_contact)) counts = counts .and. data%is_contact
+            loads = pack(loads, counts)
             has_negative_loads = has_negative_loads .or. any(loads < 0)
          end associate
       end do
