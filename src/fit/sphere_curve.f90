@@ -27,7 +27,7 @@ module adfric_fit_sphere_curve
    use adfric_fit_state, only: state_t, add_derivatives
    use adfric_sphere_contact, only: theory_maugis_dugdale
    use adfric_sphere_variables, only: v_load, v_approach, v_interaction, v_branch, v_units, v_tangential_force, &
-      & v_tangential_displacement, r_load, r_friction_force, units_si
+      & v_tangential_displacement, v_base_displacement, v_lateral_stiffness, v_pressure_factor, r_load, r_friction_force, units_si
    implicit none (type, external)
    private
    public :: sphere_curve_t, new_sphere_curve, is_sphere_curve
@@ -72,13 +72,17 @@ contains
       type(fit_t), intent(in) :: fit
       !> The data set.
       type(data_set_t), intent(in) :: data
+      !> What takes a contact out of steady sliding.
+      integer, parameter :: beside_sliding(*) = [v_tangential_force, v_tangential_displacement, v_base_displacement, &
+         & v_lateral_stiffness]
 
       is_sphere_curve = .false.
       if (fit%model%name /= 'sphere') return
       is_sphere_curve = (data%abscissa == v_load .or. data%abscissa == v_approach) .and. is_ordinate(data%ordinate) &
          & .and. nint(fit%base(v_units)) == units_si .and. nint(fit%base(v_branch)) == 1 &
          & .and. .not. fit%base(v_interaction) > 0 .and. .not. any(fit%frees%variable == v_interaction) &
-         & .and. .not. is_set(fit%base(v_tangential_force)) .and. .not. is_set(fit%base(v_tangential_displacement))
+         & .and. .not. any(fit%frees%variable == v_pressure_factor) .and. .not. any(is_set(fit%base(beside_sliding)))
+      if (is_sphere_curve .and. is_set(fit%base(v_pressure_factor))) is_sphere_curve = .not. abs(fit%base(v_pressure_factor)) > 0
    end function is_sphere_curve
 
    !> Take a data set.

@@ -206,7 +206,8 @@ contains
          is_contact = is_number
          if (allocated(data%is_contact)) is_contact = is_number .and. data%is_contact
          is_first = is_contact
-         if (allocated(data%segment) .and. any(is_contact)) is_first = is_first .and. data%segment == minval(data%segment, is_contact)
+         if (allocated(data%segment) .and. any(is_contact)) is_first = is_first .and. data%segment == minval(data%segment, &
+            & is_contact)
          if (.not. any(is_first)) is_first = is_contact
          is_load = fit%model%results(data%ordinate)%name == 'load'
          value = 0
