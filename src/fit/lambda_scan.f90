@@ -105,8 +105,11 @@ contains
       integer :: k
 
       call take_estimate(self, start, v, slopes)
-      all_nodes = nodes
-      if (fit%n_starts > 0 .and. fit%n_starts < size(nodes)) all_nodes = few_nodes
+      if (fit%n_starts > 0 .and. fit%n_starts < size(nodes)) then
+         allocate (all_nodes, source=few_nodes)
+      else
+         allocate (all_nodes, source=nodes)
+      end if
       one = place_of_lambda(self, free, 1.0_dp, v)
       sense = place_of_lambda(self, free, exp(1.0_dp), v) - one
       places = one + sense*log(all_nodes)
