@@ -16,7 +16,7 @@ module adfric_hdf5_samples
    use adfric_system_memory, only: free_memory, has_room
    implicit none (type, external)
    private
-   public :: read_numbers, open_foreign_file
+   public :: read_numbers, open_foreign_file, get_extent, units_name, most_dimensions
 
    !> Attribute that says in which units the numbers are.
    character(*), parameter :: units_name = 'units'
@@ -105,13 +105,13 @@ contains
       end select
    end subroutine open_foreign_file
 
-   !> Number of values along each dimension, of a dataset of numbers that has one or two.
+   !> Number of values along each dimension, of a dataset of numbers that has at least one.
    subroutine get_extent(calls, dataset, largest_rank, counts, flaw)
       !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open dataset.
       integer(hid_t), intent(in) :: dataset
-      !> Largest number of dimensions that the dataset may have, 1 or 2.
+      !> Largest number of dimensions that the dataset may have.
       integer, intent(in) :: largest_rank
       !> Number of values along each dimension, the slowest first.
       integer(i8), allocatable, intent(out) :: counts(:)

@@ -9,8 +9,8 @@ module adfric_model_model
    use adfric_base_unset, only: is_set
    use adfric_model_derived, only: derived_t
    use adfric_model_profile_receiver, only: profile_receiver_t
-   use adfric_model_status, only: status_solved
-   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, count_t
+   use adfric_model_status, only: status_solved, status_meanings
+   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, count_t, extra_t
    implicit none (type, external)
    private
    public :: model_t, derived_t
@@ -33,6 +33,8 @@ module adfric_model_model
       type(count_t), allocatable :: counts(:)
       !> Names of the profile axes, one or two, the slowest first, separated by a blank: 'x' or 'y x'.
       character(:), allocatable :: profile_axes
+      !> Names of datasets that the results file may have beside results and profiles, separated by a blank; not allocated: none.
+      character(:), allocatable :: extra_names
       !> Most points of a block, for points that take long and have little of their neighbours: other threads take the rest.
       integer :: largest_block = huge(1)
    contains
@@ -47,6 +49,8 @@ module adfric_model_model
       procedure :: take_dataset
       procedure :: take_attribute
       procedure :: describe_results
+      procedure :: list_states
+      procedure :: get_extras
       procedure :: derive_quantities
       procedure :: get_derived
       procedure :: describe_case
@@ -233,6 +237,31 @@ contains
       associate (unused => values)
       end associate
    end function describe_results
+
+   !> Names of the states of a point in the order of their numbers from 0, separated by a blank. A model whose points are something
+   !> else overrides it.
+   function list_states(self) result(words)
+      !> The model; nothing of it is read here.
+      class(model_t), intent(in) :: self
+      character(:), allocatable :: words
+
+      words = status_meanings
+      associate (unused => self)
+      end associate
+   end function list_states
+
+   !> What else stands in the results file, with its values, which are known before any point is solved: nothing here. A model that
+   !> has something overrides it.
+   subroutine get_extras(self, extras)
+      !> The model, prepared; nothing of it is read here.
+      class(model_t), intent(in) :: self
+      !> Receives the datasets with their values.
+      type(extra_t), allocatable, intent(out) :: extras(:)
+
+      allocate (extras(0))
+      associate (unused => self)
+      end associate
+   end subroutine get_extras
 
    !> Quantities that follow from the values, which have been checked, for `adfric check` and the results file: none here. A
    !> model that has some overrides it.

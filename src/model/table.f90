@@ -7,11 +7,11 @@ module adfric_model_table
    use adfric_model_status, only: status_meanings
    implicit none (type, external)
    private
-   public :: variable_t, result_t, profile_t, profile_axis_t, count_t, results_of_every_run
-   public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
+   public :: variable_t, result_t, profile_t, profile_axis_t, count_t, extra_t, results_of_every_run
+   public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset, kind_text
 
-   !> Kinds of namelist variables.
-   integer, parameter :: kind_real = 1, kind_integer = 2, kind_logical = 3, kind_choice = 4, kind_dataset = 5
+   !> Kinds of namelist variables. No model has a text: names of files and the like stand in the groups that every model shares.
+   integer, parameter :: kind_real = 1, kind_integer = 2, kind_logical = 3, kind_choice = 4, kind_dataset = 5, kind_text = 6
 
    !> A namelist variable. Every kind is held as a real number: integers as they are, logicals as 0 and 1,
    !> choices as their place in `choices` (from 1), datasets of a file as 1, and what was not given as `unset`.
@@ -69,6 +69,8 @@ module adfric_model_table
       character(:), allocatable :: flag_meanings
       !> Does it stand in the table at the end of a run?
       logical :: is_main = .false.
+      !> Is it found by counting, such as an area by cells, so that it varies in steps?
+      logical :: is_counted = .false.
    contains
       procedure :: n_states
    end type result_t
@@ -104,15 +106,42 @@ module adfric_model_table
       character(:), allocatable :: long_name
    end type count_t
 
+   !> A dataset of any shape, whose values are known when the results file is created.
+   type :: extra_t
+      !> Name of its dataset in the results file.
+      character(:), allocatable :: name
+      !> SI unit, `-` for a pure number.
+      character(:), allocatable :: unit
+      !> What it is, for the results file.
+      character(:), allocatable :: long_name
+      !> Names of the datasets that are the scales of its dimensions, the slowest first, separated by a blank; its own name makes it a
+      !> scale itself.
+      character(:), allocatable :: dimensions
+      !> Number of values along each dimension, the slowest first.
+      integer, allocatable :: counts(:)
+      !> Values, the last dimension fastest; not allocated where it has words.
+      real(dp), allocatable :: values(:)
+      !> Words, separated by a blank, one for each place along its one dimension; not allocated where it has numbers.
+      character(:), allocatable :: words
+      !> Meanings of `first_flag`, `first_flag + 1`, ... separated by a blank, where the values are enumerated states; else not
+      !> allocated.
+      character(:), allocatable :: flag_meanings
+      !> The state that the first of these meanings is of.
+      integer :: first_flag = 0
+   end type extra_t
+
 contains
 
    !> The results that every model has beside those of its table: of a point, the last ones of the file.
-   pure function results_of_every_run() result(results)
+   pure function results_of_every_run(states) result(results)
+      !> Names of the states of a point, separated by a blank; not present: `status_meanings`.
+      character(*), intent(in), optional :: states
       type(result_t) :: results(2)
 
       results(1) = result_t(name='error_estimate', unit='-', long_name='relative error of the main result, estimated', &
          & flag_meanings='')
       results(2) = result_t(name='status', unit='-', long_name='whether the point was solved', flag_meanings=status_meanings)
+      if (present(states)) results(2)%flag_meanings = states
    end function results_of_every_run
 
    !> Number of datasets that a variable takes from a group of a file; 0 if it takes no group.

@@ -170,6 +170,7 @@ contains
       integer :: i
 
       names = 'status error_estimate blocks '//run%model%profile_axes
+      if (allocated(run%model%extra_names)) names = names//' '//run%model%extra_names
       do i = 1, size(run%model%results)
          names = names//' '//run%model%results(i)%name
       end do

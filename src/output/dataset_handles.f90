@@ -8,8 +8,9 @@ module adfric_output_dataset_handles
    use adfric_hdf5_calls, only: hdf5_calls_t, no_id
    use adfric_hdf5_datasets, only: create_space, select_box, close_dataset
    use adfric_hdf5_reading, only: open_dataset, get_extent
-   use adfric_output_boxes, only: box_t, next_box
+   use adfric_base_boxes, only: box_t, next_box
    use adfric_output_constant_datasets, only: create_constants
+   use adfric_output_extra_datasets, only: create_extras
    use adfric_output_field_dataset, only: field_form_t, create_scale, create_list, create_row, create_field, &
       create_counts, count_group
    use adfric_output_layout, only: layout_t
@@ -76,6 +77,7 @@ contains
       do i = 1, size(layout%lists)
          call create_list(calls, file, layout%lists(i))
       end do
+      if (allocated(layout%extras)) call create_extras(calls, file, layout%extras)
       ! the points of a part stand in a row, along which there is no scale
       is_whole = layout%blocks%part%is_whole()
       form%coordinates = ''

@@ -4,7 +4,7 @@ module adfric_output_layout
    use adfric_base_kinds, only: dp, i8
    use adfric_base_text, only: show_count
    use adfric_base_words, only: has_word
-   use adfric_model_table, only: result_t, profile_t, profile_axis_t, results_of_every_run
+   use adfric_model_table, only: extra_t, result_t, profile_t, profile_axis_t, results_of_every_run
    use adfric_output_constants, only: constant_t, find_constants, file_unit, list_taken, name_in_file
    use adfric_run_blocks, only: blocks_t
    use adfric_run_run, only: run_t
@@ -69,6 +69,8 @@ module adfric_output_layout
       type(companion_t), allocatable :: companions(:)
       !> Axes of a profile, the slowest first, without those of size 1.
       type(scale_t), allocatable :: profile_axes(:)
+      !> Datasets whose values are known when the file is created; not allocated before they have been asked for.
+      type(extra_t), allocatable :: extras(:)
       !> Results, and last `error_estimate` and `status`.
       type(field_t), allocatable :: fields(:)
       !> Profiles.
@@ -284,18 +286,20 @@ contains
          fields(n)%flag_meanings = no_state_meaning//' '//results(i)%flag_meanings
          fields(n)%first_flag = -1
       end do
-      call set_status_fields(fields(n + 1:n + 2))
+      call set_status_fields(fields(n + 1:n + 2), run%model%list_states())
       fields = fields(:n + 2)
    end subroutine find_fields
 
    !> The last fields of every layout.
-   pure subroutine set_status_fields(fields)
+   pure subroutine set_status_fields(fields, states)
       !> Receive the descriptions of `error_estimate` and `status`.
       type(field_t), intent(inout) :: fields(2)
+      !> Names of the states of a point, separated by a blank.
+      character(*), intent(in) :: states
       type(result_t) :: results(2)
       integer :: i
 
-      results = results_of_every_run()
+      results = results_of_every_run(states)
       do i = 1, 2
          call set_field(fields(i), results(i)%name, results(i)%unit, results(i)%long_name)
          fields(i)%flag_meanings = results(i)%flag_meanings

@@ -75,7 +75,11 @@ contains
       call read_scales(calls, file, names, layout%profile_axes)
       call read_attribute(calls, file, 'fields', names)
       call read_fields(calls, file, '', names, layout%fields)
-      if (size(layout%fields) > 1) call set_status_fields(layout%fields(size(layout%fields) - 1:))
+      if (size(layout%fields) > 1) then
+         ! what the file says of its states
+         names = layout%fields(size(layout%fields))%flag_meanings
+         call set_status_fields(layout%fields(size(layout%fields) - 1:), names)
+      end if
       call read_attribute(calls, file, 'profiles', names)
       call read_fields(calls, file, '', names, layout%profiles)
       call read_attribute(calls, file, 'counts', names)

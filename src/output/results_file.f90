@@ -98,6 +98,7 @@ contains
       if (.not. allocated(error)) call take_name(self, run%output, overwrite, layout, error)
       if (allocated(error)) return
       call add_derived_constants(run, self%layout%constants)
+      call run%model%get_extras(self%layout%extras)
       call new_heading(self%heading, run)
       self%path_now = new_name(self%path)
       self%state = is_begun

@@ -3,12 +3,12 @@
 module adfric_output_run_table
    use adfric_base_kinds, only: dp, i8
    use adfric_base_words, only: get_word, pad
-   use adfric_model_status, only: status_meanings, status_solved, n_status
+   use adfric_model_status, only: status_solved, n_status
    use adfric_model_table, only: result_t
    use adfric_run_summary, only: run_summary_t
    implicit none (type, external)
    private
-   public :: new_run_table
+   public :: new_run_table, new_end_lines
 
    character(*), parameter :: newline = achar(10)
    !> Width of the first column, and of a number of points.
@@ -17,11 +17,13 @@ module adfric_output_run_table
 contains
 
    !> Points by status and state, range of each main result, wall time and file.
-   function new_run_table(summary, results, path) result(text)
+   function new_run_table(summary, results, states, path) result(text)
       !> What the run has met: points, states, ranges and time.
       type(run_summary_t), intent(in) :: summary
       !> Results of the model with the units of this run.
       type(result_t), intent(in) :: results(:)
+      !> Names of the states of a point, separated by a blank.
+      character(*), intent(in) :: states
       !> Name of the results file.
       character(*), intent(in) :: path
       character(:), allocatable :: text
@@ -30,7 +32,7 @@ contains
       text = count_line('points', summary%n_points)
       do i = 0, n_status - 1
          if (summary%by_status(i) == 0 .and. i /= status_solved) cycle
-         text = text//count_line('  '//words_of(get_word(status_meanings, i + 1)), summary%by_status(i))
+         text = text//count_line('  '//words_of(get_word(states, i + 1)), summary%by_status(i))
       end do
       if (summary%n_damaged > 0) text = text//count_line('damaged, solved again', summary%n_damaged)
       do i = 1, size(results)
@@ -39,8 +41,19 @@ contains
       do i = 1, size(results)
          if (any(summary%main == i)) text = text//range_line(results(i), summary%lowest(i), summary%highest(i))
       end do
-      text = text//time_line(summary)//pad('file', 6)//path//newline
+      text = text//new_end_lines(summary, path)
    end function new_run_table
+
+   !> Wall time and file, with which every table ends.
+   function new_end_lines(summary, path) result(text)
+      !> What the run has met, of which the time is shown.
+      type(run_summary_t), intent(in) :: summary
+      !> Name of the results file.
+      character(*), intent(in) :: path
+      character(:), allocatable :: text
+
+      text = time_line(summary)//pad('file', 6)//path//newline
+   end function new_end_lines
 
    !> Line with a number of points.
    function count_line(name, n) result(line)

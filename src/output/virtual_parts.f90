@@ -7,7 +7,7 @@ module adfric_output_virtual_parts
    use adfric_hdf5_datasets, only: create_space
    use adfric_hdf5_virtual, only: select_nothing, add_box, create_virtual_list, add_source, &
       create_virtual_dataset
-   use adfric_output_boxes, only: box_t, next_box
+   use adfric_base_boxes, only: box_t, next_box
    use adfric_output_layout, only: layout_t, field_t
    use adfric_run_blocks, only: blocks_t
    implicit none (type, external)

@@ -94,6 +94,7 @@ contains
       r(r_friction_force) = result_row(name='friction_force', unit='N', &
          & long_name='friction force on one period, of a shear strength; none for a surface that does not vary along y')
       r(r_stick_fraction:r_cycle_energy) = slip_results()
+      r([r_adhesion_fraction, r_friction_stress, r_friction_coefficient, r_friction_force, r_stick_fraction])%is_counted = .true.
       r(r_poisson_defect) = result_row(name='poisson_defect', unit='-', &
          & long_name='standard deviation over what sticks of the displacement, which nu makes, over the displacement')
    end function get_elastic_results
@@ -110,6 +111,7 @@ contains
          & is_main=.true.)
       r(r_contact_fraction_error) = result_row(name='contact_fraction_error', unit='-', &
          & long_name='bound of its error, from coarser grids')
+      r(r_contact_fraction:r_contact_fraction_error)%is_counted = .true.
       r(r_peak_pressure) = result_row(name='peak_pressure', unit='Pa', long_name='largest pressure', is_main=.true.)
       r(r_mean_gap) = result_row(name='mean_gap', unit='m', long_name='volume between the surfaces over nominal area')
       r(r_full_contact_pressure) = result_row(name='full_contact_pressure', unit='Pa', long_name='p*, where full contact begins')

@@ -13,7 +13,8 @@ module adfric_run_case_hash
 
 contains
 
-   !> A hash of the program, the model, the value of every variable, the values of every axis and the checksum of every dataset.
+   !> A hash of the program, the model, the value of every variable, the values of every axis, the checksum of every dataset and the
+   !> digest of the rest.
    !> Names of files, title, comments and the form of the input do not count.
    function case_hash(run) result(hash)
       !> The run, with its model, values, axes and datasets.
@@ -47,6 +48,7 @@ contains
          ! the values of an axis are in the hash already
          if (run%datasets(i)%is_given() .and. .not. run%plan%is_swept(i)) call sum%add_text(run%datasets(i)%checksum)
       end do
+      if (allocated(run%digest)) call sum%add_text(run%digest)
       if (run%variation%is_wanted()) call add_variation(run%variation, sum)
       hash = sum%to_text()
    end function case_hash

@@ -28,6 +28,8 @@ module adfric_run_run
       type(part_t) :: part
       !> Datasets that the variables name, shape `(n_variables)`; without a text where a variable names none.
       type(dataset_t), allocatable :: datasets(:)
+      !> Digest of what is solved beside the model's variables and datasets, such as what is fitted; not allocated if there is nothing.
+      character(:), allocatable :: digest
       !> How the only sweep is refined before it is solved.
       type(refinement_t) :: refinement
       !> What is wanted to know beside the results of the model.

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A row of points of a grid as boxes of the grid.
-module adfric_output_boxes
+module adfric_base_boxes
    use adfric_base_kinds, only: i8
    implicit none (type, external)
    private
@@ -44,4 +44,4 @@ contains
       end do
    end subroutine next_box
 
-end module adfric_output_boxes
+end module adfric_base_boxes
