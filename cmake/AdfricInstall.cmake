@@ -43,7 +43,7 @@ configure_file("${PROJECT_SOURCE_DIR}/docs/adfric.1.in" "${PROJECT_BINARY_DIR}/a
 install(FILES "${PROJECT_BINARY_DIR}/adfric.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
 install(FILES scripts/completion/adfric.bash DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME adfric)
 install(FILES scripts/completion/_adfric DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions")
-install(DIRECTORY inputs/ DESTINATION "${CMAKE_INSTALL_DATADIR}/adfric/inputs" FILES_MATCHING PATTERN "*.nml")
+install(DIRECTORY inputs/ DESTINATION "${CMAKE_INSTALL_DATADIR}/adfric/inputs" FILES_MATCHING PATTERN "*.nml" PATTERN "*.csv")
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md")
 if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/examples")

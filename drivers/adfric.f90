@@ -28,7 +28,7 @@ program main
    call parse_arguments(get_arguments(), command, error)
    if (allocated(error)) then
       call outcome%fail(error)
-   else if (command%name == 'run') then
+   else if (command%name == 'run' .or. command%name == 'fit') then
       call new_progress_bar(bar, command%is_quiet .or. .not. world%is_first())
       call run_case(command, world, bar, outcome)
       call bar%clear()

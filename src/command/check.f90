@@ -4,13 +4,16 @@ module adfric_command_check
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: pad
    use adfric_base_text, only: newline, show_count, show_number
-   use adfric_command_case, only: open_case
+   use adfric_command_case, only: open_input, run_or_fit
+   use adfric_command_fit_check, only: describe_fit
    use adfric_command_line, only: command_t
    use adfric_command_doubts, only: describe_doubts_of
    use adfric_command_durations, only: show_duration
    use adfric_command_outcome, only: outcome_t, exit_success
    use adfric_command_plausibility, only: warn_of_values
    use adfric_command_values, only: show_input_value
+   use adfric_fit_stack_model, only: stack_model_t
+   use adfric_input_fit, only: fit_input_t
    use adfric_input_run, only: run_input_t
    use adfric_model_model, only: derived_t
    use adfric_model_table, only: kind_dataset
@@ -35,14 +38,20 @@ contains
       !> Receives what the command has to say, and the exit status.
       type(outcome_t), intent(inout) :: outcome
       type(run_input_t) :: run
+      type(fit_input_t), allocatable :: details
       character(:), allocatable :: text
 
-      call open_case(command%subject, run, outcome)
+      call open_input(command%subject, run_or_fit, run, details, outcome)
       if (command%names_output .and. outcome%exit_status == exit_success) call outcome%say(run%output//newline)
       if (outcome%exit_status /= exit_success .or. command%is_quiet .or. command%names_output) return
       if (len(run%title) > 0) call outcome%say(run%title//newline)
       call outcome%say(pad('model', name_width)//run%model%name//newline)
       call outcome%say(describe_values(run))
+      select type (model => run%model)
+      type is (stack_model_t)
+         call check_fit(model, details, run, outcome)
+         return
+      end select
       text = describe_derived(run)//run%model%describe_case(run%plan%base)
       if (len(text) > 0) then
          call outcome%say(describe_first_point(run)//text)
@@ -58,6 +67,25 @@ contains
       call outcome%say(pad('results file', name_width)//run%output//', ' &
          //show_bytes(file_size_of(run))//newline)
    end subroutine check_case
+
+   !> What there is to say of a fit.
+   subroutine check_fit(model, details, run, outcome)
+      !> The stack, or the single fit.
+      class(stack_model_t), intent(in) :: model
+      !> What the input says of the data.
+      type(fit_input_t), intent(in) :: details
+      !> The run that the input describes.
+      type(run_input_t), intent(in) :: run
+      !> Receives what the command has to say.
+      type(outcome_t), intent(inout) :: outcome
+
+      call outcome%say(describe_fit(model, details))
+      if (.not. model%is_single()) call outcome%say(describe_sweep(run))
+      call outcome%say(pad('fits', name_width)//show_count(run%plan%n_points())//newline)
+      call outcome%say(pad('estimated time', name_width)//describe_time(run)//newline)
+      call outcome%say(warn_of_values(run))
+      call outcome%say(pad('results file', name_width)//run%output//newline)
+   end subroutine check_fit
 
    !> What is done beside the sweeps, and the number of points.
    function describe_points(run) result(lines)

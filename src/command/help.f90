@@ -7,12 +7,15 @@ module adfric_command_help
    use adfric_base_text, only: join_words, newline, to_lower
    use adfric_command_help_entries, only: entries_t
    use adfric_command_help_lists, only: model_box_t, list_topics, show_list
-   use adfric_command_help_names, only: describe_model, describe_outputs, describe_name, describe_common, list_names
+   use adfric_command_help_names, only: describe_model, describe_outputs, describe_name, describe_common, &
+      describe_variables, list_names, list_words
    use adfric_command_help_pages, only: usage_page, input_page, outputs_head
    use adfric_command_line, only: command_t, known_commands
    use adfric_command_outcome, only: outcome_t
+   use adfric_input_fit_rows, only: fit_groups, get_fit_rows, list_fit_names
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_vocabulary, only: common_groups, list_common_names
+   use adfric_model_table, only: variable_t
    implicit none (type, external)
    private
    public :: give_help
@@ -105,16 +108,35 @@ contains
       !> A name in small letters, without the & of a group.
       character(*), intent(in) :: topic
       character(:), allocatable :: text
-      character(:), allocatable :: of_models
+      character(:), allocatable :: of_models, of_fits
 
       text = ''
       if (has_word(known_commands, topic)) text = usage_page
       if (has_word(every_common_name(), topic)) text = input_page
       text = text//describe_common(topic)
+      of_fits = describe_fits(topic)
+      if (len(text) > 0 .and. len(of_fits) > 0) text = text//newline
+      text = text//of_fits
       of_models = describe_every_model(models, topic)
       if (len(text) > 0 .and. len(of_models) > 0) text = text//newline
       text = text//of_models
    end function explain
+
+   !> What the groups of fits say of a topic; empty if they do not have the name.
+   function describe_fits(topic) result(text)
+      !> The command `fit`, or a name in the groups.
+      character(*), intent(in) :: topic
+      character(:), allocatable :: text
+      type(variable_t), allocatable :: rows(:)
+
+      allocate (rows, source=get_fit_rows())
+      if (topic == 'fit') then
+         text = describe_variables(rows, '')
+      else
+         text = describe_variables(rows, topic)
+      end if
+      if (len(text) > 0) text = 'Inputs of adfric fit; the groups data, event and free may be repeated'//newline//text
+   end function describe_fits
 
    !> What the models say of a topic, each thing once.
    function describe_every_model(models, topic) result(text)
@@ -156,9 +178,15 @@ contains
       !> Every model that the program knows.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: names
+      type(variable_t), allocatable :: rows(:)
       integer :: i
 
-      names = list_topics//' '//page_topics//' '//known_commands//' '//every_common_name()//' '//known_models
+      allocate (rows, source=get_fit_rows())
+      names = list_topics//' '//page_topics//' '//known_commands//' '//every_common_name()//' '//known_models//' '//fit_groups &
+         //list_words(rows)
+      do i = 1, count_words(fit_groups)
+         names = names//list_fit_names(rows, get_word(fit_groups, i))
+      end do
       do i = 1, size(models)
          names = names//' '//list_names(models(i)%model)
       end do

@@ -4,9 +4,10 @@ module adfric_command_help_lists
    use adfric_base_words, only: count_words, get_word, pad
    use adfric_base_text, only: newline
    use adfric_command_help_entries, only: entries_t
+   use adfric_input_fit_rows, only: fit_groups, get_fit_rows
    use adfric_input_vocabulary, only: common_groups
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: result_t, results_of_every_run
+   use adfric_model_table, only: result_t, results_of_every_run, variable_t
    implicit none (type, external)
    private
    public :: model_box_t, list_topics, show_list
@@ -16,7 +17,7 @@ module adfric_command_help_lists
    !> Width of the column of names.
    integer, parameter :: name_width = 40
    !> Who has what no model has for itself.
-   character(*), parameter :: everyone = 'all'
+   character(*), parameter :: everyone = 'all', fits = 'fits'
 
    !> One of the models.
    type :: model_box_t
@@ -72,6 +73,9 @@ contains
       do k = 1, count_words(common_groups)
          call entries%add('&'//get_word(common_groups, k), everyone)
       end do
+      do k = 1, count_words(fit_groups)
+         call entries%add('&'//get_word(fit_groups, k), fits)
+      end do
       do i = 1, size(models)
          do k = 1, size(models(i)%model%variables)
             call entries%add('&'//models(i)%model%variables(k)%group, models(i)%model%name)
@@ -86,8 +90,13 @@ contains
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text
       type(entries_t) :: entries
+      type(variable_t), allocatable :: rows(:)
       integer :: i, k
 
+      allocate (rows, source=get_fit_rows())
+      do k = 1, size(rows)
+         call entries%add(pad(with_unit(rows(k)%name, rows(k)%unit), name_width - 2)//'&'//rows(k)%group, fits)
+      end do
       do i = 1, size(models)
          do k = 1, size(models(i)%model%variables)
             associate (variable => models(i)%model%variables(k))

@@ -12,7 +12,7 @@ module adfric_command_help_names
    use adfric_model_vocabulary, only: list_groups, list_variables
    implicit none (type, external)
    private
-   public :: describe_model, describe_outputs, describe_name, describe_common, list_names
+   public :: describe_model, describe_outputs, describe_name, describe_common, describe_variables, list_names, list_words
 
    !> Width of the column of names, and of a line.
    integer, parameter :: name_width = 40, line_width = 110
@@ -27,7 +27,7 @@ contains
       class(model_t), intent(in) :: model
       character(:), allocatable :: text
 
-      text = model%summary//newline//newline//describe_variables(model, '')//newline//describe_outputs(model)
+      text = model%summary//newline//newline//describe_variables(model%variables, '')//newline//describe_outputs(model)
    end function describe_model
 
    !> Results, profiles and counts of a model.
@@ -48,7 +48,7 @@ contains
       character(*), intent(in) :: name
       character(:), allocatable :: text
 
-      text = describe_variables(model, name)
+      text = describe_variables(model%variables, name)
       text = text//with_head('Results', describe_results(model%results, name))
       text = text//with_head('Profiles', describe_profiles(model, name))
       text = text//with_head(head_of_counts, describe_counts(model, name))
@@ -84,9 +84,9 @@ contains
    end function with_head
 
    !> The variables that a name means: of a group, of this name, or with this word among their choices; all if it is empty.
-   function describe_variables(model, name) result(text)
-      !> The model, whose tables are described.
-      class(model_t), intent(in) :: model
+   function describe_variables(variables, name) result(text)
+      !> The table.
+      type(variable_t), intent(in) :: variables(:)
       !> Name of a group, a variable or a choice, or `group%name`; empty for all variables.
       character(*), intent(in) :: name
       character(:), allocatable :: text
@@ -95,8 +95,8 @@ contains
 
       text = ''
       last_group = ''
-      do i = 1, size(model%variables)
-         associate (variable => model%variables(i))
+      do i = 1, size(variables)
+         associate (variable => variables(i))
             if (.not. is_meant(variable, name)) cycle
             if (variable%group /= last_group) text = text//'&'//variable%group//newline
             last_group = variable%group
@@ -222,10 +222,7 @@ contains
       type(result_t), allocatable :: common(:)
       integer :: i
 
-      names = list_groups(model)//' '//list_variables(model, '')
-      do i = 1, size(model%variables)
-         if (model%variables(i)%kind == kind_choice) names = names//' '//model%variables(i)%choices
-      end do
+      names = list_groups(model)//' '//list_variables(model, '')//list_words(model%variables)
       common = results_of_every_run()
       names = names//list_results(model%results)//list_results(common)
       do i = 1, size(model%profiles)
@@ -235,6 +232,19 @@ contains
          names = names//' '//model%counts(i)%name
       end do
    end function list_names
+
+   !> Words that the variables may be, each after a blank.
+   pure function list_words(variables) result(words)
+      !> The table.
+      type(variable_t), intent(in) :: variables(:)
+      character(:), allocatable :: words
+      integer :: i
+
+      words = ''
+      do i = 1, size(variables)
+         if (variables(i)%kind == kind_choice) words = words//' '//variables(i)%choices
+      end do
+   end function list_words
 
    !> Names of results and of the states that they may be in, each after a blank.
    pure function list_results(results) result(names)

@@ -16,6 +16,10 @@ module adfric_command_help_pages
       '      --force overwrites a file, --quiet shows nothing but errors;'//newline// &
       '      --resume goes on with FILE.h5.partial if a run was stopped, --shard I/N solves'//newline// &
       '      the part I of N into FILE.part-000I-of-000N.h5'//newline// &
+      '  adfric fit INPUT.nml [--output FILE.h5] [--force] [--quiet]'//newline// &
+      '             [--resume] [--shard I/N]'//newline// &
+      '      fit the model to the data that the input names, and write one HDF5 file; each curve of'//newline// &
+      '      a stack is a point of the run (adfric help fit shows the groups)'//newline// &
       '  adfric merge FILE.h5 PART.h5 ... [--virtual] [--force] [--quiet]'//newline// &
       '      put the parts of a run together: the file that one run would have written;'//newline// &
       '      --virtual leaves the results in the parts and refers to them'//newline// &
@@ -29,7 +33,7 @@ module adfric_command_help_pages
       '      names lists all of these, one a line'//newline// &
       '  adfric --version'//newline// &
       newline// &
-      'Exit status: 0 every point is answered, 1 some points did not converge,'//newline// &
+      'Exit status: 0 every point is answered, 1 some points did not converge, or fits have no answer,'//newline// &
       '2 bad command line or input, 3 file error or too little memory, threads or stack,'//newline// &
       '128 + N stopped by signal N (129 SIGHUP, 130 Ctrl-C, 143 SIGTERM): --resume goes on.'//newline// &
       'Any other is a failure. Threads as OMP_NUM_THREADS says.'//newline// &

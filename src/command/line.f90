@@ -11,7 +11,7 @@ module adfric_command_line
    public :: known_commands
 
    !> What the program can do.
-   character(*), parameter :: known_commands = 'run merge check help'
+   character(*), parameter :: known_commands = 'run fit merge check help'
    !> Options of all commands.
    character(*), parameter :: known_options = '--output --force --resume --shard --virtual --quiet --output-name --help --version'
 
@@ -23,9 +23,9 @@ module adfric_command_line
 
    !> What the user wants.
    type :: command_t
-      !> 'run', 'merge', 'check', 'help' or 'version'.
+      !> 'run', 'fit', 'merge', 'check', 'help' or 'version'.
       character(:), allocatable :: name
-      !> Name of the input (run and check), of the results file (merge) or topic (help); empty if there is none.
+      !> Name of the input (run, fit and check), of the results file (merge) or topic (help); empty if there is none.
       character(:), allocatable :: subject
       !> Names of the parts (merge).
       type(argument_t), allocatable :: others(:)
@@ -270,12 +270,12 @@ contains
          call set_error(error, input_failure, 'adfric: '//command%name &
             //': no input given, needed: adfric '//command%name//' INPUT.nml')
       else
-         call check_option('--output', len(command%output) > 0, 'run', command, error)
-         call check_option('--resume', command%resumes, 'run', command, error)
-         call check_option('--shard', .not. command%part%is_whole(), 'run', command, error)
+         call check_option('--output', len(command%output) > 0, 'run and fit', command, error)
+         call check_option('--resume', command%resumes, 'run and fit', command, error)
+         call check_option('--shard', .not. command%part%is_whole(), 'run and fit', command, error)
          call check_option('--virtual', command%is_virtual, 'merge', command, error)
          call check_option('--output-name', command%names_output, 'check', command, error)
-         call check_option('--force', command%overwrite, 'run and merge', command, error)
+         call check_option('--force', command%overwrite, 'run, fit and merge', command, error)
       end if
    end subroutine check_complete
 

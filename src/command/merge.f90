@@ -7,7 +7,7 @@ module adfric_command_merge
    use adfric_base_text, only: newline, show_count
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_not_converged
-   use adfric_model_status, only: status_meanings, status_not_converged, n_status
+   use adfric_model_status, only: status_not_converged, status_not_identifiable, n_status
    use adfric_output_heading, only: heading_t
    use adfric_output_layout, only: layout_t
    use adfric_output_merging, only: write_merged
@@ -52,12 +52,13 @@ contains
          call outcome%fail(error)
          return
       end if
-      if (by_status(status_not_converged) > 0) outcome%exit_status = exit_not_converged
+      if (any(by_status([status_not_converged, status_not_identifiable]) > 0)) outcome%exit_status = exit_not_converged
       if (command%is_quiet) return
       call outcome%say(pad('parts', name_width)//show_count(size(parts))//newline)
       call outcome%say(pad('points', name_width)//show_count(sum(by_status))//newline)
       do i = 0, n_status - 1
-         if (by_status(i) > 0) call outcome%say(pad('  '//get_word(status_meanings, i + 1), name_width) &
+         if (by_status(i) > 0) call outcome%say(pad('  '//get_word(layout%fields(size(layout%fields))%flag_meanings, i + 1), &
+            name_width) &
             //show_count(by_status(i))//newline)
       end do
       call outcome%say(pad('file', 6)//path//newline)

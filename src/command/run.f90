@@ -1,21 +1,25 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> `adfric run`: solve every point of an input and write the results file.
+!> `adfric run` and `adfric fit`: solve every point of an input, or fit every curve, and write the results file.
 module adfric_command_run
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure
    use adfric_base_printable, only: shell_word
    use adfric_base_text, only: newline, show_count
-   use adfric_command_case, only: open_case
+   use adfric_command_case, only: open_input, fit_only, run_only
    use adfric_command_doubts, only: describe_doubts_of
+   use adfric_command_fit_doubts, only: describe_fit_doubts
+   use adfric_command_fit_table, only: new_fit_table
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_success, exit_not_converged, exit_signal
    use adfric_command_solve, only: solve_case, is_begun
+   use adfric_fit_stack_model, only: stack_model_t
+   use adfric_input_fit, only: fit_input_t
    use adfric_input_run, only: run_input_t
-   use adfric_model_status, only: status_not_converged
+   use adfric_model_status, only: status_not_converged, status_not_identifiable
    use adfric_output_done_points, only: read_done_points
    use adfric_output_layout, only: layout_t, new_layout
    use adfric_output_names, only: check_output_name, check_partial_name, partial_name, part_name, would_replace
    use adfric_output_resources, only: check_resources, check_memory
-   use adfric_output_run_table, only: new_run_table
+   use adfric_output_run_table, only: new_end_lines, new_run_table
    use adfric_run_agreement, only: share_answer, share_error, share_failure
    use adfric_run_world, only: world_t
    use adfric_run_block_source, only: block_list_t
@@ -43,11 +47,12 @@ contains
       !> Receives what the command has to say, and the exit status.
       type(outcome_t), intent(inout) :: outcome
       type(run_input_t) :: run
+      type(fit_input_t), allocatable :: details
       type(run_summary_t) :: summary
       type(error_t), allocatable :: error
       logical :: is_complete
 
-      call open_case(command%subject, run, outcome)
+      call open_input(command%subject, merge(fit_only, run_only, command%name == 'fit'), run, details, outcome)
       call share_failure(world, outcome%exit_status, outcome%errors)
       if (outcome%exit_status /= exit_success) return
       call refine_run(command, world, run, error)
@@ -59,7 +64,8 @@ contains
       run%part = command%part
       run%output = target_of(part_name(run%output, run%part))
       is_complete = .false.
-      if (world%is_first()) call find_complete(command, run, is_complete, summary, error)
+      call check_part(command, run, error)
+      if (world%is_first() .and. .not. allocated(error)) call find_complete(command, run, is_complete, summary, error)
       if (.not. (allocated(error) .or. is_complete)) call check_output(command, world, run, error)
       call share_error(world, error)
       call share_answer(world, is_complete)
@@ -74,13 +80,49 @@ contains
          call set_error(error, exit_signal + summary%signal, say_stopped(command, run, summary))
          call outcome%fail(error)
       else
-         if (summary%by_status(status_not_converged) > 0) outcome%exit_status = exit_not_converged
+         if (any(summary%by_status([status_not_converged, status_not_identifiable]) > 0)) outcome%exit_status = exit_not_converged
          if (command%is_quiet .or. .not. world%is_first()) return
-         call outcome%say(new_run_table(summary, run%model%describe_results(run%plan%base), run%output))
+         call outcome%say(new_table(run, summary))
          call outcome%say(describe_doubts_of(run))
          if (is_complete) call outcome%say('this run was complete already'//newline)
       end if
    end subroutine run_case
+
+   !> The table at the end: what a single fit has found, or what a run or a stack has met.
+   function new_table(run, summary) result(text)
+      !> The run, solved.
+      class(run_t), intent(in) :: run
+      !> What the run has met.
+      type(run_summary_t), intent(in) :: summary
+      character(:), allocatable :: text
+
+      text = new_run_table(summary, run%model%describe_results(run%plan%base), run%model%list_states(), run%output)
+      select type (model => run%model)
+      type is (stack_model_t)
+         if (.not. allocated(model%solution)) return
+         text = new_fit_table(model%fit, model%solution)//describe_fit_doubts(model%fit, model%solution)// &
+            new_end_lines(summary, run%output)
+         if (len(run%title) > 0) text = run%title//newline//text
+      end select
+   end function new_table
+
+   !> A single fit has no parts.
+   subroutine check_part(command, run, error)
+      !> What the user asks for on the command line.
+      type(command_t), intent(in) :: command
+      !> The run that the input describes.
+      class(run_t), intent(in) :: run
+      !> Allocated if a part of a single fit is wanted.
+      type(error_t), allocatable, intent(out) :: error
+
+      if (command%part%is_whole()) return
+      select type (model => run%model)
+      type is (stack_model_t)
+         if (.not. model%is_single()) return
+         call set_error(error, input_failure, command%subject//': a single fit has no parts, given --shard '// &
+            show_count(command%part%number)//'/'//show_count(command%part%of)//', allowed: adfric fit without --shard')
+      end select
+   end subroutine check_part
 
    !> Refine the sweep of a run that wants it. What this finds is the same whenever it is done, so that a run goes on with it, and a
    !> part has the values of the others; the hash of the case tells if not.
@@ -197,7 +239,7 @@ contains
 
       blocks = run%blocks()
       text = command%subject//': stopped by '//signal_name(summary%signal)//', '//show_count(summary%n_points)//' of ' &
-         //show_count(blocks%n_points())//' points are in '//partial_name(run%output)//'; adfric run --resume'
+         //show_count(blocks%n_points())//' points are in '//partial_name(run%output)//'; adfric '//command%name//' --resume'
       if (.not. command%part%is_whole()) &
          text = text//' --shard '//show_count(command%part%number)//'/'//show_count(command%part%of)
       if (len(command%output) > 0) text = text//' --output '//shell_word(command%output)

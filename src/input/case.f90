@@ -10,7 +10,7 @@ module adfric_input_case
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest
    use adfric_input_variable, only: read_variable, describe_allowed
-   use adfric_input_vocabulary, only: list_known_groups, output_names, say_unknown_group, say_unknown_variable
+   use adfric_input_vocabulary, only: common_groups, list_known_groups, output_names, say_unknown_group, say_unknown_variable
    use adfric_model_model, only: model_t
    use adfric_model_table, only: kind_dataset, variable_t
    use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of
@@ -53,7 +53,7 @@ contains
    end subroutine new_case
 
    !> Read the groups of a model.
-   subroutine read_groups(file, model, input, problems)
+   subroutine read_groups(file, model, input, problems, common)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The model, whose table says which variables it has and what they may be.
@@ -62,11 +62,15 @@ contains
       type(case_t), intent(out) :: input
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
+      !> Names of the groups that the input may have beside those of the model, separated by a blank; not present: those of a run.
+      character(*), intent(in), optional :: common
       character(:), allocatable :: groups
       integer :: i
 
       call new_case(input, model)
-      call check_group_names(file, model, input, problems)
+      groups = common_groups
+      if (present(common)) groups = common
+      call check_group_names(file, model, groups, input, problems)
       groups = list_groups(model)
       do i = 1, size(file%assignments)
          if (problems%is_enough()) exit
@@ -81,11 +85,13 @@ contains
    end subroutine read_groups
 
    !> Report groups that the model does not have, and mark what is behind a group that makes no sense.
-   subroutine check_group_names(file, model, input, problems)
+   subroutine check_group_names(file, model, common, input, problems)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The model, whose table says which variables it has and what they may be.
       class(model_t), intent(in) :: model
+      !> Names of the groups that the input may have beside those of the model, separated by a blank.
+      character(*), intent(in) :: common
       !> Receives which variables are broken, so that their absence is not reported as well.
       type(case_t), intent(inout) :: input
       !> Receives what is wrong with the input; nothing is removed.
@@ -93,13 +99,13 @@ contains
       character(:), allocatable :: known
       integer :: i
 
-      known = list_known_groups(model)
+      known = list_known_groups(model, common)
       do i = 1, size(file%groups)
          if (problems%is_enough()) exit
          associate (group => file%groups(i))
             if (group%is_garbled) call mark_group(model, trim(group%name), input)
             if (has_word(known, group%name)) cycle
-            call file%report(problems, i, '', say_unknown_group(model, trim(group%name)), group%first)
+            call file%report(problems, i, '', say_unknown_group(model, trim(group%name), common), group%first)
             call mark_group(model, find_nearest(trim(group%name), known), input)
          end associate
       end do

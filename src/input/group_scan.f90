@@ -11,10 +11,10 @@ module adfric_input_group_scan
    use adfric_input_source_text, only: source_t, end_of_quote, is_closed, end_of_line
    implicit none (type, external)
    private
-   public :: repeatable, group_t, scan_groups
+   public :: group_t, scan_groups, repeatable
 
-   !> The group that may stand more than once.
-   character(*), parameter :: repeatable = 'sweep range uncertain'
+   !> The groups that may stand more than once.
+   character(*), parameter :: repeatable = 'sweep range uncertain data event free'
    !> Groups that a file may have: more than all groups of a model and a sweep of each of its variables.
    integer, parameter :: most_groups = 1000
 

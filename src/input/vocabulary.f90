@@ -32,13 +32,15 @@ module adfric_input_vocabulary
 contains
 
    !> All groups that an input of a model may have, separated by a blank.
-   pure function list_known_groups(model) result(groups)
+   pure function list_known_groups(model, common) result(groups)
       !> The model, whose table names groups.
       class(model_t), intent(in) :: model
+      !> Names of the groups that the input may have beside those of the model, separated by a blank.
+      character(*), intent(in) :: common
       character(:), allocatable :: groups
       integer :: k
 
-      groups = common_groups
+      groups = common
       do k = 1, count_words(list_groups(model))
          if (.not. has_word(groups, get_word(list_groups(model), k))) groups = groups//' '//get_word(list_groups(model), k)
       end do
@@ -83,15 +85,17 @@ contains
    end function list_common_names
 
    !> What to say of a group that a model does not have.
-   pure function say_unknown_group(model, group) result(text)
+   pure function say_unknown_group(model, group, common) result(text)
       !> The model, whose table names groups and variables.
       class(model_t), intent(in) :: model
       !> The unknown name, in small letters and without `&`.
       character(*), intent(in) :: group
+      !> Names of the groups that the input may have beside those of the model, separated by a blank.
+      character(*), intent(in) :: common
       character(:), allocatable :: text
       character(:), allocatable :: known
 
-      known = list_known_groups(model)
+      known = list_known_groups(model, common)
       text = 'unknown group for the model '''//model%name//''', allowed: &'//join_words(known, ', &')
       if (len(find_nearest(group, known)) > 0) text = text//'; did you mean &'//find_nearest(group, known)//'?'
    end function say_unknown_group

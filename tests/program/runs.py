@@ -83,7 +83,8 @@ class Runs(unittest.TestCase):
                 attributes = {key: value for key, value in item.attrs.items()
                               if key not in ("DIMENSION_LIST", "REFERENCE_LIST")}
                 scales = [[scale.name for scale in dimension.values()] for dimension in item.dims]
-                contents[path] = (item.dtype.str, item.shape, item[()].tobytes(), plain(attributes), scales)
+                values = repr(item[()].tolist()) if item.dtype.kind == "O" else item[()].tobytes()
+                contents[path] = (item.dtype.str, item.shape, values, plain(attributes), scales)
 
         with h5py.File(self.folder / name, "r") as file:
             file.visititems(visit)

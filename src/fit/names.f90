@@ -1,0 +1,121 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Names of what a fit has in its results file.
+module adfric_fit_names
+   use adfric_base_text, only: show_count
+   use adfric_base_words, only: count_words, get_word, has_word
+   use adfric_base_unset, only: is_set
+   use adfric_base_kinds, only: dp
+   use adfric_fit_problem, only: fit_t, nuisance_names
+   use adfric_model_derived, only: add_derived, derived_t
+   implicit none (type, external)
+   private
+   public :: list_free_names, list_extra_names, suffix_of, find_derived_rows
+
+   !> Names of what a single fit has in addition, of the fit and of each data set.
+   character(*), parameter :: names_of_fit = 'variable other_variable start null_vector covariance covariance_internal '// &
+      & 'correlation covariance_scaled level piece end interval interval_pieces minimum minima minima_chi2 theory_name '// &
+      & 'theory_chi2 theory_aic theory_bic theory_estimate event event_kind event_data event_value event_sigma'
+   character(*), parameter :: names_of_data = 'point abscissa ordinate sigma abscissa_sigma branch segment used fitted '// &
+      & 'residual curve_x curve second_curve band_low band_high'
+
+contains
+
+   !> Names of the free variables as datasets, separated by a blank: without the group, unless two of them would have one name.
+   function list_free_names(fit) result(names)
+      !> The fit with its free variables.
+      type(fit_t), intent(in) :: fit
+      character(:), allocatable :: names
+      character(:), allocatable :: name
+      integer :: i, k, n_same
+
+      names = ''
+      do i = 1, size(fit%frees)
+         associate (free => fit%frees(i))
+            if (free%nuisance > 0) then
+               name = get_word(nuisance_names, free%nuisance)//suffix_of(fit, free%data_set)
+            else
+               name = fit%model%variables(free%variable)%name
+               n_same = 0
+               do k = 1, size(fit%frees)
+                  if (fit%frees(k)%variable == 0) cycle
+                  if (fit%model%variables(fit%frees(k)%variable)%name == name) n_same = n_same + 1
+               end do
+               if (n_same > 1) name = fit%model%variables(free%variable)%group//'_'//name
+            end if
+         end associate
+         names = names//' '//name
+      end do
+      names = trim(adjustl(names))
+   end function list_free_names
+
+   !> Names of the datasets that a single fit may have beside its results, separated by a blank.
+   function list_extra_names(fit) result(names)
+      !> The fit with its data sets and free variables.
+      type(fit_t), intent(in) :: fit
+      character(:), allocatable :: names
+      character(:), allocatable :: frees
+      integer :: i, k
+
+      names = names_of_fit
+      do k = 1, size(fit%data_sets)
+         do i = 1, count_words(names_of_data)
+            names = names//' '//get_word(names_of_data, i)//suffix_of(fit, k)
+         end do
+      end do
+      frees = list_free_names(fit)
+      do i = 1, count_words(frees)
+         names = names//' '//get_word(frees, i)//'_profile '//get_word(frees, i)//'_profile_value'
+      end do
+   end function list_extra_names
+
+   !> What stands behind the names of what each data set has; nothing if there is only one.
+   pure function suffix_of(fit, data_set) result(suffix)
+      !> The fit with its data sets.
+      type(fit_t), intent(in) :: fit
+      !> Number of the data set, from 1.
+      integer, intent(in) :: data_set
+      character(:), allocatable :: suffix
+
+      suffix = ''
+      if (size(fit%data_sets) > 1) suffix = '_'//show_count(data_set)
+   end function suffix_of
+
+   !> Names and units of the derived quantities that a fit gives (`adfric_fit_derived`): those of a sphere that are asked for, and that
+   !> are neither free nor given.
+   subroutine find_derived_rows(fit, rows)
+      !> The fit with its model and its free variables.
+      type(fit_t), intent(in) :: fit
+      !> Receives the rows; their values have no meaning.
+      type(derived_t), allocatable, intent(out) :: rows(:)
+      type(derived_t), allocatable :: all_rows(:)
+      logical, allocatable :: is_wanted(:)
+      integer :: i, k, first, theory
+
+      allocate (rows(0))
+      if (fit%model%name /= 'sphere') return
+      call add_derived(all_rows, 'adhesion_stress', 'Pa', 'sigma0, the stress of Dugdale''s law', 0.0_dp)
+      call add_derived(all_rows, 'adhesion_range', 'm', 'h0 = w/sigma0', 0.0_dp)
+      call add_derived(all_rows, 'lambda', '-', 'Maugis''s parameter lambda', 0.0_dp)
+      call add_derived(all_rows, 'pull_off_load', 'N', 'load at which the contact is lost when the load is held', 0.0_dp)
+      first = 1
+      theory = fit%model%index_of('model', 'theory')
+      select case (get_word(fit%model%variables(theory)%choices, nint(fit%base(theory))))
+      case ('hertz')
+         first = size(all_rows) + 1
+      case ('jkr', 'dmt')
+         first = size(all_rows)
+      end select
+      allocate (is_wanted(size(all_rows)), source=.true.)
+      is_wanted(:first - 1) = .false.
+      do i = 1, size(all_rows)
+         if (allocated(fit%derived)) then
+            if (len_trim(fit%derived) > 0) is_wanted(i) = is_wanted(i) .and. has_word(fit%derived, all_rows(i)%name)
+         end if
+         k = fit%model%index_of('sphere', all_rows(i)%name)
+         if (k == 0) cycle
+         is_wanted(i) = is_wanted(i) .and. .not. is_set(fit%base(k)) .and. .not. any(fit%frees%variable == k)
+      end do
+      rows = pack(all_rows, is_wanted)
+   end subroutine find_derived_rows
+
+end module adfric_fit_names

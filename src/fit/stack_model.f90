@@ -1,0 +1,338 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A stack of measured curves as a run: a point of the run is one curve, and solving it is fitting the curve.
+!>
+!> So blocks, threads, processes, parts and results files serve fits as they serve sweeps. Each curve starts cold: its results depend
+!> on no other. A single fit is a stack of one; it is solved when the model is prepared, and the results file has more of it.
+module adfric_fit_stack_model
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_count
+   use adfric_base_words, only: get_word
+   use adfric_fit_curve_source, only: curve_source_t
+   use adfric_fit_extras, only: get_solution_extras
+   use adfric_fit_names, only: find_derived_rows, list_extra_names
+   use adfric_fit_problem, only: fit_t, data_set_t
+   use adfric_fit_result_rows, only: get_result_rows, get_result_values
+   use adfric_fit_solution, only: solution_t, fit_solved, fit_not_converged, fit_status_meanings
+   use adfric_fit_solve, only: solve_fit
+   use adfric_model_model, only: model_t, derived_t
+   use adfric_model_rows, only: dataset, whole_number
+   use adfric_model_table, only: extra_t, profile_axis_t
+   implicit none (type, external)
+   private
+   public :: stack_model_t, new_stack_model
+
+   !> Most curves of a block: each takes long.
+   integer, parameter :: most_curves = 4
+   !> A search ends at a step below this part of a standard error.
+   real(dp), parameter :: last_step = 1.0e-6_dp
+
+   !> A stack.
+   type, extends(model_t) :: stack_model_t
+      !> The model that is fitted; the stack gives it back.
+      class(model_t), pointer :: fitted_model => null()
+      !> What is fitted; the data sets of a stack are without their points.
+      type(fit_t) :: fit
+      !> Number of curves along each dimension, the slowest first; size 0 for a single fit.
+      integer(i8), allocatable :: lengths(:)
+      !> Place in `variables` of the one before the first dimension of the stack.
+      integer :: last_before = 0
+      !> The curves; not allocated for a single fit, whose data sets have their points.
+      class(curve_source_t), allocatable :: source
+      !> Derived quantities in the order of their results.
+      type(derived_t), allocatable :: derived(:)
+      !> What a single fit has found, once the model is prepared.
+      type(solution_t), allocatable :: solution
+   contains
+      procedure :: check_values
+      procedure :: wants_profiles
+      procedure :: get_profile_axes
+      procedure :: prepare
+      procedure :: release
+      procedure :: solve_block
+      procedure :: solve_profiles
+      procedure :: list_states
+      procedure :: get_extras
+      procedure :: unit_of
+      procedure :: is_single
+      final :: remove_model
+   end type stack_model_t
+
+contains
+
+   !> A stack, or a single fit. Its variables are those of the model that is fitted, the files with the data, and the places along
+   !> each dimension of the stack.
+   subroutine new_stack_model(self, fit, n_files, lengths, source)
+      !> Receives the model of the run.
+      type(stack_model_t), intent(out) :: self
+      !> What is fitted; its model belongs to the stack from now on.
+      type(fit_t), intent(in) :: fit
+      !> Number of files or datasets that the points come from.
+      integer, intent(in) :: n_files
+      !> Number of curves along each dimension, the slowest first; size 0 for a single fit.
+      integer(i8), intent(in) :: lengths(:)
+      !> The curves, which are taken over; not allocated for a single fit.
+      class(curve_source_t), allocatable, intent(inout) :: source
+
+      self%fit = fit
+      self%fit%wants_curves = size(lengths) == 0
+      self%fitted_model => fit%model
+      self%lengths = lengths
+      call move_alloc(source, self%source)
+      self%name = fit%model%name
+      self%summary = fit%model%summary
+      self%references = fit%model%references
+      if (self%is_single()) self%extra_names = list_extra_names(fit)
+      call set_variables(self, n_files)
+      call get_result_rows(fit, self%results)
+      call find_derived_rows(fit, self%derived)
+      allocate (self%profiles(0), self%counts(0))
+      self%profile_axes = 'x'
+      self%largest_block = most_curves
+   end subroutine new_stack_model
+
+   !> The table of variables.
+   subroutine set_variables(self, n_files)
+      !> The stack, whose variables are set.
+      type(stack_model_t), intent(inout) :: self
+      !> Number of files or datasets that the points come from.
+      integer, intent(in) :: n_files
+      character(:), allocatable :: name
+      integer :: k
+
+      associate (of_model => size(self%fitted_model%variables), n => size(self%lengths))
+         self%last_before = of_model + n_files
+         allocate (self%variables(self%last_before + n))
+         self%variables(:of_model) = self%fitted_model%variables
+         do k = 1, n_files
+            name = 'data'
+            if (n_files > 1) name = name//'_'//show_count(k)
+            self%variables(of_model + k) = dataset(group='data', name=name, unit='-', meaning='the measured points', &
+               largest_rank=2, least_count=1)
+         end do
+         do k = 1, n
+            name = 'curve'
+            if (n == 2) name = get_word('row column', k)
+            if (n > 2) name = 'place_'//show_count(k)
+            self%variables(self%last_before + k) = whole_number(group='data', name=name, &
+               meaning='place in the stack along its dimension '//show_count(k)//', from 1', default=1, lower=1, upper=huge(1))
+         end do
+      end associate
+   end subroutine set_variables
+
+   !> The model that is fitted goes with the stack.
+   impure elemental subroutine remove_model(self)
+      !> The stack.
+      type(stack_model_t), intent(inout) :: self
+
+      if (associated(self%fitted_model)) deallocate (self%fitted_model)
+   end subroutine remove_model
+
+   !> Is it one fit, and no stack?
+   pure logical function is_single(self)
+      !> The stack.
+      class(stack_model_t), intent(in) :: self
+
+      is_single = size(self%lengths) == 0
+   end function is_single
+
+   !> See `model_t`: the input of a fit has been checked before there is a stack.
+   subroutine check_values(self, values, is_swept, problems)
+      !> The stack.
+      class(stack_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      associate (unused => self, unused_values => values, unused_swept => is_swept, unused_problems => problems)
+      end associate
+   end subroutine check_values
+
+   !> See `model_t`: a fit has no profiles along an axis that all curves share.
+   pure logical function wants_profiles(self, values)
+      !> The stack.
+      class(stack_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = .false.
+      associate (unused => self, unused_values => values)
+      end associate
+   end function wants_profiles
+
+   !> See `model_t`.
+   subroutine get_profile_axes(self, values, axes)
+      !> The stack.
+      class(stack_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives no axes.
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
+
+      allocate (axes(0))
+      associate (unused => self, unused_values => values)
+      end associate
+   end subroutine get_profile_axes
+
+   !> See `model_t`: a single fit is solved here, so that its results file can be created with all that it has.
+   subroutine prepare(self)
+      !> The stack.
+      class(stack_model_t), intent(inout) :: self
+
+      call self%fitted_model%prepare()
+      if (.not. self%is_single() .or. allocated(self%solution)) return
+      allocate (self%solution)
+      call solve_fit(self%fit, self%solution)
+   end subroutine prepare
+
+   !> See `model_t`.
+   subroutine release(self)
+      !> The stack.
+      class(stack_model_t), intent(inout) :: self
+
+      call self%fitted_model%release()
+      if (allocated(self%source)) call self%source%close()
+   end subroutine release
+
+   !> See `model_t`.
+   subroutine solve_block(self, values, results, error_estimate, status, counts)
+      !> The stack; all threads solve with the same one.
+      class(stack_model_t), intent(in) :: self
+      !> Values of the variables for each curve; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives the results of each curve; shape `(n_results, n_points)`; NaN where there is no value.
+      real(dp), intent(out) :: results(:, :)
+      !> Relative error of the first variable that the search leaves; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> One of `fit_...` for each curve; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> Of size 0: nothing is counted.
+      real(dp), intent(out) :: counts(:)
+      type(data_set_t), allocatable :: curves(:, :)
+      type(fit_t) :: fit
+      type(solution_t) :: solution
+      integer :: i
+      logical :: is_read
+
+      results = not_a_number()
+      error_estimate = not_a_number()
+      status = fit_not_converged
+      counts = 0
+      if (allocated(self%solution)) then
+         call keep(self, self%solution, results(:, 1), error_estimate(1), status(1))
+         return
+      end if
+      fit = self%fit
+      if (self%is_single()) then
+         call solve_fit(fit, solution)
+         call keep(self, solution, results(:, 1), error_estimate(1), status(1))
+         return
+      end if
+      allocate (curves(size(fit%data_sets), size(status)))
+      do i = 1, size(status)
+         curves(:, i) = fit%data_sets
+      end do
+      call self%source%get_curves(curve_number(self, values(:, 1)), curves, is_read)
+      if (.not. is_read) return
+      do i = 1, size(status)
+         fit%data_sets = curves(:, i)
+         call solve_fit(fit, solution)
+         call keep(self, solution, results(:, i), error_estimate(i), status(i))
+      end do
+   end subroutine solve_block
+
+   !> Number of a curve in the stack, from 1: the last dimension runs fastest.
+   pure integer(i8) function curve_number(self, values)
+      !> The stack, with its lengths.
+      class(stack_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      integer :: k
+
+      curve_number = 0
+      do k = 1, size(self%lengths)
+         curve_number = curve_number*self%lengths(k) + nint(values(self%last_before + k), i8) - 1
+      end do
+      curve_number = curve_number + 1
+   end function curve_number
+
+   !> What a fit has found as results of a point.
+   subroutine keep(self, solution, results, error_estimate, status)
+      !> The stack.
+      class(stack_model_t), intent(in) :: self
+      !> What was found.
+      type(solution_t), intent(in) :: solution
+      !> Receives the results; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Relative error of the first variable that the search leaves; left as it is where there is none.
+      real(dp), intent(inout) :: error_estimate
+      !> Receives the status.
+      integer, intent(out) :: status
+
+      status = solution%status
+      call get_result_values(self%fit, solution, self%derived, results)
+      if (status /= fit_solved) return
+      if (abs(solution%estimate(1)) > 0) error_estimate = last_step*solution%error(1)/abs(solution%estimate(1))
+   end subroutine keep
+
+   !> See `model_t`: there are none.
+   subroutine solve_profiles(self, values, results, profiles)
+      !> The stack.
+      class(stack_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> Receives NaN.
+      real(dp), intent(out) :: profiles(:, :, :)
+
+      profiles = not_a_number()
+      associate (unused => self, unused_values => values, unused_results => results)
+      end associate
+   end subroutine solve_profiles
+
+   !> See `model_t`.
+   function list_states(self) result(words)
+      !> The stack.
+      class(stack_model_t), intent(in) :: self
+      character(:), allocatable :: words
+
+      words = fit_status_meanings
+      associate (unused => self)
+      end associate
+   end function list_states
+
+   !> See `model_t`: what a single fit has in addition.
+   subroutine get_extras(self, extras)
+      !> The stack, prepared.
+      class(stack_model_t), intent(in) :: self
+      !> Receives the datasets with their values.
+      type(extra_t), allocatable, intent(out) :: extras(:)
+
+      if (allocated(self%solution)) then
+         call get_solution_extras(self%fit, self%solution, extras)
+      else
+         allocate (extras(0))
+      end if
+   end subroutine get_extras
+
+   !> See `model_t`.
+   function unit_of(self, values, place) result(unit)
+      !> The stack.
+      class(stack_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%variables(place)%unit
+      if (place <= size(self%fitted_model%variables)) unit = self%fitted_model%unit_of(values(:size(self%fitted_model%variables)), &
+         place)
+   end function unit_of
+
+end module adfric_fit_stack_model

@@ -1,0 +1,283 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A fit as the user describes it: the model's groups as in a run, and beside them the data, the events, what is free, and how.
+module adfric_input_fit
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_count
+   use adfric_base_unset, only: unset
+   use adfric_fit_curve_source, only: curve_source_t
+   use adfric_fit_problem, only: fit_t, n_nuisances, nuisance_friction_offset
+   use adfric_fit_scales, only: find_refusal
+   use adfric_fit_stack_model, only: stack_model_t, new_stack_model
+   use adfric_input_case, only: case_t, read_groups
+   use adfric_input_consistency, only: check_consistency
+   use adfric_input_dataset_loading, only: load_datasets
+   use adfric_input_fit_data, only: check_data, load_data, loaded_data_t
+   use adfric_input_fit_data_group, only: data_group_t, read_data_group
+   use adfric_input_fit_free, only: hold_variable, read_frees
+   use adfric_input_fit_identity, only: check_identity
+   use adfric_input_fit_rows, only: fit_groups, get_fit_rows
+   use adfric_input_fit_settings, only: read_events, read_settings
+   use adfric_input_fit_stack, only: hdf5_stack_t
+   use adfric_input_fit_values, only: reader_t
+   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_run, only: run_input_t
+   use adfric_input_vocabulary, only: full_name
+   use adfric_model_model, only: model_t
+   use adfric_model_table, only: result_t, variable_t
+   use adfric_run_dataset, only: dataset_t
+   use adfric_run_plan, only: axis_t, new_axis
+   use adfric_system_checksum, only: checksum_t
+   implicit none (type, external)
+   private
+   public :: fit_input_t, has_fit_groups, read_fit
+
+   !> What the input of a fit says beside its run.
+   type :: fit_input_t
+      !> The `&data` groups.
+      type(data_group_t), allocatable :: groups(:)
+      !> What is known of their points.
+      type(loaded_data_t) :: loaded
+   end type fit_input_t
+
+contains
+
+   !> Has an input a group of a fit?
+   pure logical function has_fit_groups(file)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+
+      has_fit_groups = file%find_group('data') > 0 .or. file%find_group('free') > 0 .or. file%find_group('fit') > 0 .or. &
+         file%find_group('event') > 0
+   end function has_fit_groups
+
+   !> Read the case, the data and what is free; the model of the run becomes the stack of curves.
+   subroutine read_fit(file, run, details, problems)
+      !> The input, cut into groups and assignments by `read_job`.
+      type(namelist_file_t), intent(in) :: file
+      !> In: what `read_job` has found, and the model. Out: a run whose points are fits; only to be used when there are no problems.
+      type(run_input_t), intent(inout) :: run
+      !> Receives what the input says of the data.
+      type(fit_input_t), intent(out) :: details
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      type(case_t) :: input
+      type(fit_t) :: fit
+      type(reader_t), allocatable :: readers(:)
+      type(variable_t), allocatable :: rows(:)
+      logical :: is_together
+
+      allocate (rows, source=get_fit_rows())
+      call read_groups(file, run%model, input, problems, 'job '//fit_groups)
+      call need_group(file, 'data', problems)
+      call need_group(file, 'free', problems)
+      call read_data_groups(file, rows, run%model, input, details%groups, problems)
+      if (problems%is_enough()) return
+      call read_frees(file, rows, run%model, details%groups, input, fit%frees, readers, problems)
+      call read_events(file, rows, details%groups, fit%events, problems)
+      call read_settings(file, rows, run%model, input, fit, is_together, problems)
+      if (problems%is_enough()) return
+      call load_datasets(run%model, input, problems)
+      call check_each_abscissa(file, run%model, details%groups, input, problems)
+      call check_identity(file, run%model, input, details%groups, fit%frees, readers, problems)
+      if (problems%count() > 0) return
+      call set_units(run%model, input, details%groups)
+      call load_data(file, run%model, details%groups, is_together, details%loaded, problems)
+      if (problems%count() == 0) call check_data(file, details%groups, details%loaded, fit, problems)
+      if (problems%count() > 0) return
+      call set_run(input, fit, details, run, problems)
+   end subroutine read_fit
+
+   !> Report a group that is missing.
+   subroutine need_group(file, name, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Name of the group.
+      character(*), intent(in) :: name
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (file%find_group(name) > 0 .or. problems%is_enough()) return
+      call problems%add(name, '', 'the group is missing, a fit needs at least one')
+   end subroutine need_group
+
+   !> Read every `&data`; its abscissa is given nowhere else.
+   subroutine read_data_groups(file, rows, model, input, groups, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Rows of all groups of a fit.
+      type(variable_t), intent(in) :: rows(:)
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> In: what the model's groups give. Out: also which variables are abscissas.
+      type(case_t), intent(inout) :: input
+      !> Receives the groups.
+      type(data_group_t), allocatable, intent(out) :: groups(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: i, g, place
+
+      allocate (groups(count(file%groups%name == 'data')))
+      g = 0
+      do i = 1, size(file%groups)
+         if (file%groups(i)%name /= 'data') cycle
+         if (problems%is_enough()) exit
+         g = g + 1
+         call read_data_group(file, i, rows, model, groups(g), problems)
+         place = groups(g)%data_set%abscissa
+         if (place == 0) then
+            input%is_broken = .true.
+         else if (input%is_given(place)) then
+            call groups(g)%reader%report(file, 'abscissa', model%variables(place)%name//' is given twice, here and in &'// &
+               model%variables(place)%group//' in line '//show_count(input%line(place))//', allowed: one of them', problems)
+         end if
+      end do
+      groups = groups(:g)
+   end subroutine read_data_groups
+
+   !> Let the model check its values with each abscissa.
+   subroutine check_each_abscissa(file, model, groups, input, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The model, which knows what its values may be together.
+      class(model_t), intent(in) :: model
+      !> The `&data` groups.
+      type(data_group_t), intent(in) :: groups(:)
+      !> Values of all variables; abscissas are not set afterwards.
+      type(case_t), intent(inout) :: input
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      type(axis_t) :: axes(0)
+      integer :: g
+
+      do g = 1, size(groups)
+         associate (place => groups(g)%data_set%abscissa)
+            if (place == 0) cycle
+            if (input%is_given(place)) cycle
+            call hold_variable(model, place, input)
+            call check_consistency(file, model, input, axes, problems)
+            input%values(place) = unset
+            input%is_swept(place) = .false.
+         end associate
+      end do
+   end subroutine check_each_abscissa
+
+   !> Units of abscissas and ordinates in this case.
+   subroutine set_units(model, input, groups)
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> Values of all variables.
+      type(case_t), intent(in) :: input
+      !> Receive the units.
+      type(data_group_t), intent(inout) :: groups(:)
+      type(result_t), allocatable :: results(:)
+      integer :: g
+
+      allocate (results, source=model%describe_results(input%values))
+      do g = 1, size(groups)
+         groups(g)%x_unit = model%unit_of(input%values, groups(g)%data_set%abscissa)
+         groups(g)%y_unit = results(groups(g)%data_set%ordinate)%unit
+      end do
+   end subroutine set_units
+
+   !> Make the run of the stack.
+   subroutine set_run(input, fit, details, run, problems)
+      !> Values of all variables of the model.
+      type(case_t), intent(inout) :: input
+      !> What is fitted, without model, values and points.
+      type(fit_t), intent(inout) :: fit
+      !> The data.
+      type(fit_input_t), intent(in) :: details
+      !> In: the run with the model. Out: the run with the stack.
+      type(run_input_t), intent(inout) :: run
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: reason
+      type(hdf5_stack_t), allocatable :: stack
+      class(curve_source_t), allocatable :: source
+      type(stack_model_t), allocatable :: model
+      integer :: i
+
+      allocate (fit%model, source=run%model)
+      do i = 1, size(fit%frees)
+         if (fit%frees(i)%variable > 0) input%values(fit%frees(i)%variable) = unset
+         if (fit%frees(i)%nuisance == nuisance_friction_offset) fit%frees(i)%unit = details%groups(fit%frees(i)%data_set)%y_unit
+      end do
+      fit%base = input%values
+      fit%data_sets = details%loaded%data_sets
+      if (size(details%loaded%lengths) == 0) then
+         call find_refusal(fit, reason)
+         if (len(reason) > 0) call problems%add('data', '', reason)
+      else
+         allocate (stack)
+         stack%groups = details%groups
+         stack%files = details%loaded%files
+         call move_alloc(stack, source)
+      end if
+      allocate (model)
+      call new_stack_model(model, fit, size(details%groups), details%loaded%lengths, source)
+      run%digest = digest_of(fit, details%groups)
+      call extend_plan(input, details%loaded, run)
+      deallocate (run%model)
+      call move_alloc(model, run%model)
+   end subroutine set_run
+
+   !> The values, files and axes of the stack's run.
+   subroutine extend_plan(input, loaded, run)
+      !> Values of all variables of the model.
+      type(case_t), intent(in) :: input
+      !> The data, with the shape of the stack.
+      type(loaded_data_t), intent(in) :: loaded
+      !> The run, which receives them.
+      type(run_input_t), intent(inout) :: run
+      integer :: i, k, n
+
+      associate (n_files => size(loaded%datasets), n_axes => size(loaded%lengths))
+         n = size(input%values) + n_files
+         run%plan%base = [input%values, spread(1.0_dp, 1, n_files + n_axes)]
+         run%is_given = [input%is_given, spread(.true., 1, n_files + n_axes)]
+         allocate (run%datasets(n + n_axes), run%plan%axes(n_axes))
+         run%datasets(:size(input%values)) = input%datasets
+         run%datasets(size(input%values) + 1:n) = loaded%datasets
+         do k = 1, n_axes
+            call new_axis(run%plan%axes(k), n + k, [(real(i, dp), i=1, int(loaded%lengths(k)))])
+         end do
+      end associate
+   end subroutine extend_plan
+
+   !> A checksum of all that says how the data are fitted.
+   function digest_of(fit, groups) result(digest)
+      !> The fit with its model.
+      type(fit_t), intent(in) :: fit
+      !> The `&data` groups.
+      type(data_group_t), intent(in) :: groups(:)
+      character(:), allocatable :: digest
+      type(checksum_t) :: sum
+      integer :: i
+
+      call sum%add_text('fit')
+      do i = 1, size(fit%frees)
+         associate (free => fit%frees(i))
+            call sum%add_text(free%name)
+            call sum%add_reals([merge(1.0_dp, 0.0_dp, free%is_log), free%start, free%minimum, free%maximum, free%prior, &
+               free%prior_sigma])
+         end associate
+      end do
+      do i = 1, size(fit%data_sets)
+         associate (set => fit%data_sets(i))
+            call sum%add_text(full_name(fit%model, set%abscissa)//' '//fit%model%results(set%ordinate)%name)
+            call sum%add_reals([real(set%loss, dp), set%loss_width, set%nuisance(:n_nuisances)])
+         end associate
+         call sum%add_reals([groups(i)%sigma, groups(i)%relative_sigma, groups(i)%abscissa_sigma, groups(i)%from, groups(i)%to])
+      end do
+      do i = 1, size(fit%events)
+         call sum%add_reals([real(fit%events(i)%data_set, dp), real(fit%events(i)%kind, dp), fit%events(i)%value, &
+            fit%events(i)%sigma])
+      end do
+      call sum%add_reals(real([fit%intervals, fit%n_starts, fit%n_bootstrap, fit%seed, fit%theories], dp))
+      call sum%add_reals([fit%relative_tolerance, fit%levels])
+      call sum%add_text(fit%derived)
+      digest = sum%to_text()
+   end function digest_of
+
+end module adfric_input_fit

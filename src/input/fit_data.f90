@@ -1,0 +1,327 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The points of all `&data` groups: read, counted, and held against what a fit needs.
+module adfric_input_fit_data
+   use adfric_base_kinds, only: dp, i8
+   use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_count
+   use adfric_base_unset, only: is_set
+   use adfric_fit_problem, only: data_set_t, fit_t, loss_gauss
+   use adfric_input_fit_data_group, only: data_group_t
+   use adfric_input_fit_points, only: add_to_checksum, columns_t, count_points, find_flaw, point_counts_t, set_points
+   use adfric_input_fit_stack, only: file_of, is_dataset, open_stack_file, path_of, stack_file_t
+   use adfric_input_fit_table, only: read_table_columns
+   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_model_model, only: model_t
+   use adfric_run_dataset, only: dataset_t
+   use adfric_system_checksum, only: checksum_t
+   implicit none (type, external)
+   private
+   public :: loaded_data_t, load_data, check_data
+
+   !> Curves that are read at once.
+   integer, parameter :: curves_at_once = 64
+
+   !> What is known of the points of all groups.
+   type :: loaded_data_t
+      !> Points of each group, over all curves.
+      type(point_counts_t), allocatable :: counts(:)
+      !> Names and checksums, as the results file has them.
+      type(dataset_t), allocatable :: datasets(:)
+      !> Points of each group, of one curve, or of all curves of a stack together.
+      type(data_set_t), allocatable :: data_sets(:)
+      !> Open columns of a stack, closed ones of other groups.
+      type(stack_file_t), allocatable :: files(:)
+      !> Number of curves along each dimension, the slowest first; size 0 for a single fit.
+      integer(i8), allocatable :: lengths(:)
+   contains
+      procedure :: has_sigma
+   end type loaded_data_t
+
+contains
+
+   !> Read the points of all groups.
+   subroutine load_data(file, model, groups, is_together, loaded, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The model, which names abscissas and ordinates.
+      class(model_t), intent(in) :: model
+      !> The `&data` groups, all of them whole.
+      type(data_group_t), intent(in) :: groups(:)
+      !> Are the curves of a stack fitted together?
+      logical, intent(in) :: is_together
+      !> Receives the points, or the open stacks.
+      type(loaded_data_t), intent(out) :: loaded
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: variable, flaw
+      integer :: g, n_before
+
+      n_before = problems%count()
+      allocate (loaded%counts(size(groups)), loaded%datasets(size(groups)), loaded%data_sets(size(groups)), &
+         loaded%files(size(groups)), loaded%lengths(0))
+      do g = 1, size(groups)
+         loaded%data_sets(g) = groups(g)%data_set
+         loaded%data_sets(g)%name = groups(g)%file
+         if (is_dataset(groups(g)%file)) then
+            call load_stack(groups(g), model, is_together, loaded, g, variable, flaw)
+         else
+            call load_table(groups(g), model, loaded, g, variable, flaw)
+         end if
+         if (len(flaw) > 0) call groups(g)%reader%report(file, variable, flaw, problems)
+      end do
+      if (problems%count() == n_before .and. .not. is_together) call find_lengths(file, groups, loaded, problems)
+      if (problems%count() == n_before .and. size(loaded%lengths) > 0) return
+      do g = 1, size(groups)
+         call loaded%files(g)%close()
+      end do
+   end subroutine load_data
+
+   !> Read a table.
+   subroutine load_table(group, model, loaded, g, variable, flaw)
+      !> The `&data` group.
+      type(data_group_t), intent(in) :: group
+      !> The model, which names abscissa and ordinate.
+      class(model_t), intent(in) :: model
+      !> Receives the points.
+      type(loaded_data_t), intent(inout) :: loaded
+      !> Number of the group.
+      integer, intent(in) :: g
+      !> Variable of the group that a flaw is one of.
+      character(:), allocatable, intent(out) :: variable
+      !> What is wrong; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+      type(columns_t) :: columns
+      type(checksum_t) :: sum
+
+      call read_table_columns(group, model, columns, variable, flaw)
+      if (len(flaw) > 0) return
+      call set_points(group, columns, loaded%data_sets(g))
+      call count_points(loaded%data_sets(g), loaded%counts(g))
+      call add_to_checksum(columns, sum)
+      loaded%datasets(g)%text = group%file
+      loaded%datasets(g)%file = group%file
+      loaded%datasets(g)%path = ''
+      call describe(loaded, g, sum, [size(columns%x, kind=i8)])
+   end subroutine load_table
+
+   !> Read every curve of a stack, to know what is in it; those of a single fit are kept.
+   subroutine load_stack(group, model, is_together, loaded, g, variable, flaw)
+      !> The `&data` group.
+      type(data_group_t), intent(in) :: group
+      !> The model, which names abscissa and ordinate.
+      class(model_t), intent(in) :: model
+      !> Are the curves of a stack fitted together?
+      logical, intent(in) :: is_together
+      !> Receives the points, or what is known of them.
+      type(loaded_data_t), intent(inout) :: loaded
+      !> Number of the group.
+      integer, intent(in) :: g
+      !> Variable of the group that a flaw is one of.
+      character(:), allocatable, intent(out) :: variable
+      !> What is wrong; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+      type(columns_t), allocatable :: curves(:)
+      type(columns_t) :: all_curves
+      type(checksum_t) :: sum
+      type(data_set_t) :: curve
+      integer(i8) :: first, n_curves
+      integer :: i
+      logical :: is_read
+
+      call open_stack_file(loaded%files(g), group, model, variable, flaw)
+      if (len(flaw) > 0) return
+      n_curves = product(loaded%files(g)%lengths)
+      do first = 1, n_curves, curves_at_once
+         allocate (curves(min(int(curves_at_once, i8), n_curves - first + 1)))
+         call loaded%files(g)%read_columns(first, curves, is_read)
+         if (.not. is_read) flaw = 'the values cannot be read'
+         do i = 1, size(curves)
+            if (len(flaw) > 0) exit
+            call find_flaw(curves(i), flaw)
+            if (len(flaw) > 0 .and. n_curves > 1) flaw = 'curve '//show_count(first + i - 1)//': '//flaw
+            if (len(flaw) > 0) exit
+            curve = group%data_set
+            call set_points(group, curves(i), curve)
+            call count_points(curve, loaded%counts(g))
+            call add_to_checksum(curves(i), sum)
+            if (is_together .or. n_curves == 1) call append(curves(i), int(first) + i - 1, n_curves > 1, all_curves)
+         end do
+         deallocate (curves)
+         if (len(flaw) > 0) then
+            variable = 'file'
+            call loaded%files(g)%close()
+            return
+         end if
+      end do
+      if (is_together .or. n_curves == 1) call set_points(group, all_curves, loaded%data_sets(g))
+      loaded%datasets(g)%text = group%file
+      loaded%datasets(g)%file = file_of(group%file)
+      loaded%datasets(g)%path = path_of(group%file)
+      call describe(loaded, g, sum, [loaded%files(g)%lengths, int(loaded%files(g)%n_points, i8)])
+   end subroutine load_stack
+
+   !> Add a curve to others; each is a segment of its own.
+   subroutine append(curve, number, is_numbered, all_curves)
+      !> The curve.
+      type(columns_t), intent(in) :: curve
+      !> Its number, from 1.
+      integer, intent(in) :: number
+      !> Is the number that of the segment?
+      logical, intent(in) :: is_numbered
+      !> The others, to which it is added.
+      type(columns_t), intent(inout) :: all_curves
+
+      call append_column(curve%x, all_curves%x)
+      call append_column(curve%y, all_curves%y)
+      call append_column(curve%sigma, all_curves%sigma)
+      call append_column(curve%x_sigma, all_curves%x_sigma)
+      call append_column(curve%branch, all_curves%branch)
+      if (is_numbered) then
+         call append_column(spread(real(number, dp), 1, size(curve%x)), all_curves%segment)
+      else
+         call append_column(curve%segment, all_curves%segment)
+      end if
+   end subroutine append
+
+   !> Add values to a column.
+   subroutine append_column(values, column)
+      !> The values; not present or not allocated: there is no such column.
+      real(dp), intent(in), optional :: values(:)
+      !> The column, which grows.
+      real(dp), allocatable, intent(inout) :: column(:)
+
+      if (.not. present(values)) return
+      if (.not. allocated(column)) allocate (column(0))
+      column = [column, values]
+   end subroutine append_column
+
+   !> What the results file says of the data.
+   subroutine describe(loaded, g, sum, counts)
+      !> The counts, and the dataset that receives the rest.
+      type(loaded_data_t), intent(inout) :: loaded
+      !> Number of the group.
+      integer, intent(in) :: g
+      !> Checksum of the values.
+      type(checksum_t), intent(in) :: sum
+      !> Number of values along each dimension, the slowest first.
+      integer(i8), intent(in) :: counts(:)
+
+      associate (dataset => loaded%datasets(g))
+         dataset%counts = counts
+         dataset%units = ''
+         dataset%lowest = loaded%counts(g)%y(1)
+         dataset%highest = loaded%counts(g)%y(2)
+         dataset%checksum = sum%to_text()
+      end associate
+   end subroutine describe
+
+   !> Find the shape of the stack: all groups have the same.
+   subroutine find_lengths(file, groups, loaded, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The `&data` groups.
+      type(data_group_t), intent(in) :: groups(:)
+      !> In: the open stacks. Out: also the shape.
+      type(loaded_data_t), intent(inout) :: loaded
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      logical :: is_same
+      integer :: g
+
+      do g = 1, size(groups)
+         if (allocated(loaded%files(g)%lengths)) then
+            if (size(loaded%files(g)%lengths) > 0) loaded%lengths = loaded%files(g)%lengths
+         end if
+      end do
+      if (size(loaded%lengths) == 0) return
+      do g = 1, size(groups)
+         is_same = allocated(loaded%files(g)%lengths)
+         if (is_same) is_same = size(loaded%files(g)%lengths) == size(loaded%lengths)
+         if (is_same) is_same = all(loaded%files(g)%lengths == loaded%lengths)
+         if (.not. is_same) call groups(g)%reader%report(file, 'file', 'not as many curves as in another &data, given '''// &
+            groups(g)%file//''', allowed: stacks of one shape', problems)
+      end do
+   end subroutine find_lengths
+
+   !> Are there points enough for a single fit, and standard errors where they are needed?
+   subroutine check_data(file, groups, loaded, fit, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The `&data` groups.
+      type(data_group_t), intent(in) :: groups(:)
+      !> The points.
+      type(loaded_data_t), intent(in) :: loaded
+      !> The fit with its free variables and events.
+      type(fit_t), intent(in) :: fit
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: g, n, n_priors
+      logical :: is_known
+
+      n_priors = count(is_set([(fit%frees(g)%prior, g=1, size(fit%frees))]))
+      n = size(fit%events) + n_priors
+      is_known = .true.
+      do g = 1, size(groups)
+         n = n + loaded%counts(g)%n_used
+         is_known = has_errors(groups(g), loaded, g)
+         if (loaded%counts(g)%n_used == 0) then
+            call groups(g)%reader%report(file, 'file', say_no_points(groups(g), loaded%counts(g)), problems)
+         else if (loaded%counts(g)%n_free == loaded%counts(g)%n_used) then
+            call groups(g)%reader%report(file, 'file', 'no point is in contact, given '//show_count(loaded%counts(g)%n_used)// &
+               ' free points in '//groups(g)%file//', needed: points in contact', problems)
+         end if
+         if (is_known) cycle
+         if (size(groups) > 1) call groups(g)%reader%report(file, 'sigma', 'not given, needed: standard errors, by which several ' &
+            //'&data are weighed', problems)
+         if (groups(g)%data_set%loss /= loss_gauss) call groups(g)%reader%report(file, 'loss', 'needs standard errors, allowed ' &
+            //'without them: ''gauss''', problems)
+         if (allocated(loaded%data_sets(g)%x_sigma)) call groups(g)%reader%report(file, 'abscissa_sigma', 'needs standard errors ' &
+            //'of the ordinate beside', problems)
+         if (size(fit%events) + n_priors > 0) call groups(g)%reader%report(file, 'sigma', 'not given, needed: standard errors, ' &
+            //'by which points and events or priors are weighed', problems)
+      end do
+      if (problems%count() > 0 .or. size(loaded%lengths) > 0) return
+      if (n < size(fit%frees) .or. (n == size(fit%frees) .and. .not. is_known)) call groups(1)%reader%report(file, 'file', &
+         'too few points, given '//show_count(n)//' points, events and priors for '//show_count(size(fit%frees))// &
+         ' free variables, needed: at least '//show_count(size(fit%frees) + merge(0, 1, is_known)), problems)
+   end subroutine check_data
+
+   !> Has a group standard errors of the ordinate from its file, or of all points?
+   pure logical function has_sigma(self, g)
+      !> The points, or the open stacks.
+      class(loaded_data_t), intent(in) :: self
+      !> Number of the group.
+      integer, intent(in) :: g
+
+      has_sigma = allocated(self%data_sets(g)%sigma)
+      if (size(self%lengths) > 0) has_sigma = has_sigma .or. self%files(g)%has_sigma()
+   end function has_sigma
+
+   !> Have the points of a group standard errors?
+   pure logical function has_errors(group, loaded, g)
+      !> The `&data` group.
+      type(data_group_t), intent(in) :: group
+      !> The points, or the open stacks.
+      type(loaded_data_t), intent(in) :: loaded
+      !> Number of the group.
+      integer, intent(in) :: g
+
+      has_errors = is_set(group%sigma) .or. is_set(group%relative_sigma) .or. loaded%has_sigma(g)
+   end function has_errors
+
+   !> Why there are no points.
+   function say_no_points(group, counts) result(text)
+      !> The `&data` group.
+      type(data_group_t), intent(in) :: group
+      !> Its counts.
+      type(point_counts_t), intent(in) :: counts
+      character(:), allocatable :: text
+
+      text = 'no point can be used, given '//show_count(counts%n)//' points in '//group%file
+      if (counts%n_without > 0) text = text//', '//show_count(counts%n_without)//' of them without a number'
+      if (counts%n_outside > 0) text = text//', '//show_count(counts%n_outside)//' outside of from and to or without a ' &
+         //'standard error'
+      text = text//', needed: points with numbers'
+   end function say_no_points
+
+end module adfric_input_fit_data

@@ -1,0 +1,363 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> `&free`: which variables of the model, or of a measurement, the data shall give.
+module adfric_input_fit_free
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: join_words, show_count, show_number, show_text, to_lower
+   use adfric_base_unset, only: is_set, unset
+   use adfric_base_words, only: get_word
+   use adfric_fit_problem, only: free_t, nuisance_load_offset, nuisance_contact_point, &
+      & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_names, n_nuisances
+   use adfric_input_case, only: case_t, mark_meant
+   use adfric_input_fit_data_group, only: data_group_t
+   use adfric_input_fit_values, only: reader_t, new_reader
+   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_suggestion, only: did_you_mean
+   use adfric_input_variable, only: find_outlier
+   use adfric_input_vocabulary, only: find_variable, full_name, list_numbers
+   use adfric_model_model, only: model_t
+   use adfric_model_plausible_range, only: find_plausible_range
+   use adfric_model_table, only: kind_real, variable_t
+   implicit none (type, external)
+   private
+   public :: read_frees, hold_variable
+
+   !> Places of the words of `scale`.
+   integer, parameter :: scale_log = 1
+   !> Most free variables.
+   integer, parameter :: most_frees = 10
+   !> What stands before the nuisances of a data set.
+   character(*), parameter :: data_prefix = 'data'
+
+contains
+
+   !> Read every group. One that cannot be used is left out; there is a problem then.
+   subroutine read_frees(file, rows, model, groups, input, frees, readers, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Rows of all groups of a fit.
+      type(variable_t), intent(in) :: rows(:)
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> The `&data` groups.
+      type(data_group_t), intent(in) :: groups(:)
+      !> In: what the model's groups give. Out: also what is free, and values for it with which the model can be asked.
+      type(case_t), intent(inout) :: input
+      !> Receives the free variables.
+      type(free_t), allocatable, intent(out) :: frees(:)
+      !> Receives the group of each of them, for messages.
+      type(reader_t), allocatable, intent(out) :: readers(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      type(free_t) :: free
+      type(reader_t) :: reader
+      integer :: i, n, n_before
+
+      allocate (frees(count(file%groups%name == 'free')), readers(count(file%groups%name == 'free')))
+      n = 0
+      do i = 1, size(file%groups)
+         if (file%groups(i)%name /= 'free') cycle
+         if (problems%is_enough()) exit
+         n_before = problems%count()
+         call new_reader(reader, file, i, rows, problems)
+         free = free_t()
+         call find_free(file, reader, model, groups, input, free, problems)
+         if (allocated(free%name)) call read_numbers_of(file, reader, model, free, problems)
+         if (.not. allocated(free%name) .or. problems%count() > n_before) cycle
+         if (any(is_same(frees(:n), free))) then
+            call reader%report(file, 'variable', free%name//' is free twice, allowed: once', problems)
+            cycle
+         end if
+         n = n + 1
+         frees(n) = free
+         readers(n) = reader
+      end do
+      frees = frees(:n)
+      readers = readers(:n)
+      if (n > most_frees) call problems%add('free', '', 'too many free variables, given '//show_count(n)//', allowed: at most '// &
+         show_count(most_frees))
+   end subroutine read_frees
+
+   !> Are two free variables the same?
+   elemental logical function is_same(one, other)
+      !> Two free variables.
+      type(free_t), intent(in) :: one, other
+
+      is_same = one%variable == other%variable .and. one%data_set == other%data_set .and. one%nuisance == other%nuisance
+   end function is_same
+
+   !> Find what is free; its name is not allocated if nothing can be.
+   subroutine find_free(file, reader, model, groups, input, free, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The group.
+      type(reader_t), intent(in) :: reader
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> The `&data` groups.
+      type(data_group_t), intent(in) :: groups(:)
+      !> In: what the model's groups give. Out: also what is free.
+      type(case_t), intent(inout) :: input
+      !> Receives the place of the variable, or the nuisance and its data set, the name and the unit.
+      type(free_t), intent(inout) :: free
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: name, flaw
+
+      call reader%read_text(file, 'variable', name, problems)
+      call reader%report_missing(file, 'variable', problems)
+      if (.not. allocated(name)) then
+         input%is_broken = .true.
+         return
+      end if
+      name = to_lower(name)
+      if (is_nuisance_name(model, name)) then
+         call find_nuisance(name, groups, free, flaw)
+      else
+         call find_variable(model, name, list_numbers(model)//' data%'//join_words(nuisance_names, ' data%'), free%variable, flaw)
+         if (free%variable == 0) then
+            if (index(flaw, 'did you mean') == 0) flaw = flaw//did_you_mean(name, nuisance_names)
+            call mark_meant(model, '', name(index(name, '%') + 1:), input)
+         else
+            call check_variable(model, groups, free%variable, input, flaw)
+         end if
+      end if
+      if (len(flaw) > 0) then
+         call reader%report(file, 'variable', flaw, problems)
+      else if (free%variable > 0) then
+         free%name = full_name(model, free%variable)
+         free%unit = model%unit_of(input%values, free%variable)
+         free%is_log = model%variables(free%variable)%lower >= 0
+         call hold_variable(model, free%variable, input)
+      end if
+   end subroutine find_free
+
+   !> Is it the name of a nuisance?
+   pure logical function is_nuisance_name(model, name)
+      !> The model, which may have a variable of the name.
+      class(model_t), intent(in) :: model
+      !> The name, in small letters.
+      character(*), intent(in) :: name
+      integer :: k
+
+      is_nuisance_name = index(name, data_prefix//'%') == 1 .or. index(name, data_prefix//'[') == 1
+      if (is_nuisance_name) return
+      do k = 1, size(model%variables)
+         if (model%variables(k)%name == name) return
+      end do
+      do k = 1, n_nuisances
+         is_nuisance_name = is_nuisance_name .or. get_word(nuisance_names, k) == name
+      end do
+   end function is_nuisance_name
+
+   !> Find a nuisance by `data[2]%load_offset`; without a number that of the only data set.
+   subroutine find_nuisance(name, groups, free, flaw)
+      !> The name, in small letters.
+      character(*), intent(in) :: name
+      !> The `&data` groups.
+      type(data_group_t), intent(in) :: groups(:)
+      !> Receives the nuisance.
+      type(free_t), intent(inout) :: free
+      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+      character(:), allocatable :: bare
+      integer :: percent, status, k
+
+      flaw = ''
+      percent = index(name, '%')
+      bare = name(percent + 1:)
+      do k = 1, n_nuisances
+         if (get_word(nuisance_names, k) == bare) free%nuisance = k
+      end do
+      free%data_set = 1
+      status = 0
+      if (index(name, '[') > 0) then
+         status = 1
+         if (percent > 7) then
+            if (name(percent - 1:percent - 1) == ']' .and. verify(name(6:percent - 2), '0123456789') == 0 .and. percent < 15) &
+               read (name(6:percent - 2), *, iostat=status) free%data_set
+         end if
+      end if
+      if (status /= 0 .or. free%data_set < 1 .or. free%data_set > size(groups)) then
+         flaw = 'no &data of this number, given '''//show_text(name)//''', allowed: data[1] to data['//show_count(size(groups))//']'
+      else if (free%nuisance == 0) then
+         flaw = 'unknown variable of a measurement, given '''//show_text(name)//''', allowed: '//join_words(nuisance_names, ', ') &
+            //did_you_mean(bare, nuisance_names)
+      else if (index(name, '[') == 0 .and. size(groups) > 1) then
+         flaw = 'of which &data, given '''//show_text(name)//''', allowed: data[1]%'//bare//' to data['//show_count(size(groups)) &
+            //']%'//bare
+      else
+         call check_nuisance(groups(free%data_set), free, flaw)
+      end if
+      if (len(flaw) > 0) return
+      free%name = data_prefix//'['//show_count(free%data_set)//']%'//bare
+      if (size(groups) == 1) free%name = bare
+   end subroutine find_nuisance
+
+   !> Has a nuisance a meaning for its data set, and is it not given? Sets its unit and scale.
+   subroutine check_nuisance(group, free, flaw)
+      !> The `&data` group.
+      type(data_group_t), intent(in) :: group
+      !> The nuisance, which receives its unit and scale.
+      type(free_t), intent(inout) :: free
+      !> What is wrong; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+
+      flaw = ''
+      select case (free%nuisance)
+      case (nuisance_load_offset)
+         free%unit = 'N'
+      case (nuisance_contact_point)
+         free%unit = 'm'
+      case default
+         ! that of an offset of the ordinate is known later
+         free%unit = '-'
+      case (nuisance_spring_stiffness)
+         free%unit = 'N/m'
+      end select
+      free%is_log = any(free%nuisance == [nuisance_lateral_gain, nuisance_spring_stiffness])
+      if (group%is_nuisance_given(free%nuisance)) flaw = get_word(nuisance_names, free%nuisance)//' is given twice, here and in ' &
+         //'&data, allowed: one of them'
+   end subroutine check_nuisance
+
+   !> A variable of the model is given in one place, and is no abscissa.
+   subroutine check_variable(model, groups, variable, input, flaw)
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> The `&data` groups.
+      type(data_group_t), intent(in) :: groups(:)
+      !> Place of the variable in the model's table.
+      integer, intent(in) :: variable
+      !> What the model's groups give.
+      type(case_t), intent(in) :: input
+      !> What is wrong; empty if nothing is wrong.
+      character(:), allocatable, intent(inout) :: flaw
+      integer :: i
+
+      associate (row => model%variables(variable))
+         if (row%kind /= kind_real) then
+            flaw = 'no real number, it cannot be fitted, given '''//row%name//''''
+         else if (input%is_given(variable)) then
+            flaw = row%name//' is given twice, here and in &'//row%group//' in line '//show_count(input%line(variable))// &
+               ', allowed: one of them'
+         end if
+         do i = 1, size(groups)
+            if (groups(i)%data_set%abscissa == variable) flaw = row%name//' is the abscissa of &data['//show_count(i)// &
+               '], it cannot be free'
+         end do
+      end associate
+   end subroutine check_variable
+
+   !> A value for what is free, of the usual size, so that the model can be asked what it thinks of the rest.
+   subroutine hold_variable(model, variable, input)
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> Place of the variable in the model's table.
+      integer, intent(in) :: variable
+      !> Receives the value, and that it varies.
+      type(case_t), intent(inout) :: input
+      real(dp) :: lower, upper
+
+      associate (row => model%variables(variable), value => input%values(variable))
+         call find_plausible_range(row, model%unit_of(input%values, variable), lower, upper)
+         value = 1
+         if (lower > 0 .and. upper < huge(upper)) value = sqrt(lower)*sqrt(upper)
+         if (value < row%lower .or. value > row%upper) then
+            value = row%upper
+            if (is_set(row%lower) .and. abs(row%lower) < unset .and. abs(row%upper) < unset) value = (row%lower + row%upper)/2
+         end if
+         input%is_swept(variable) = .true.
+      end associate
+   end subroutine hold_variable
+
+   !> Read start, bounds, scale and prior.
+   subroutine read_numbers_of(file, reader, model, free, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The group.
+      type(reader_t), intent(in) :: reader
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> The free variable, which receives them.
+      type(free_t), intent(inout) :: free
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: scale
+
+      call reader%read_number(file, 'start', free%start, problems)
+      call reader%read_number(file, 'minimum', free%minimum, problems)
+      call reader%read_number(file, 'maximum', free%maximum, problems)
+      call reader%read_number(file, 'prior', free%prior, problems)
+      call reader%read_number(file, 'prior_sigma', free%prior_sigma, problems)
+      if (reader%has(file, 'scale')) then
+         call reader%read_whole(file, 'scale', scale, problems)
+         if (free%is_log .or. scale /= scale_log) then
+            free%is_log = scale == scale_log
+         else
+            call reader%report(file, 'scale', free%name//' may be negative, given ''log'', allowed: ''linear''', problems)
+         end if
+      end if
+      call check_size(file, reader, model, free, 'start', free%start, problems)
+      call check_size(file, reader, model, free, 'minimum', free%minimum, problems)
+      call check_size(file, reader, model, free, 'maximum', free%maximum, problems)
+      call check_size(file, reader, model, free, 'prior', free%prior, problems)
+      call check_order(file, reader, free, problems)
+      if (is_set(free%prior) .neqv. is_set(free%prior_sigma)) call reader%report(file, trim(merge('prior_sigma', 'prior      ', &
+         is_set(free%prior))), 'not given, needed: prior and prior_sigma together', problems)
+   end subroutine read_numbers_of
+
+   !> Is a value one that the variable may have?
+   subroutine check_size(file, reader, model, free, name, value, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The group.
+      type(reader_t), intent(in) :: reader
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> The free variable.
+      type(free_t), intent(in) :: free
+      !> Name of the value in the group.
+      character(*), intent(in) :: name
+      !> The value, or `unset`.
+      real(dp), intent(in) :: value
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: flaw
+      integer :: first
+
+      if (.not. is_set(value)) return
+      flaw = ''
+      if (free%variable > 0) call find_outlier([value], model%variables(free%variable), first, flaw)
+      if (len(flaw) > 0) flaw = 'out of range, given '//show_number(value)//flaw(index(flaw, ', allowed'):)
+      if (len(flaw) == 0 .and. free%is_log .and. .not. value > 0) flaw = 'out of range, given '//show_number(value)// &
+         ', allowed: a number > 0, since its logarithm is fitted'
+      if (len(flaw) > 0) call reader%report(file, name, flaw, problems)
+   end subroutine check_size
+
+   !> Do minimum, start and maximum rise?
+   subroutine check_order(file, reader, free, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The group.
+      type(reader_t), intent(in) :: reader
+      !> The free variable.
+      type(free_t), intent(in) :: free
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (is_set(free%minimum) .and. is_set(free%maximum)) then
+         if (.not. free%minimum < free%maximum) call reader%report(file, 'maximum', 'no range, given minimum = ' &
+            //show_number(free%minimum)//' and maximum = '//show_number(free%maximum)//', allowed: minimum < maximum', problems)
+      end if
+      if (.not. is_set(free%start)) return
+      if (is_set(free%minimum)) then
+         if (free%start < free%minimum) call reader%report(file, 'start', 'below the minimum, given '//show_number(free%start)// &
+            ', allowed: a number >= '//show_number(free%minimum), problems)
+      end if
+      if (is_set(free%maximum)) then
+         if (free%start > free%maximum) call reader%report(file, 'start', 'above the maximum, given '//show_number(free%start)// &
+            ', allowed: a number <= '//show_number(free%maximum), problems)
+      end if
+   end subroutine check_order
+
+end module adfric_input_fit_free

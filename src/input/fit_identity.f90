@@ -1,0 +1,244 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What data cannot say, whatever the noise: free variables that only occur together, or not at all. Known before anything is
+!> solved, it is refused with the reason; what depends on the values is found by the fit.
+module adfric_input_fit_identity
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_base_words, only: get_word
+   use adfric_fit_problem, only: free_t, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
+      & nuisance_lateral_gain, nuisance_spring_stiffness
+   use adfric_input_case, only: case_t
+   use adfric_input_fit_data_group, only: data_group_t
+   use adfric_input_fit_values, only: reader_t
+   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_model_model, only: model_t
+   implicit none (type, external)
+   private
+   public :: check_identity
+
+contains
+
+   !> Report what is known beforehand not to be in the data.
+   subroutine check_identity(file, model, input, groups, frees, readers, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> Values of all variables.
+      type(case_t), intent(in) :: input
+      !> The `&data` groups.
+      type(data_group_t), intent(in) :: groups(:)
+      !> The free variables.
+      type(free_t), intent(in) :: frees(:)
+      !> The group of each of them.
+      type(reader_t), intent(in) :: readers(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: i
+
+      do i = 1, size(frees)
+         if (frees(i)%nuisance > 0) call check_nuisance(file, model, groups(frees(i)%data_set), frees, i, readers(i), problems)
+      end do
+      if (model%name /= 'sphere') return
+      call check_gain(file, model, groups, frees, readers, problems)
+      call check_friction_alone(file, model, input, groups, frees, readers, problems)
+      call check_theory(file, model, input, frees, readers, problems)
+   end subroutine check_identity
+
+   !> Has a nuisance any effect on its data set, and one of its own?
+   subroutine check_nuisance(file, model, group, frees, place, reader, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> The `&data` group of the nuisance.
+      type(data_group_t), intent(in) :: group
+      !> The free variables.
+      type(free_t), intent(in) :: frees(:)
+      !> Which of them it is.
+      integer, intent(in) :: place
+      !> Its group.
+      type(reader_t), intent(in) :: reader
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      logical :: is_x_load, is_y_load, is_approach, has_effect
+      integer :: i
+
+      if (group%data_set%abscissa == 0 .or. group%data_set%ordinate == 0) return
+      is_x_load = model%variables(group%data_set%abscissa)%name == 'load'
+      is_y_load = model%results(group%data_set%ordinate)%name == 'load'
+      is_approach = model%variables(group%data_set%abscissa)%name == 'approach'
+      has_effect = .true.
+      select case (frees(place)%nuisance)
+      case (nuisance_load_offset)
+         has_effect = is_x_load .or. is_y_load
+      case (nuisance_contact_point, nuisance_spring_stiffness)
+         has_effect = is_approach
+      end select
+      if (.not. has_effect) call reader%report(file, 'variable', frees(place)%name//' has no effect on '// &
+         model%results(group%data_set%ordinate)%name//' against '//model%variables(group%data_set%abscissa)%name// &
+         ', allowed: a variable that has one', problems)
+      if (frees(place)%nuisance /= nuisance_friction_offset .or. .not. is_y_load .or. is_x_load) return
+      do i = 1, size(frees)
+         if (frees(i)%nuisance /= nuisance_load_offset .or. frees(i)%data_set /= frees(place)%data_set) cycle
+         if (is_set(frees(i)%prior) .or. is_set(frees(place)%prior)) cycle
+         call reader%report(file, 'variable', frees(place)%name//' and '//frees(i)%name//' are one number where the load is ' &
+            //'the ordinate, allowed: one of them free, or a prior', problems)
+      end do
+   end subroutine check_nuisance
+
+   !> The gain of friction and the shear strength are one number.
+   subroutine check_gain(file, model, groups, frees, readers, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> The `&data` groups.
+      type(data_group_t), intent(in) :: groups(:)
+      !> The free variables.
+      type(free_t), intent(in) :: frees(:)
+      !> The group of each of them.
+      type(reader_t), intent(in) :: readers(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: strength, i, g, last
+      logical :: is_known
+
+      strength = find_free(model, frees, 'shear_strength')
+      if (strength == 0) return
+      if (is_set(frees(strength)%prior)) return
+      last = 0
+      do g = 1, size(groups)
+         if (groups(g)%data_set%ordinate == 0) return
+         if (model%results(groups(g)%data_set%ordinate)%name /= 'friction_force') cycle
+         is_known = .true.
+         do i = 1, size(frees)
+            if (frees(i)%nuisance /= nuisance_lateral_gain .or. frees(i)%data_set /= g) cycle
+            is_known = is_set(frees(i)%prior)
+            last = i
+         end do
+         ! one friction with a known gain tells the strength
+         if (is_known) return
+      end do
+      if (last > 0) call readers(last)%report(file, 'variable', frees(last)%name//' and shear_strength are one number: only ' &
+         //'their product is in the data, allowed: one of them free, or a prior', problems)
+   end subroutine check_gain
+
+   !> What friction against load alone cannot say: F is tau0 R^(4/3) (w/E*)^(2/3) times a function of P/(w R) and lambda.
+   subroutine check_friction_alone(file, model, input, groups, frees, readers, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> Values of all variables.
+      type(case_t), intent(in) :: input
+      !> The `&data` groups.
+      type(data_group_t), intent(in) :: groups(:)
+      !> The free variables.
+      type(free_t), intent(in) :: frees(:)
+      !> The group of each of them.
+      type(reader_t), intent(in) :: readers(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: strength, modulus, fraction, g
+
+      do g = 1, size(groups)
+         if (groups(g)%data_set%abscissa == 0 .or. groups(g)%data_set%ordinate == 0) return
+         if (model%results(groups(g)%data_set%ordinate)%name /= 'friction_force') return
+         if (model%variables(groups(g)%data_set%abscissa)%name /= 'load') return
+      end do
+      if (is_above_zero(input, model%index_of('friction', 'interaction'))) return
+      strength = find_free(model, frees, 'shear_strength')
+      modulus = find_free(model, frees, 'contact_modulus')
+      fraction = find_free(model, frees, 'edge_fraction')
+      if (strength > 0 .and. modulus > 0) then
+         if (.not. (is_set(frees(strength)%prior) .or. is_set(frees(modulus)%prior) .or. is_dugdale_given(model, input))) &
+            call readers(modulus)%report(file, 'variable', 'contact_modulus and shear_strength cannot both be known from ' &
+            //'friction against load: only shear_strength^3/contact_modulus^2 is in it, allowed: one of them free, a prior, ' &
+            //'or a &data of contact_area', problems)
+      end if
+      if (fraction > 0 .and. find_free(model, frees, 'lambda') > 0) call readers(fraction)%report(file, 'variable', &
+         'edge_fraction and lambda cannot both be known from friction against load, allowed: one of them free, or a &data of ' &
+         //'contact_area', problems)
+   end subroutine check_friction_alone
+
+   !> Is the stress or the range of adhesion held, so that the modulus has a part in lambda?
+   pure logical function is_dugdale_given(model, input)
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> Values of all variables.
+      type(case_t), intent(in) :: input
+      integer :: k, place
+
+      is_dugdale_given = .false.
+      do k = 1, 2
+         place = model%index_of('sphere', get_word('adhesion_stress adhesion_range', k))
+         if (place == 0) cycle
+         is_dugdale_given = is_dugdale_given .or. (is_set(input%values(place)) .and. .not. input%is_swept(place))
+      end do
+   end function is_dugdale_given
+
+   !> Is a number given, and above 0?
+   pure logical function is_above_zero(input, place)
+      !> Values of all variables.
+      type(case_t), intent(in) :: input
+      !> Place of the variable; 0: there is none.
+      integer, intent(in) :: place
+
+      is_above_zero = .false.
+      if (place == 0) return
+      if (is_set(input%values(place))) is_above_zero = input%values(place) > 0
+   end function is_above_zero
+
+   !> Has each free variable a meaning in the theory?
+   subroutine check_theory(file, model, input, frees, readers, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> Values of all variables.
+      type(case_t), intent(in) :: input
+      !> The free variables.
+      type(free_t), intent(in) :: frees(:)
+      !> The group of each of them.
+      type(reader_t), intent(in) :: readers(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: theory
+      integer :: place, i, k
+
+      place = model%index_of('model', 'theory')
+      if (place == 0) return
+      theory = get_word(model%variables(place)%choices, nint(input%values(place)))
+      if (theory == 'maugis_dugdale') return
+      do k = 1, 3
+         i = find_free(model, frees, get_word('lambda adhesion_stress adhesion_range', k))
+         if (i == 0) cycle
+         if (theory == 'auto') then
+            call readers(i)%report(file, 'variable', frees(i)%name//' is free, and theory = ''auto'' changes the theory with it, ' &
+               //'needed: &model theory = ''maugis_dugdale''', problems)
+         else
+            call readers(i)%report(file, 'variable', frees(i)%name//' has no meaning with theory = '''//theory// &
+               ''', needed: &model theory = ''maugis_dugdale''', problems)
+         end if
+      end do
+   end subroutine check_theory
+
+   !> Place of a variable of the model among the free ones; 0 if it is not free.
+   pure integer function find_free(model, frees, name)
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> The free variables.
+      type(free_t), intent(in) :: frees(:)
+      !> Name of the variable.
+      character(*), intent(in) :: name
+      integer :: i
+
+      find_free = 0
+      do i = 1, size(frees)
+         if (frees(i)%variable == 0) cycle
+         if (model%variables(frees(i)%variable)%name == name) find_free = i
+      end do
+   end function find_free
+
+end module adfric_input_fit_identity

@@ -1,0 +1,105 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The points of a `&data` group from a table of text.
+module adfric_input_fit_table
+   use adfric_base_error, only: error_t
+   use adfric_base_kinds, only: dp
+   use adfric_input_csv_table, only: csv_table_t, open_csv_table
+   use adfric_input_fit_data_group, only: data_group_t
+   use adfric_input_fit_points, only: columns_t, find_flaw
+   use adfric_base_unset, only: is_set
+   use adfric_model_model, only: model_t
+   implicit none (type, external)
+   private
+   public :: read_table_columns, is_wanted
+
+contains
+
+   !> Read the columns of a table.
+   subroutine read_table_columns(group, model, columns, variable, flaw)
+      !> The `&data` group.
+      class(data_group_t), intent(in) :: group
+      !> The model, which names abscissa and ordinate.
+      class(model_t), intent(in) :: model
+      !> Receives the columns in SI units.
+      type(columns_t), intent(out) :: columns
+      !> Variable of the group that a flaw is one of.
+      character(:), allocatable, intent(out) :: variable
+      !> What is wrong, what was given, what is allowed; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+      type(csv_table_t) :: table
+      type(error_t), allocatable :: error
+
+      flaw = ''
+      variable = 'file'
+      call open_csv_table(table, group%file, error)
+      if (allocated(error)) then
+         flaw = error%message
+         return
+      end if
+      call take(table, group%abscissa_column, model%variables(group%data_set%abscissa)%name, .true., group%x_unit, columns%x, &
+         'abscissa_column', variable, flaw)
+      call take(table, group%ordinate_column, model%results(group%data_set%ordinate)%name, .true., group%y_unit, columns%y, &
+         'ordinate_column', variable, flaw)
+      if (.not. (is_set(group%sigma) .or. is_set(group%relative_sigma))) call take(table, group%sigma_column, 'sigma', .false., &
+         group%y_unit, columns%sigma, 'sigma_column', variable, flaw)
+      call take(table, group%abscissa_sigma_column, '', .false., group%x_unit, columns%x_sigma, 'abscissa_sigma_column', variable, &
+         flaw)
+      call take(table, group%branch_column, 'branch', .false., '-', columns%branch, 'branch_column', variable, flaw)
+      if (.not. (allocated(group%branch_column) .or. allocated(columns%branch))) call take(table, group%branch_column, 'contact', &
+         .false., '-', columns%branch, 'branch_column', variable, flaw)
+      call take(table, group%segment_column, 'segment', .false., '-', columns%segment, 'segment_column', variable, flaw)
+      if (len(flaw) > 0) return
+      variable = 'file'
+      call find_flaw(columns, flaw)
+      if (len(flaw) > 0) flaw = group%file//': '//flaw
+   end subroutine read_table_columns
+
+   !> Take a column: that of the name that is given, else that of its usual name if it is there.
+   subroutine take(table, given, usual, is_needed, unit, values, of_variable, variable, flaw)
+      !> The table.
+      type(csv_table_t), intent(in) :: table
+      !> Name that is given; not allocated if none is, empty if no column is wanted.
+      character(:), allocatable, intent(in) :: given
+      !> Usual name of the column; empty if it has none.
+      character(*), intent(in) :: usual
+      !> Must the column be there?
+      logical, intent(in) :: is_needed
+      !> SI unit that is wanted.
+      character(*), intent(in) :: unit
+      !> Receives the values; not allocated if there is no column.
+      real(dp), allocatable, intent(inout) :: values(:)
+      !> Variable of the group that names the column.
+      character(*), intent(in) :: of_variable
+      !> Receives that variable, if something is wrong.
+      character(:), allocatable, intent(inout) :: variable
+      !> What is wrong; nothing is done if something is wrong already.
+      character(:), allocatable, intent(inout) :: flaw
+      type(error_t), allocatable :: error
+      character(:), allocatable :: name
+
+      if (len(flaw) > 0) return
+      if (.not. is_wanted(given, is_needed, len(usual) > 0 .and. table%index_of(usual) > 0)) return
+      name = usual
+      if (allocated(given)) then
+         if (len(given) > 0) name = given
+      end if
+      call table%take_column(name, unit, values, error)
+      if (.not. allocated(error)) return
+      variable = of_variable
+      flaw = error%message
+   end subroutine take
+
+   !> Is a column wanted: by its name, because it is needed, or because it is there?
+   pure logical function is_wanted(given, is_needed, is_there)
+      !> Name that is given; not allocated if none is, empty if no column is wanted.
+      character(:), allocatable, intent(in) :: given
+      !> Must the column be there?
+      logical, intent(in) :: is_needed
+      !> Is there a column of the usual name?
+      logical, intent(in) :: is_there
+
+      is_wanted = is_needed .or. (is_there .and. .not. allocated(given))
+      if (allocated(given)) is_wanted = is_wanted .or. len(given) > 0
+   end function is_wanted
+
+end module adfric_input_fit_table

@@ -1,0 +1,242 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The values of the groups that an input of `adfric fit` has beside those of its model.
+module adfric_input_fit_values
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_text
+   use adfric_input_fit_rows, only: find_fit_row, list_fit_names
+   use adfric_input_item, only: item_t, next_item, take_only_word
+   use adfric_input_literal, only: convert
+   use adfric_input_namelist_file, only: namelist_file_t
+   use adfric_input_number_list, only: read_list
+   use adfric_input_variable, only: describe_allowed, find_outlier, read_variable
+   use adfric_input_vocabulary, only: report_unknown_names
+   use adfric_model_table, only: variable_t
+   implicit none (type, external)
+   private
+   public :: reader_t, new_reader
+
+   !> Most numbers of a list.
+   integer, parameter :: most_numbers = 20
+
+   !> Reads the values of one group.
+   type :: reader_t
+      !> Number of the group in the file, from 1.
+      integer :: group = 0
+      !> Name of the group, without `&`.
+      character(:), allocatable :: name
+      !> Rows of all groups of a fit.
+      type(variable_t), allocatable :: rows(:)
+   contains
+      procedure :: has
+      procedure :: read_number
+      procedure :: read_whole
+      procedure :: read_numbers
+      procedure :: read_text
+      procedure :: read_texts
+      procedure :: report
+      procedure :: report_missing
+   end type reader_t
+
+contains
+
+   !> Begin with a group: names that it does not have are reported.
+   subroutine new_reader(self, file, group, rows, problems)
+      !> Receives the group.
+      type(reader_t), intent(out) :: self
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the group in the file, from 1.
+      integer, intent(in) :: group
+      !> Rows of all groups of a fit.
+      type(variable_t), intent(in) :: rows(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      self%group = group
+      self%name = trim(file%groups(group)%name)
+      self%rows = rows
+      call report_unknown_names(file, group, list_fit_names(rows, self%name), problems)
+   end subroutine new_reader
+
+   !> Is a variable given?
+   logical function has(self, file, name)
+      !> The group.
+      class(reader_t), intent(in) :: self
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Name of the variable.
+      character(*), intent(in) :: name
+
+      has = file%find_assignment(self%group, name) > 0
+   end function has
+
+   !> Read a number, or a choice as its place; the default where it is not given, or wrong.
+   subroutine read_number(self, file, name, value, problems)
+      !> The group.
+      class(reader_t), intent(in) :: self
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Name of the variable.
+      character(*), intent(in) :: name
+      !> Receives the number.
+      real(dp), intent(out) :: value
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: flaw
+      integer :: number, place
+
+      associate (row => self%rows(find_fit_row(self%rows, self%name, name)))
+         value = row%default
+         number = file%find_assignment(self%group, name)
+         if (number == 0) return
+         call read_variable(file%value_of(number), row, value, flaw, place)
+         if (len(flaw) > 0) call file%report_variable(problems, self%group, name, flaw, place)
+      end associate
+   end subroutine read_number
+
+   !> Read a whole number, or a choice as its place.
+   subroutine read_whole(self, file, name, value, problems)
+      !> The group.
+      class(reader_t), intent(in) :: self
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Name of the variable, which has a default.
+      character(*), intent(in) :: name
+      !> Receives the number.
+      integer, intent(out) :: value
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      real(dp) :: number
+
+      call self%read_number(file, name, number, problems)
+      value = nint(number)
+   end subroutine read_whole
+
+   !> Read a list of numbers.
+   subroutine read_numbers(self, file, name, values, problems)
+      !> The group.
+      class(reader_t), intent(in) :: self
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Name of the variable.
+      character(*), intent(in) :: name
+      !> In: the default. Out: the numbers that are given.
+      real(dp), allocatable, intent(inout) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      real(dp), allocatable :: given(:)
+      character(:), allocatable :: flaw
+      integer :: number, place, first
+
+      number = file%find_assignment(self%group, name)
+      if (number == 0) return
+      associate (row => self%rows(find_fit_row(self%rows, self%name, name)))
+         call read_list(file%value_of(number), given, flaw, place, most_numbers)
+         if (len(flaw) > 0) flaw = flaw//', allowed: '//describe_allowed(row)
+         if (len(flaw) == 0) call find_outlier(given, row, first, flaw)
+      end associate
+      if (len(flaw) > 0) then
+         call file%report_variable(problems, self%group, name, flaw)
+      else
+         values = given
+      end if
+   end subroutine read_numbers
+
+   !> Read a text.
+   subroutine read_text(self, file, name, text, problems)
+      !> The group.
+      class(reader_t), intent(in) :: self
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Name of the variable.
+      character(*), intent(in) :: name
+      !> Receives the text; not allocated where none is given, or something is wrong.
+      character(:), allocatable, intent(out) :: text
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: quoted, given, flaw
+      integer :: number, place
+
+      number = file%find_assignment(self%group, name)
+      if (number == 0) return
+      call take_only_word(file%value_of(number), quoted, flaw, place)
+      if (len(flaw) == 0) call convert(quoted, given, flaw)
+      if (len(flaw) > 0) then
+         call file%report_variable(problems, self%group, name, flaw//', allowed: a text in quotes', place)
+      else
+         text = given
+      end if
+   end subroutine read_text
+
+   !> Read several words.
+   subroutine read_texts(self, file, name, words, problems)
+      !> The group.
+      class(reader_t), intent(in) :: self
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Name of the variable.
+      character(*), intent(in) :: name
+      !> Receives the words, separated by a blank; empty where none is given, or something is wrong.
+      character(:), allocatable, intent(out) :: words
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      type(item_t) :: item
+      character(:), allocatable :: text, word, flaw
+      integer :: number, position
+
+      words = ''
+      number = file%find_assignment(self%group, name)
+      if (number == 0) return
+      text = file%value_of(number)
+      position = 1
+      do
+         call next_item(text, position, item, flaw)
+         if (item%first == 0 .and. len(flaw) == 0) exit
+         if (len(flaw) == 0) call convert(text(item%first:item%last), word, flaw)
+         if (len(flaw) == 0) then
+            if (len_trim(word) == 0 .or. index(trim(word), ' ') > 0) flaw = 'not a word, given '''//show_text(word)//''''
+         end if
+         if (len(flaw) > 0) then
+            call file%report_variable(problems, self%group, name, flaw//', allowed: words in quotes')
+            words = ''
+            return
+         end if
+         words = trim(adjustl(words//' '//word))
+      end do
+   end subroutine read_texts
+
+   !> Add a problem of a variable of the group.
+   subroutine report(self, file, name, text, problems)
+      !> The group.
+      class(reader_t), intent(in) :: self
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Name of the variable; empty for the group.
+      character(*), intent(in) :: name
+      !> What is wrong, what was given, what is allowed.
+      character(*), intent(in) :: text
+      !> Receives the problem.
+      type(problems_t), intent(inout) :: problems
+
+      call file%report_variable(problems, self%group, name, text)
+   end subroutine report
+
+   !> Report that a variable is not given, unless something in the group made no sense.
+   subroutine report_missing(self, file, name, problems)
+      !> The group.
+      class(reader_t), intent(in) :: self
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Name of the variable.
+      character(*), intent(in) :: name
+      !> Receives the problem.
+      type(problems_t), intent(inout) :: problems
+
+      if (file%groups(self%group)%is_garbled .or. self%has(file, name)) return
+      associate (row => self%rows(find_fit_row(self%rows, self%name, name)))
+         call file%report_variable(problems, self%group, name, 'not given, needed: '//row%meaning//', '//describe_allowed(row))
+      end associate
+   end subroutine report_missing
+
+end module adfric_input_fit_values

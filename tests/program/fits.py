@@ -1,0 +1,385 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""adfric fit through the command line: the reference sets, stacks in parts, and what is refused."""
+
+import csv
+import sys
+import unittest
+import warnings
+from pathlib import Path
+
+import h5py
+import numpy as np
+import xarray as xr
+
+sys.path.insert(0, str(Path(__file__).parent))
+from runs import Runs  # noqa: E402
+
+SOURCE = Path(__file__).resolve().parents[2]
+SETS = SOURCE / "tests/reference/fit"
+MAP = SETS / "map_jkr_a.h5"
+# of chi2, absolute; of estimates in standard errors; of standard errors, relative
+CHI2, ESTIMATE, ERROR = 1e-6, 1e-4, 1e-4
+
+FRICTION = """
+&job model = 'sphere', output = 'run.h5' /
+&sphere radius = 140e-9, contact_modulus = 44e9 /
+&model theory = 'maugis_dugdale' /
+&data file = '{file}', abscissa = 'load', ordinate = 'friction_force', abscissa_sigma_column = 'sigma_load' /
+&free variable = 'work_of_adhesion' /
+&free variable = 'shear_strength' /
+&free variable = 'lambda' /
+"""
+AREA = """
+&job model = 'sphere', output = 'run.h5' /
+&sphere radius = 1e-3 /
+&model theory = 'jkr' /
+&data file = '{file}', abscissa = 'load', ordinate = 'contact_area' /
+&free variable = 'work_of_adhesion' /
+&free variable = 'contact_modulus' /
+"""
+STACK = """
+&job model = 'sphere', output = 'run.h5' /
+&sphere radius = 5e-6 /
+&model theory = 'jkr' /
+&data file = '{file}:/load', abscissa = 'approach', abscissa_column = 'position', ordinate = 'load', sigma = 2e-10, spring_stiffness = 0.05 /
+&free variable = 'work_of_adhesion' /
+&free variable = 'contact_modulus' /
+&free variable = 'contact_point' /
+&free variable = 'load_offset' /
+"""
+# a small case in which each mistake is made
+SMALL = """
+&job model = 'sphere', output = 'run.h5' /
+&sphere radius = 140e-9, contact_modulus = 44e9, work_of_adhesion = 0.19 /
+&model theory = 'jkr' /
+&data file = 'tip.csv', abscissa = 'load', ordinate = 'friction_force' /
+&free variable = 'shear_strength' /
+"""
+TABLE = "load,friction_force,sigma\n-1e-8,3e-7,3e-9\n0,3.1e-7,3e-9\n1e-8,3.3e-7,3e-9\n2e-8,nan,3e-9\n"
+
+
+def answers_of(name):
+    """What a reference set gives, by quantity and word, of its first fit."""
+    found = {}
+    with open(SETS / f"{name}_answers.csv") as file:
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
+            if row["fit"] == "1":
+                found.setdefault((row["quantity"], row["first"]), row["value"])
+    return found
+
+
+class Fits(Runs):
+    def fit(self, text, *options, **more):
+        """Fit an input; its results file as a dictionary."""
+        self.write(text)
+        self.run_program("fit", "--force", "run.nml", *options, **more)
+        return self.read("run.h5")
+
+    def read(self, name):
+        with h5py.File(self.folder / name) as file:
+            return {key: data[()] for key, data in file.items() if isinstance(data, h5py.Dataset)}
+
+
+class Sets(Fits):
+    """Reference sets, one fit each; `tests/fit` has all of them."""
+
+    def check(self, name, text, frees):
+        results, answers = self.fit(text.format(file=SETS / f"{name}.csv")), answers_of(name)
+        self.assertEqual(int(results["status"]), 0)
+        self.assertAlmostEqual(float(results["chi2"]), float(answers["chi2", ""]), delta=CHI2)
+        for free in frees:
+            error = float(answers["error", free])
+            self.assertLess(abs(float(results[free]) - float(answers["estimate", free])), ESTIMATE * error, free)
+            self.assertLess(abs(float(results[f"{free}_error"]) / error - 1), ERROR, free)
+        return results
+
+    def test_friction(self):
+        """Errors of the load, the latent form."""
+        results = self.check("friction_md_lambda0.8_noise1_a", FRICTION, ("work_of_adhesion", "shear_strength", "lambda"))
+        self.assertEqual(results["fitted"].shape, (80,))
+        self.assertEqual(results["covariance"].shape, (3, 3))
+        np.testing.assert_allclose(np.sqrt(np.diag(results["covariance"]))[0], results["work_of_adhesion_error"], rtol=1e-12)
+
+    def test_area(self):
+        self.check("area_jkr_a", AREA, ("work_of_adhesion", "contact_modulus"))
+
+    def test_two_sets(self):
+        """Friction and area together tell the modulus from the strength; both alone do not."""
+        table = SETS / "joint_friction_area_a.csv"
+        text = FRICTION.format(file=table).replace(", abscissa_sigma_column = 'sigma_load'", "").replace(", contact_modulus = 44e9", "")
+        text += f"&data file = '{SETS}/joint_friction_area_a_area.csv', abscissa = 'load', ordinate = 'friction_area', "
+        text += "ordinate_column = 'contact_area' /\n&event kind = 'pull_off_load', value = -1.3834167846086491e-07, sigma = 1.36529e-09 /\n"
+        results = self.fit(text + "&free variable = 'contact_modulus' /\n")
+        self.assertAlmostEqual(float(results["chi2"]), 86.66686746177017, delta=CHI2)
+        self.assertEqual({"ordinate_1", "ordinate_2", "residual_2", "curve_1"} - set(results), set())
+
+    def test_wavy(self):
+        """Any model, any variable."""
+        text = ("&job model = 'wavy_sliding', output = 'run.h5' /\n&surface kind = 'wave_2d', period = 1e-4, height = 1e-5 /\n"
+                "&foundation retardation_ratio = 10 /\n&operating load = 12 /\n"
+                "&data file = '{file}', abscissa = 'velocity', ordinate = 'friction_force' /\n"
+                "&free variable = 'stiffness' /\n&free variable = 'relaxation_time' /\n")
+        self.check("velocity_gm_a", text, ("stiffness", "relaxation_time"))
+
+    def test_units(self):
+        """A table in nanonewtons gives what one in newtons does."""
+        lines = (SETS / "friction_models_lambda0.8_a.csv").read_text().splitlines()
+        rows = [[float(word) for word in line.split(",")] for line in lines if line[0] in "-0123456789"]
+        self.write("load [nN],friction_force [nN],sigma [nN]\n" + "".join(",".join(repr(x * 1e9) for x in row) + "\n" for row in rows), "tip.csv")
+        text = FRICTION.replace(", abscissa_sigma_column = 'sigma_load'", "")
+        first, second = self.fit(text.format(file="tip.csv")), self.fit(text.format(file=SETS / "friction_models_lambda0.8_a.csv"))
+        np.testing.assert_allclose(first["ordinate"], second["ordinate"], rtol=1e-15)
+        np.testing.assert_allclose(first["lambda"], second["lambda"], rtol=1e-6)
+
+    def test_table_on_the_screen(self):
+        """Each variable with its error; both minima; the theory that is as good."""
+        self.write((SOURCE / "inputs/fit_friction.nml").read_text().replace("fit_friction.csv", str(SOURCE / "inputs/fit_friction.csv")))
+        output, _ = self.run_program("fit", "run.nml", "--output", "run.h5")
+        for words in ("standard error", "lambda", "0.21 to 0.24 or >= ", "another minimum", "theory jkr", "as good", "80 used, 0 left out",
+                      "warning: the range of adhesion"):
+            self.assertIn(words, output)
+        results = self.read("run.h5")
+        self.assertEqual(results["interval"].shape[:2], (3, 2))
+        self.assertEqual(results["second_curve"].shape, results["curve"].shape)
+        self.assertEqual([word.decode() for word in results["theory_name"]], ["jkr", "dmt"])
+        with h5py.File(self.folder / "run.h5") as file:
+            self.assertIn("as they were given", file["covariance"].attrs["long_name"])
+            self.assertEqual(file.attrs["dataset_data"].split("/")[-1], "fit_friction.csv")
+            self.assertEqual(len(file.attrs["checksum_data"]), 16)
+
+    def test_beside_the_input(self):
+        """A file that is not found from here is looked for beside the input."""
+        self.run_program("fit", "--quiet", str(SOURCE / "inputs/fit_velocity.nml"), "--output", "run.h5")
+        self.assertEqual(int(self.read("run.h5")["points_used"]), 61)
+
+    def test_open_by_xarray(self):
+        """Labels of the variables, no warnings."""
+        self.fit(FRICTION.format(file=SETS / "friction_md_lambda0.8_noise1_a.csv") + "&fit intervals = 'profile' /\n")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with xr.open_dataset(self.folder / "run.h5", engine="h5netcdf") as data:
+                self.assertEqual(data.correlation.sel(variable="lambda", other_variable="work_of_adhesion").shape, ())
+                self.assertEqual(data.interval.dims, ("variable", "level", "piece", "end"))
+                self.assertEqual(data.curve.dims, ("curve_x",))
+                self.assertEqual(data.lambda_profile.dims, ("lambda_profile_value",))
+
+    def test_complete(self):
+        """A fit that is complete is not made again."""
+        self.fit(AREA.format(file=SETS / "area_jkr_a.csv"))
+        before = self.snapshot("run.h5")
+        output, _ = self.run_program("fit", "--resume", "run.nml")
+        self.assertIn("complete already", output)
+        self.assert_same(before, self.snapshot("run.h5"))
+        self.write(AREA.format(file=SETS / "area_jkr_a.csv").replace("&free variable = 'contact_modulus'", "&free variable = 'contact_modulus', prior = 2e6, prior_sigma = 0.1"))
+        self.run_program("fit", "--resume", "run.nml", status=3)
+
+
+class Stacks(Fits):
+    """A map of 144 curves."""
+
+    def test_map(self):
+        results = self.fit(STACK.format(file=MAP))
+        with h5py.File(MAP) as file:
+            expected = {key: data[()] for key, data in file["expected"].items()}
+        self.assertTrue(np.array_equal(results["status"], expected["status"]))
+        self.assertEqual(int((results["status"] == 0).sum()), 141)
+        np.testing.assert_allclose(results["chi2"], expected["chi2"], atol=CHI2, equal_nan=True)
+        for name in ("work_of_adhesion", "contact_modulus", "contact_point", "load_offset"):
+            difference = np.abs(results[name] - expected[name]) / expected[f"{name}_error"]
+            self.assertLess(np.nanmax(difference), ESTIMATE, name)
+            self.assertTrue(np.array_equal(np.isnan(results[name]), expected["status"] != 0), name)
+
+    def test_bits(self):
+        """Threads, parts and resumed runs change no bit."""
+        self.write(STACK.format(file=MAP))
+        self.run_program("fit", "--quiet", "run.nml", "--output", "whole.h5", threads=1)
+        whole = self.snapshot("whole.h5")
+        self.run_program("fit", "--quiet", "run.nml", "--output", "two.h5", threads=2)
+        self.assert_same(whole, self.snapshot("two.h5"))
+        for number in (1, 2, 3):
+            self.run_program("fit", "--quiet", "run.nml", "--shard", f"{number}/3", threads=1 + number % 2)
+        self.run_program("merge", "all.h5", *(f"run.part-{number:04}-of-0003.h5" for number in (3, 1, 2)))
+        self.assert_same(whole, self.snapshot("all.h5"))
+        # a part without its last states is a run that was stopped
+        (self.folder / "two.h5").rename(self.folder / "run.h5.partial")
+        with h5py.File(self.folder / "run.h5.partial", "r+") as file:
+            file["status"][6:] = -1
+        self.run_program("fit", "--quiet", "--resume", "run.nml")
+        self.assert_same(whole, self.snapshot("run.h5"))
+
+    def test_one_curve(self):
+        """A curve of the map alone, and all curves as one fit."""
+        with h5py.File(MAP) as file, h5py.File(self.folder / "one.h5", "w") as one:
+            for name in ("load", "contact"):
+                one[name] = file[name][0, 0]
+            one["position"] = file["position"][()]
+        results = self.fit(STACK.format(file="one.h5"))
+        with h5py.File(MAP) as file:
+            self.assertAlmostEqual(float(results["chi2"]), float(file["expected/chi2"][0, 0]), delta=CHI2)
+        self.assertEqual(results["fitted"].shape, (100,))
+        self.assertEqual(results["branch"].sum() > 0, True)
+
+    def test_together(self):
+        with h5py.File(MAP) as file, h5py.File(self.folder / "two.h5", "w") as two:
+            for name in ("load", "contact"):
+                two[name] = np.stack([file[name][0, 0]] * 2)
+            two["position"] = file["position"][()]
+        each = self.fit(STACK.format(file="two.h5"))
+        together = self.fit(STACK.format(file="two.h5") + "&fit curves = 'together' /\n")
+        np.testing.assert_allclose(each["chi2"][0], each["chi2"][1], rtol=0)
+        np.testing.assert_allclose(together["chi2"], 2 * each["chi2"][0], rtol=1e-8)
+        np.testing.assert_allclose(together["contact_modulus_error"], each["contact_modulus_error"][0] / np.sqrt(2), rtol=1e-4)
+
+    def test_shapes(self):
+        """Columns of another shape, a missing one, and a unit of another quantity."""
+        with h5py.File(self.folder / "bad.h5", "w") as bad:
+            bad["load"] = np.zeros((3, 5))
+            bad["position"] = np.zeros(4)
+        self.write(STACK.format(file="bad.h5"))
+        _, errors = self.run_program("fit", "run.nml", status=2)
+        self.assertIn("&data[1] abscissa_column: bad.h5: the shape is not that of the ordinate, given 4, allowed: 3 x 5 or 5", errors)
+        with h5py.File(self.folder / "bad.h5", "r+") as bad:
+            del bad["position"]
+        _, errors = self.run_program("fit", "run.nml", status=2)
+        self.assertIn("there is no dataset /position in the file", errors)
+        with h5py.File(self.folder / "bad.h5", "r+") as bad:
+            bad["position"] = np.zeros(5)
+            bad["position"].attrs["units"] = "N"
+        _, errors = self.run_program("fit", "run.nml", status=2)
+        self.assertIn("are of another quantity, allowed: units of [m]", errors)
+
+
+class Refusals(Fits):
+    """Mistakes in the input and in the data: one line, exit status 2, nothing written."""
+
+    CASES = (
+        ("ordinate = 'friction_force'", "ordinate = 'friction_forc'", "&data[1] ordinate: unknown result", "did you mean 'friction_force'?"),
+        ("ordinate = 'friction_force'", "ordinate = 'theory_used'", "&data[1] ordinate: a state, or what is found by counting"),
+        ("abscissa = 'load'", "abscissa = 'laod'", "&data[1] abscissa: unknown variable", "did you mean 'load'?"),
+        ("abscissa = 'load'", "abscissa = 'theory'", "&data[1] abscissa: not a number"),
+        ("abscissa = 'load'", "abscissa = 'radius'", "abscissa: radius is given twice, here and in &sphere"),
+        ("abscissa = 'load', ", "", "&data[1] abscissa: not given, needed"),
+        ("abscissa = 'load'", "abscissa = 'load', absissa_column = 'load'", "absissa_column: unknown variable", "did you mean 'abscissa_column'?"),
+        ("abscissa = 'load'", "abscissa = 'load', abscissa_column = 'laod'", "abscissa_column: tip.csv: unknown column, given laod", "did you mean load?"),
+        ("'tip.csv'", "'tap.csv'", "&data[1] file: tap.csv: cannot open the table"),
+        ("'tip.csv'", "'tip.csv:/load'", "the file is no HDF5 file"),
+        ("abscissa = 'load'", "abscissa = 'load', sigma = 1e-9, relative_sigma = 0.1", "relative_sigma: contradicts sigma"),
+        ("abscissa = 'load'", "abscissa = 'load', sigma = -1", "&data[1] sigma: out of range, given -1"),
+        ("abscissa = 'load'", "abscissa = 'load', from = 1, to = 0", "&data[1] to: no range"),
+        ("abscissa = 'load'", "abscissa = 'load', from = 1", "&data[1] file: no point can be used, given 4 points in tip.csv, 1 of them without"),
+        ("abscissa = 'load'", "abscissa = 'load', loss_width = 2", "loss_width: has no meaning"),
+        ("abscissa = 'load'", "abscissa = 'load', loss = 'hubert'", "unknown choice", "did you mean 'huber'?"),
+        ("abscissa = 'load'", "abscissa = 'load', sigma_column = '', loss = 'huber'", "loss: needs standard errors"),
+        ("variable = 'shear_strength'", "variable = 'shear_strenth'", "&free[1] variable: unknown variable", "did you mean 'shear_strength'?"),
+        ("variable = 'shear_strength'", "variable = 'radius'", "radius is given twice, here and in &sphere in line 3"),
+        ("variable = 'shear_strength'", "variable = 'theory'", "no real number"),
+        ("variable = 'shear_strength'", "variable = 'load'", "load is the abscissa of &data[1]"),
+        ("variable = 'shear_strength'", "variable = 'data[2]%load_offset'", "no &data of this number"),
+        ("variable = 'shear_strength'", "variable = 'data%load_ofset'", "unknown variable of a measurement", "did you mean 'load_offset'?"),
+        ("variable = 'shear_strength'", "variable = 'shear_strength', start = -1", "&free[1] start: out of range, given -1"),
+        ("variable = 'shear_strength'", "variable = 'shear_strength', start = 1e9, maximum = 1e8", "start: above the maximum"),
+        ("variable = 'shear_strength'", "variable = 'shear_strength', minimum = 2, maximum = 1", "maximum: no range"),
+        ("variable = 'shear_strength'", "variable = 'shear_strength', prior = 1e9", "prior_sigma: not given, needed: prior and prior_sigma together"),
+        ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&free variable = 'shear_strength' /",
+         "&free[2] variable: shear_strength is free twice"),
+        ("&free variable = 'shear_strength' /", "", "&free: the group is missing"),
+        ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&sweep variable = 'load', values = 1 /", "unknown group"),
+        ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&event kind = 'pull_off', value = 1, sigma = 1 /",
+         "&event[1] kind: unknown choice", "did you mean 'pull_off_load'?"),
+        ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&event kind = 'pull_off_load', value = 1 /",
+         "&event[1] sigma: not given"),
+        ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&fit theories = 'jrk' /", "unknown theory", "did you mean 'jkr'?"),
+        ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&fit levels = 0.95, 1.2 /", "&fit levels: out of range"),
+        # what the data cannot say, whatever the noise
+        ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&free variable = 'lateral_gain' /",
+         "lateral_gain and shear_strength are one number"),
+        ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&free variable = 'contact_point' /", "contact_point has no effect"),
+        ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&free variable = 'lambda' /", "lambda has no meaning with theory = 'jkr'"),
+    )
+
+    def test_inputs(self):
+        self.write(TABLE, "tip.csv")
+        for old, new, *words in self.CASES:
+            with self.subTest(new=new, words=words):
+                self.assertIn(old, SMALL)
+                self.write(SMALL.replace(old, new))
+                process = self.start("fit", "run.nml")
+                output, errors = process.communicate(timeout=60)
+                self.assertEqual((process.returncode, output), (2, ""), errors)
+                for word in words:
+                    self.assertIn(word, errors)
+                self.assertTrue(all(line.startswith("run.nml: ") for line in errors.splitlines()), errors)
+                self.assertFalse((self.folder / "run.h5").exists())
+
+    def test_modulus_and_strength(self):
+        """The null vector 2 : 3 is known before anything is solved; a prior, or an area, mends it."""
+        text = SMALL.replace(", contact_modulus = 44e9", "") + "&free variable = 'contact_modulus' /\n"
+        self.write(TABLE, "tip.csv")
+        self.write(text)
+        _, errors = self.run_program("fit", "run.nml", status=2)
+        self.assertIn("&free[2] variable: contact_modulus and shear_strength cannot both be known", errors)
+        self.write(text.replace("variable = 'contact_modulus'", "variable = 'contact_modulus', prior = 44e9, prior_sigma = 0.1"))
+        self.run_program("check", "--quiet", "run.nml")
+
+    def test_tables(self):
+        """Units, numbers, branches and errors of points."""
+        self.write(SMALL)
+        for table, words in ((TABLE.replace("load,", "load [nm],"), "of another quantity"),
+                             (TABLE.replace("load,", "load [lbf],"), "are not known"),
+                             (TABLE.replace("3.1e-7", "abc"), "column friction_force: not a number, given abc"),
+                             (TABLE.replace("3.1e-7,3e-9", "3.1e-7,0"), "the standard error of the ordinate of point 2 is none"),
+                             ("load,friction_force,contact\n1e-8,3e-7,2\n2e-8,3e-7,1\n", "the branch of point 1 is neither, given 2"),
+                             ("load,friction_force,contact\n1e-8,3e-7,0\n2e-8,3e-7,0\n", "no point is in contact"),
+                             ("load,friction_force\n1e-8,nan\n2e-8,\n", "no point can be used"),
+                             ("load,friction_force\n1e-8,3e-7\n", "too few points, given 1"),
+                             ("load,friction_force\n", "no rows")):
+            with self.subTest(words=words):
+                self.write(table, "tip.csv")
+                _, errors = self.run_program("fit", "run.nml", status=2)
+                self.assertTrue(errors.startswith("run.nml: &data[1] "), errors)
+                self.assertIn(words, errors)
+
+    def test_commands(self):
+        """Each command has its inputs; a single fit has no parts."""
+        self.write(TABLE, "tip.csv")
+        self.write(SMALL)
+        _, errors = self.run_program("run", "run.nml", status=2)
+        self.assertIn("the input is that of a fit, needed: adfric fit run.nml", errors)
+        _, errors = self.run_program("fit", "run.nml", "--shard", "1/2", status=2)
+        self.assertIn("a single fit has no parts", errors)
+        self.write("&job model = 'hertz', output = 'run.h5' /\n", "other.nml")
+        _, errors = self.run_program("fit", "other.nml", status=2)
+        self.assertIn("&data: the group is missing, the input is that of a run", errors)
+        self.write(SMALL.replace("run.h5", "tip.csv"))
+        _, errors = self.run_program("fit", "run.nml", status=2)
+        self.assertIn("the results would replace the data", errors)
+
+    def test_check(self):
+        """Points, branches, starts and S at the start, and nothing written."""
+        self.write(TABLE, "tip.csv")
+        self.write(SMALL)
+        output, _ = self.run_program("check", "run.nml")
+        for words in ("friction_force against load", "3 of 4 points, 1 without a number", "a standard error for each point",
+                      "free shear_strength", "S at the start", "fits                        1"):
+            self.assertIn(words, output)
+        self.assertEqual(self.names(), ["run.nml", "tip.csv"])
+
+    def test_no_answer(self):
+        """What the data do not see is found by the fit: exit status 1, the direction in words, no estimates."""
+        self.write("&job model = 'wavy_sliding', output = 'run.h5' /\n&surface kind = 'wave_2d', period = 1e-4, height = 1e-5 /\n"
+                   f"&operating load = 12 /\n&data file = '{SETS}/velocity_gm_a.csv', abscissa = 'velocity', ordinate = 'friction_force' /\n"
+                   "&free variable = 'stiffness' /\n&free variable = 'relaxation_time' /\n&free variable = 'retardation_ratio' /\n")
+        process = self.start("fit", "run.nml")
+        output, errors = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, errors), (1, ""))
+        self.assertIn("not in the data               whatever changes together as", output)
+        results = self.read("run.h5")
+        self.assertEqual(int(results["status"]), 3)
+        self.assertTrue(np.isnan(results["stiffness"]))
+        # the height of the peak has both, its place the time alone
+        direction = np.abs(results["null_vector"]) > 1e-3
+        self.assertEqual(direction.tolist(), [True, False, True])
+
+
+if __name__ == "__main__":
+    unittest.main()
