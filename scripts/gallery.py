@@ -27,6 +27,9 @@ WIDTH, COLOURS = 760, 64
 MOST_LETTERS = 420
 KEY = "made-from"
 COMMAND = re.compile(r"scripts/((?:make_\w+|import_surface)\b[^\n]*)")
+# an input whose results another one fits, and what tells a fit from a run
+RUN_BEFORE = re.compile(r"adfric run inputs/(\w+)\.nml")
+FIT = re.compile(r"^\s*&free\b", re.MULTILINE | re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -65,6 +68,8 @@ AREAS = {
         one("sphere_pressure_factor", options="--y friction_force stick_radius slip"), one("stick_slip", options="--y friction_force contact_radius slip"),
         one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr"),
         one("sphere_pull_off_edge"), one("sphere_sample"), one("sphere_uncertain")),
+    "Fits of measured data": (
+        one("fit_friction"), one("fit_johnson1997_fig5"), one("fit_force_distance"), one("fit_velocity"), one("fit_map")),
     "Indenters": (
         one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_flat_cone"),
         one("indenter_rounded_cone"), one("indenter_rounded_punch"), one("indenter_polynomial"), one("indenter_slip"), one("indenter_friction"), one("indenter_interaction"), one("indenter_peeling"), one("indenter_hysteresis"), one("indenter_fretting"), one("indenter_spring"), one("indenter_pull_off"),
@@ -164,14 +169,17 @@ def run(entry, name):
     # data and results may have one name
     (folder / "results").mkdir(parents=True, exist_ok=True)
     results, stamp = folder / f"results/{name}.h5", folder / f"results/{name}.made_from"
-    made_from = digest_of(text_of(name), *commands_of(entry))
+    made_from = digest_of(text_of(name), *map(text_of, RUN_BEFORE.findall(text_of(name))), *commands_of(entry))
     if results.exists() and stamp.exists() and stamp.read_text() == made_from:
         return results
     for command in commands_of(entry):
         call([ROOT / "scripts" / shlex.split(command)[0], *shlex.split(command)[1:], *(["--force"] if command.startswith("import") else [])],
              folder)
+    for before in RUN_BEFORE.findall(text_of(name)):
+        call([ROOT / "build/release/adfric", "run", "--quiet", "--force", INPUTS / f"{before}.nml"], folder, (0, 1))
     print(f"gallery: {name}", flush=True)
-    call([ROOT / "build/release/adfric", "run", "--quiet", "--force", "--output", results, INPUTS / f"{name}.nml"], folder, (0, 1))
+    command = "fit" if FIT.search(text_of(name)) else "run"
+    call([ROOT / "build/release/adfric", command, "--quiet", "--force", "--output", results, INPUTS / f"{name}.nml"], folder, (0, 1))
     stamp.write_text(made_from)
     return results
 
@@ -235,6 +243,7 @@ def page():
             lines += [f"### {title_of(entry.name)}", "", f"{links}: {plain(head_of(entry.name))}", "",
                       f"![{title_of(entry.name)}](gallery/{entry.name}.png)", ""]
             commands = [f"scripts/{command}" for command in commands_of(entry)]
+            commands += [f"build/release/adfric run inputs/{before}.nml" for name in entry.inputs for before in RUN_BEFORE.findall(text_of(name))]
             commands += [f"scripts/run inputs/{name}.nml" for name in entry.inputs]
             if len(entry.inputs) > 1:
                 commands.append(" ".join(["scripts/plot", *(output_of(name) for name in entry.inputs), entry.options]).strip())

@@ -13,6 +13,7 @@ AREAS = {
         "The input": "docs/namelist.md",
         "The results file": "docs/file_format.md",
         "Measured surfaces": "docs/import.md",
+        "Fits of measured data": "docs/fit.md",
         "Big scans": "docs/clusters.md",
     },
     "Models": {

@@ -22,7 +22,7 @@ _adfric() {
    COMPREPLY=()
    for ((i = 1; i < COMP_CWORD; i++)); do
       case ${COMP_WORDS[i]} in
-      run | merge | check | help)
+      run | fit | merge | check | help)
          command=${COMP_WORDS[i]}
          break
          ;;
@@ -30,7 +30,7 @@ _adfric() {
    done
    case $command in
    '') options='--help --version' ;;
-   run) options='--output --force --quiet --resume --shard --help' ;;
+   run | fit) options='--output --force --quiet --resume --shard --help' ;;
    merge) options='--virtual --force --quiet --help' ;;
    check) options='--quiet --output-name --help' ;;
    esac
@@ -43,8 +43,8 @@ _adfric() {
       mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
    else
       case $command in
-      '') mapfile -t COMPREPLY < <(compgen -W 'run merge check help' -- "$word") ;;
-      run | check) _adfric_files "$word" nml ;;
+      '') mapfile -t COMPREPLY < <(compgen -W 'run fit merge check help' -- "$word") ;;
+      run | fit | check) _adfric_files "$word" nml ;;
       merge) _adfric_files "$word" h5 ;;
       help) mapfile -t COMPREPLY < <(compgen -W "$(_adfric_topics "${COMP_WORDS[0]}")" -- "$word") ;;
       esac

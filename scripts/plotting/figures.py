@@ -6,7 +6,7 @@ The papers are GM: Goryacheva, Makhovskaya, acta mechanica et automatica 5(4), 2
 
 import numpy as np
 
-from . import adhesion, halfspace, history, rubber, samples, sliding, sphere
+from . import adhesion, fit, halfspace, history, rubber, samples, sliding, sphere
 from .curves import draw_panels
 from .results import NothingToDraw
 from .surface import draw_pressure_maps, draw_stresses
@@ -44,6 +44,8 @@ SHOWN = {
 
 def choose_figure(results):
     """The procedure that draws a run: by its profiles, or by its model and the variable that varies fastest."""
+    if fit.is_fit(results):
+        return fit.draw_fit
     if results.model == "indenter_history":
         return history.draw_history
     if "pressure" in results.profiles or set(halfspace.STRESSES) <= set(results.profiles):
