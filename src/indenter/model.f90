@@ -65,6 +65,10 @@ module adfric_indenter_model
       type(loop_t) :: loop
       !> Has a survey been made?
       logical :: is_surveyed = .false.
+      !> What peeling has done; its events serve the next point, too, if that has another force alone.
+      type(peeled_t) :: peeled
+      !> All values of the point.
+      real(dp) :: point(n_indenter_variables) = 0
    end type indenter_state_t
 
 contains
@@ -146,7 +150,6 @@ contains
       !> This model counts nothing; size 0.
       real(dp), intent(inout) :: counts(:)
       type(indenter_state_t), allocatable :: found
-      type(peeled_t) :: peeled
       type(ends_t) :: ends
 
       allocate (found)
@@ -154,7 +157,8 @@ contains
       status = status_no_equilibrium
       call resolve_case(values, found%case)
       if (.not. is_possible(values, found%case)) return
-      associate (case => found%case, contact => found%contact)
+      associate (case => found%case, contact => found%contact, peeled => found%peeled)
+         call take_events(state, values, found)
          if (nint(values(v_state)) == state_sliding) call begin_sliding(values, case, peeled, results)
          found%values = [values(:v_theory), values(v_machine_stiffness), peeled%ratio]
          call take_survey(state, found)
@@ -215,6 +219,26 @@ contains
          found%loop = state%loop
       end select
    end subroutine take_survey
+
+   !> Take the events of the point before over, if that differs in the tangential force alone.
+   pure subroutine take_events(state, values, found)
+      !> What the point before has left.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point, which receives the events.
+      type(indenter_state_t), intent(inout) :: found
+
+      found%point = values
+      found%point(v_tangential_force) = 0
+      if (.not. allocated(state)) return
+      select type (state)
+      type is (indenter_state_t)
+         if (any(abs(state%point - found%point) > 0) .or. .not. state%peeled%has_events) return
+         found%peeled%has_events = .true.
+         found%peeled%events = state%peeled%events
+      end select
+   end subroutine take_events
 
    !> Where contacts end, in SI units.
    pure subroutine store_ends(case, ends, results)

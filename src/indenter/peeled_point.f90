@@ -35,6 +35,10 @@ module adfric_indenter_peeled_point
       real(dp) :: error = 0
       !> Has all been found to round-off?
       logical :: is_converged = .true.
+      !> Are the events of the way known, from a point that differs in the force alone?
+      logical :: has_events = .false.
+      !> They, reduced.
+      type(peeling_events_t) :: events
    end type peeled_t
 
 contains
@@ -73,7 +77,9 @@ contains
       work = 0
       if (is_set(values(v_work_of_adhesion))) work = values(v_work_of_adhesion)
       law%strength = values(v_shear_strength)/(case%modulus*(case%height_unit/case%length_unit))
-      law%compliance = tangential_compliance(values, case)
+      ! in sliding no displacement is known, and none is needed
+      if (has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))) &
+         & law%compliance = tangential_compliance(values, case)
       law%edge_fraction = values(v_edge_fraction)
       law%interaction = values(v_interaction)
       law%slip_energy_ratio = slip_energy_ratio_of(values(v_interaction:v_slip_energy_ratio), values(v_shear_strength), work)
@@ -117,14 +123,16 @@ contains
       type(peeled_t), intent(inout) :: peeled
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      type(peeling_events_t) :: events
 
-      call find_peeling_events(path, events)
-      peeled%is_converged = peeled%is_converged .and. events%is_converged
-      results([r_peak_force, r_sliding_force, r_force_drop, r_snap_off_force]) = case%force_unit() &
-         & *[events%peak_force, events%sliding_force, events%force_drop, events%snap_off_force]
-      results([r_peak_displacement, r_snap_off_displacement]) = case%height_unit &
-         & *[events%peak_displacement, events%snap_off_displacement]
+      if (.not. peeled%has_events) call find_peeling_events(path, peeled%events)
+      peeled%has_events = .true.
+      associate (events => peeled%events)
+         peeled%is_converged = peeled%is_converged .and. events%is_converged
+         results([r_peak_force, r_sliding_force, r_force_drop, r_snap_off_force]) = case%force_unit() &
+            & *[events%peak_force, events%sliding_force, events%force_drop, events%snap_off_force]
+         results([r_peak_displacement, r_snap_off_displacement]) = case%height_unit &
+            & *[events%peak_displacement, events%snap_off_displacement]
+      end associate
    end subroutine add_events
 
    !> The contact under a tangential force that takes from adhesion, and the events of its way.

@@ -149,7 +149,7 @@ contains
          call shape%evaluate(self%low, self%low_is_beyond, spot)
          if (self%curve%tension > 0) then
             ! a face whose edge is reached lets go there
-            self%is_lost = self%is_lost .or. (shape%has_face .and. neck_of(self, spot) > 0)
+            if (shape%has_face .and. .not. self%is_lost) self%is_lost = neck_of(self, spot) > 0
             if (self%is_lost) self%least_ratio = min((neck_of(self, spot)/self%curve%tension)**2/spot%radius, 1.0_dp)
          else if (self%curve%outer_pull > 0 .and. self%control == control_load .and. self%given < 0) then
             ! DMT ends as a point
@@ -287,23 +287,23 @@ contains
       ! a step of X that leaves round-off only
       real(dp), parameter :: smallest = 1.0e-13_dp
       type(contact_t) :: contact
-      real(dp) :: goal
+      real(dp) :: goal, step
 
-      goal = ratio
+      step = self%nodes(self%n)%ratio - ratio
       do
          associate (last => self%nodes(self%n))
+            goal = max(last%ratio - step, ratio)
             call find_below(self, goal, last%contact, contact)
+            if (contact%is_found) contact%is_found = is_near(self, last%contact, contact)
             if (contact%is_found) then
-               if (is_near(self, last%contact, contact)) then
-                  if (self%n < most_nodes) self%n = self%n + 1
-                  self%nodes(self%n) = node_t(goal, contact)
-                  if (.not. goal > ratio) return
-                  goal = ratio
-                  cycle
-               end if
+               if (self%n < most_nodes) self%n = self%n + 1
+               self%nodes(self%n) = node_t(goal, contact)
+               if (.not. goal > ratio) return
+               step = 2*step
+            else
+               if (step <= smallest*last%ratio) exit
+               step = step/4
             end if
-            if (last%ratio - goal <= smallest*last%ratio) exit
-            goal = (last%ratio + goal)/2
          end associate
       end do
       self%is_lost = .true.
@@ -405,7 +405,7 @@ contains
       !> Was it found to round-off?
       logical, intent(out) :: is_converged
       ! a step after this one is round-off; where Newton's method is left; what next to a fold is a root
-      real(dp), parameter :: close_enough = 1.0e-9_dp, little = 1.0e-12_dp
+      real(dp), parameter :: close_enough = 1.0e-9_dp, little = 1.0e-12_dp, next_to_nothing = 1.0e-40_dp
       integer, parameter :: most_steps = 300, patience = 40
       type(state_t) :: state
       real(dp) :: low, high, value, slope, step
@@ -432,16 +432,18 @@ contains
             low = u
             low_is_stable = self%is_closed .or. state%is_stable(self%control)
          end if
-         is_tangent = slope > 0 .and. (self%is_closed .or. state%is_stable(self%control))
+         ! a longer step than to a third is none
+         is_tangent = slope > abs(value) .and. (self%is_closed .or. state%is_stable(self%control))
          step = 0
          if (is_tangent) step = -value/slope
          if (is_tangent .and. abs(step) <= close_enough) then
             u = min(max(u + u*step, first), last)
             return
          end if
-         if (high - low <= 4*epsilon(high)*high .or. .not. high > 0) exit
-         if (is_tangent .and. k < patience .and. abs(step) < 1) u = u*exp(step)
-         if (.not. (u > low .and. u < high) .or. .not. (is_tangent .and. k < patience .and. abs(step) < 1)) u = middle(low, high)
+         ! down to the last touch there is none
+         if (high - low <= 4*epsilon(high)*high .or. .not. high > next_to_nothing*last) exit
+         if (is_tangent .and. k < patience) u = u*exp(step)
+         if (.not. (u > low .and. u < high) .or. .not. (is_tangent .and. k < patience)) u = middle(low, high)
       end do
       u = high
       if (low_is_stable) u = low
