@@ -175,6 +175,7 @@ contains
       character(:), allocatable :: name
       integer :: i
 
+      name = ''
       if (.not. allocated(solution%profiles)) return
       do i = 1, min(size(solution%profiles), count_words(names))
          if (.not. allocated(solution%profiles(i)%value)) cycle

@@ -29,6 +29,7 @@ contains
       integer :: i, k, n_same
 
       names = ''
+      name = ''
       do i = 1, size(fit%frees)
          associate (free => fit%frees(i))
             if (free%nuisance > 0) then
@@ -57,6 +58,7 @@ contains
       integer :: i, k
 
       names = names_of_fit
+      frees = ''
       do k = 1, size(fit%data_sets)
          do i = 1, count_words(names_of_data)
             names = names//' '//get_word(names_of_data, i)//suffix_of(fit, k)
