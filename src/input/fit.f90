@@ -5,6 +5,7 @@ module adfric_input_fit
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count
    use adfric_base_unset, only: unset
+   use adfric_base_words, only: count_words, get_word
    use adfric_fit_curve_source, only: curve_source_t
    use adfric_fit_problem, only: fit_t, n_nuisances, nuisance_friction_offset
    use adfric_fit_scales, only: find_refusal
@@ -22,7 +23,7 @@ module adfric_input_fit
    use adfric_input_fit_values, only: reader_t
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_run, only: run_input_t
-   use adfric_input_vocabulary, only: full_name
+   use adfric_input_vocabulary, only: full_name, output_names
    use adfric_model_model, only: model_t
    use adfric_model_table, only: result_t, variable_t
    use adfric_run_dataset, only: dataset_t
@@ -69,6 +70,7 @@ contains
 
       allocate (rows, source=get_fit_rows())
       call read_groups(file, run%model, input, problems, 'job '//fit_groups)
+      call refuse_output(file, problems)
       call need_group(file, 'data', problems)
       call need_group(file, 'free', problems)
       call read_data_groups(file, rows, run%model, input, details%groups, problems)
@@ -87,6 +89,22 @@ contains
       if (problems%count() > 0) return
       call set_run(input, fit, details, run, problems)
    end subroutine read_fit
+
+   !> Report what only a run can write beside its results.
+   subroutine refuse_output(file, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: group, k
+
+      group = file%find_group('output')
+      if (group == 0) return
+      do k = 1, count_words(output_names)
+         if (file%find_assignment(group, get_word(output_names, k)) > 0) call file%report_variable(problems, group, &
+            get_word(output_names, k), 'has no place in a fit, allowed: adfric run')
+      end do
+   end subroutine refuse_output
 
    !> Report a group that is missing.
    subroutine need_group(file, name, problems)

@@ -290,6 +290,8 @@ class Refusals(Fits):
          "&event[1] sigma: not given"),
         ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&fit theories = 'jrk' /", "unknown theory", "did you mean 'jkr'?"),
         ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&fit levels = 0.95, 1.2 /", "&fit levels: out of range"),
+        ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&output derivatives = 'load' /",
+         "&output derivatives: has no place in a fit"),
         # what the data cannot say, whatever the noise
         ("&free variable = 'shear_strength' /", "&free variable = 'shear_strength' /\n&free variable = 'lateral_gain' /",
          "lateral_gain and shear_strength are one number"),
