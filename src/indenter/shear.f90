@@ -139,7 +139,8 @@ contains
       real(dp) :: whole_zone
 
       whole_zone = 0
-      if (contact%stress > 0) whole_zone = (contact%neck/(2*contact%stress))**2
+      ! a disc of adhesion without touch bears no friction
+      if (contact%stress > 0 .and. contact%spot%radius > 0) whole_zone = (contact%neck/(2*contact%stress))**2
       call set_shear_radii(sums, contact%spot%radius, contact%adhesion_radius, whole_zone, resistance%edge_fraction)
       sums%stress = contact%stress
       sums%factor = resistance%factor
