@@ -19,7 +19,7 @@ module adfric_indenter_case
    use adfric_material_contact_modulus, only: contact_modulus_of
    implicit none (type, external)
    private
-   public :: indenter_case_t, resolve_case, is_possible, theory_of
+   public :: indenter_case_t, resolve_case, is_possible, theory_of, has_plain_spring
 
    !> Units and what is held must be between these powers of ten, or numbers have no room.
    integer, parameter :: largest_unit = 70, largest_number = 30
@@ -40,8 +40,11 @@ module adfric_indenter_case
       logical :: is_beyond = .true.
       !> Radius of contact that is given, reduced; 0 if none is.
       real(dp) :: radius = 0
+      !> Stiffness of a lateral spring, reduced; 0 if none is given.
+      real(dp) :: lateral_stiffness = 0
    contains
       procedure :: force_unit
+      procedure :: stiffness_unit
    end type indenter_case_t
 
 contains
@@ -53,6 +56,14 @@ contains
 
       force_unit = self%modulus*self%length_unit*self%height_unit
    end function force_unit
+
+   !> E* L [N/m].
+   pure real(dp) function stiffness_unit(self)
+      !> The case with its units.
+      class(indenter_case_t), intent(in) :: self
+
+      stiffness_unit = self%modulus*self%length_unit
+   end function stiffness_unit
 
    !> The point that the values describe; they have been checked.
    pure subroutine resolve_case(values, self)
@@ -95,6 +106,7 @@ contains
       call resolve_adhesion(values, work, self%theory, self%modulus*(self%height_unit/self%length_unit), self%height_unit, &
          & self%curve)
       call resolve_given(values, self)
+      if (is_set(values(v_lateral_stiffness))) self%lateral_stiffness = values(v_lateral_stiffness)/self%stiffness_unit()
    end subroutine resolve_case
 
    !> The theory of a case: without adhesion none, and without a range JKR.
@@ -330,6 +342,15 @@ contains
       end select
    end function has_depth
 
+   !> Is the stiffness of a lateral spring within the numbers?
+   pure logical function has_plain_spring(self)
+      !> The case with its spring.
+      type(indenter_case_t), intent(in) :: self
+      real(dp), parameter :: most = 10.0_dp**largest_number
+
+      has_plain_spring = self%lateral_stiffness > 1/most .and. self%lateral_stiffness < most
+   end function has_plain_spring
+
    !> Is there such a contact? A contact of given radius is not smaller than a face, and smaller than a sphere; and all has to be
    !> within the numbers.
    pure logical function is_possible(values, self)
@@ -351,6 +372,7 @@ contains
             is_possible = curve%has_room(merge(self%given, 0.0_dp, self%radius > 0), self%is_beyond)
          end if
       end select
+      if (is_set(values(v_lateral_stiffness))) is_possible = is_possible .and. has_plain_spring(self)
       if (.not. is_possible .or. .not. is_set(values(v_contact_radius))) return
       is_possible = has_depth(self) .and. is_inside(self, self%radius) &
          & .and. (self%is_beyond .or. .not. self%curve%shape%has_face &

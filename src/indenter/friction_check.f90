@@ -33,7 +33,7 @@ contains
       real(dp), intent(in) :: values(:)
 
       has_events = values(v_events) > 0 .and. (is_set(values(v_shear_strength)) .or. nint(values(v_law)) == law_peeling)
-      has_events = has_events .and. (is_set(values(v_load)) .or. values(v_interaction) > 0)
+      has_events = has_events .and. (is_set(values(v_load)) .or. values(v_interaction) > 0 .or. is_set(values(v_lateral_stiffness)))
    end function has_events
 
    !> Friction: Coulomb's, of a shear strength, or none that gives way.
@@ -70,10 +70,30 @@ contains
             & 'of a growing tangential force are known for a uniform shear strength alone; allowed: pressure_factor = 0')
       end if
       if (nint(values(v_law)) /= law_peeling) call check_interaction(variables, values, is_adhesive, problems)
+      if (is_set(values(v_lateral_stiffness))) call check_lateral_spring(values, problems)
       if (.not. is_moved(values) .or. .not. is_set(values(v_contact_modulus))) return
       if (.not. has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))) &
          & call problems%add('solid', 'poisson_ratio', 'is missing [-]; the tangential displacement needs it')
    end subroutine check_friction
+
+   !> A lateral spring: its jumps are events of a contact that slides against a shear strength.
+   subroutine check_lateral_spring(values, problems)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (nint(values(v_law)) == law_peeling) then
+         call problems%add('operating', 'lateral_stiffness', 'has no meaning for law = ''peeling'', where nothing slides')
+         return
+      end if
+      if (.not. values(v_events) > 0) call problems%add('operating', 'lateral_stiffness', 'has no meaning without events')
+      if (.not. is_set(values(v_shear_strength))) call problems%add('friction', 'shear_strength', &
+         & 'is missing [Pa]; lateral_stiffness needs it')
+      ! with interaction that has been said
+      if (nint(values(v_branch)) /= branch_stable .and. .not. values(v_interaction) > 0) call problems%add('operating', 'branch', &
+         & 'has no meaning with lateral_stiffness, whose jumps begin at the largest stable contact')
+   end subroutine check_lateral_spring
 
    !> With alpha > 0, JKR's infinite tension at the edge would slip at once.
    subroutine check_edge(values, problems)

@@ -16,12 +16,12 @@ module adfric_indenter_interaction_path
    use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_curve, only: control_approach, control_load, control_spring, curve_t
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
-   use adfric_indenter_weak_contact, only: find_weaker, new_weak_way, weak_way_t
+   use adfric_indenter_weak_contact, only: extend_way, find_known, new_weak_way, weak_way_t
    use adfric_material_interaction, only: adhesion_ratio, get_adhesion_ratio, largest_slip_energy
    use adfric_material_slip_annulus, only: angle_of_slip, force_of_angle, largest_slip_core, slip_of_angle
    implicit none (type, external)
    private
-   public :: friction_law_t, path_t, waypoint_t, new_path, get_waypoint, complete_waypoint, turn
+   public :: friction_law_t, path_t, waypoint_t, new_path, get_waypoint, get_known_waypoint, complete_waypoint, turn
    public :: force_of, displacement_of, slip_of, largest_slip_of, get_rates, work_of
 
    !> The law of friction.
@@ -103,9 +103,23 @@ contains
 
    !> The state of a slip energy.
    pure subroutine get_waypoint(self, slip_energy, waypoint)
-      !> The way.
+      !> The way, which is followed up to there.
       type(path_t), intent(inout) :: self
       !> g, from 0 to the limit of the way.
+      real(dp), intent(in) :: slip_energy
+      !> Receives the state; not found where the contact has been lost.
+      type(waypoint_t), intent(out) :: waypoint
+
+      if (self%law%interaction > 0 .and. slip_energy > 0) call extend_way(self%way, adhesion_ratio(slip_energy, &
+         & self%law%interaction))
+      call get_known_waypoint(self, slip_energy, waypoint)
+   end subroutine get_waypoint
+
+   !> The state of a slip energy up to which the way is known.
+   pure subroutine get_known_waypoint(self, slip_energy, waypoint)
+      !> The way.
+      type(path_t), intent(in) :: self
+      !> g, from 0 to the largest one that has been looked at.
       real(dp), intent(in) :: slip_energy
       !> Receives the state; not found where the contact has been lost.
       type(waypoint_t), intent(out) :: waypoint
@@ -114,11 +128,11 @@ contains
       waypoint%slip_energy = slip_energy
       if (self%law%interaction > 0 .and. slip_energy > 0) then
          waypoint%ratio = adhesion_ratio(slip_energy, self%law%interaction)
-         call find_weaker(self%way, waypoint%ratio, waypoint%contact)
+         call find_known(self%way, waypoint%ratio, waypoint%contact)
          waypoint%is_found = waypoint%contact%is_found .and. waypoint%contact%spot%radius > 0
       end if
       if (waypoint%is_found) call complete_waypoint(self, waypoint)
-   end subroutine get_waypoint
+   end subroutine get_known_waypoint
 
    !> b, slip core and angle of a contact and its g.
    pure subroutine complete_waypoint(self, waypoint)

@@ -124,7 +124,7 @@ contains
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
-      if (.not. peeled%has_events) call find_peeling_events(path, peeled%events)
+      if (.not. peeled%has_events) call find_peeling_events(path, case%lateral_stiffness, peeled%events)
       peeled%has_events = .true.
       associate (events => peeled%events)
          peeled%is_converged = peeled%is_converged .and. events%is_converged
@@ -132,8 +132,27 @@ contains
             & *[events%peak_force, events%sliding_force, events%force_drop, events%snap_off_force]
          results([r_peak_displacement, r_snap_off_displacement]) = case%height_unit &
             & *[events%peak_displacement, events%snap_off_displacement]
+         call store_jump(case, events, results)
       end associate
    end subroutine add_events
+
+   !> Results of a lateral spring, in SI units.
+   pure subroutine store_jump(case, events, results)
+      !> The point with its units.
+      type(indenter_case_t), intent(in) :: case
+      !> What happens, reduced.
+      type(peeling_events_t), intent(in) :: events
+      !> Receives it; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+
+      associate (jump => events%jump)
+         results(r_critical_lateral_stiffness) = events%critical_stiffness*case%stiffness_unit()
+         results([r_jump_force, r_arrest_force]) = case%force_unit()*[jump%force, jump%arrest_force]
+         results([r_jump_base_displacement, r_jump_displacement, r_jump_period]) = case%height_unit &
+            & *[jump%base_displacement, jump%displacement, jump%period]
+         results([r_jump_energy, r_period_work]) = case%force_unit()*case%height_unit*[jump%energy, jump%work]
+      end associate
+   end subroutine store_jump
 
    !> The contact under a tangential force that takes from adhesion, and the events of its way.
    pure subroutine peel_contact(values, case, contact, peeled, ends, results)

@@ -20,8 +20,9 @@ module adfric_indenter_variables
       & v_approach = 27, v_contact_radius = 28, v_face_angle = 29, v_branch = 30, v_profiles = 31, v_n_r = 32, v_r_max = 33, &
       & v_tangential_force = 34, v_friction_coefficient = 35, v_shear_strength = 36, v_pressure_factor = 37, v_edge_fraction = 38, &
       & v_position_z = 39, v_base_approach = 40, v_machine_stiffness = 41, v_events = 42, &
-      & v_law = 43, v_state = 44, v_interaction = 45, v_critical_slip = 46, v_slip_energy_ratio = 47
-   integer, parameter, public :: n_indenter_variables = 47
+      & v_law = 43, v_state = 44, v_interaction = 45, v_critical_slip = 46, v_slip_energy_ratio = 47, &
+      & v_lateral_stiffness = 48
+   integer, parameter, public :: n_indenter_variables = 48
 
    !> Places of the words in the choices.
    integer, parameter, public :: kind_flat = 1, kind_cone = 2, kind_paraboloid = 3, kind_power = 4, kind_sphere = 5, &
@@ -41,8 +42,9 @@ module adfric_indenter_variables
       & r_stress_rr = 24, r_base_approach = 25, r_jump_in_base_approach = 26, r_jump_in_load = 27, r_pull_off_base_approach = 28, &
       & r_loop_energy = 29, r_friction_radius = 30, r_adhesion_ratio = 31, r_stick_radius = 32, r_slip = 33, r_largest_slip = 34, &
       & r_peak_force = 35, r_peak_displacement = 36, r_sliding_force = 37, r_force_drop = 38, r_snap_off_force = 39, &
-      & r_snap_off_displacement = 40
-   integer, parameter, public :: n_indenter_results = 40
+      & r_snap_off_displacement = 40, r_critical_lateral_stiffness = 41, r_jump_base_displacement = 42, r_jump_displacement = 43, &
+      & r_jump_force = 44, r_arrest_force = 45, r_jump_energy = 46, r_jump_period = 47, r_period_work = 48
+   integer, parameter, public :: n_indenter_results = 48
    !> Places of the profiles; that of the shear stress comes from the rows of friction.
    public :: p_shear_stress
    integer, parameter, public :: p_pressure = 1, p_gap = 2
@@ -109,6 +111,8 @@ contains
       v(v_state) = choice(group='operating', name='state', meaning='before sliding, or during it', choices='static sliding', &
          & default='static')
       call set_interaction_rows(v(v_interaction:v_slip_energy_ratio))
+      v(v_lateral_stiffness) = above_zero(group='operating', name='lateral_stiffness', unit='N/m', &
+         & meaning='of a lateral spring; the events then have its jumps')
    end function get_indenter_variables
 
    !> The rows of the shape.
@@ -223,6 +227,18 @@ contains
          & long_name='tangential force at which the contact snaps off, or jumps to a smaller one')
       r(r_snap_off_displacement) = result_row(name='snap_off_displacement', unit='m', &
          & long_name='tangential displacement at that place')
+      r(r_critical_lateral_stiffness) = result_row(name='critical_lateral_stiffness', unit='N/m', &
+         & long_name='lateral stiffness from which on there is no stick-slip; 0: never any, none: at every stiffness')
+      r(r_jump_base_displacement) = result_row(name='jump_base_displacement', unit='m', &
+         & long_name='displacement of the base of a lateral spring from rest where the contact jumps')
+      r(r_jump_displacement) = result_row(name='jump_displacement', unit='m', &
+         & long_name='tangential displacement of the contact at that place')
+      r(r_jump_force) = result_row(name='jump_force', unit='N', long_name='tangential force at the onset of the jump')
+      r(r_arrest_force) = result_row(name='arrest_force', unit='N', long_name='tangential force right after the jump')
+      r(r_jump_energy) = result_row(name='jump_energy', unit='J', long_name='energy that the jump takes')
+      r(r_jump_period) = result_row(name='jump_period', unit='m', &
+         & long_name='displacement of the base from one jump to the next, if rest heals the contact')
+      r(r_period_work) = result_row(name='period_work', unit='J', long_name='work of the base from one jump to the next')
    end subroutine set_peeling_results
 
    !> The table of profiles.

@@ -30,7 +30,7 @@ module adfric_indenter_weak_contact
    use adfric_indenter_spring_pieces, only: divide_pieces, most_divided_pieces
    implicit none (type, external)
    private
-   public :: weak_way_t, new_weak_way, weaken, find_weaker, find_last
+   public :: weak_way_t, new_weak_way, weaken, extend_way, find_known, find_last
 
    !> Most nodes of a way that is followed in steps.
    integer, parameter :: most_nodes = 400
@@ -260,23 +260,44 @@ contains
       real(dp), intent(in) :: ratio
       !> Receives the state, with `is_found`.
       type(contact_t), intent(out) :: contact
+
+      call extend_way(self, ratio)
+      call find_known(self, ratio, contact)
+   end subroutine find_weaker
+
+   !> Follow the way as far as an X, if it is one that is followed.
+   pure subroutine extend_way(self, ratio)
+      !> The way, which receives the nodes up to there.
+      type(weak_way_t), intent(inout) :: self
+      !> X, from 0 to 1.
+      real(dp), intent(in) :: ratio
+
+      if (.not. self%is_followed .or. self%is_lost .or. self%n == 0) return
+      if (ratio < self%nodes(self%n)%ratio) call follow(self, ratio)
+   end subroutine extend_way
+
+   !> The state at an X up to which the way is known.
+   pure subroutine find_known(self, ratio, contact)
+      !> The way.
+      type(weak_way_t), intent(in) :: self
+      !> X, from 0 to 1.
+      real(dp), intent(in) :: ratio
+      !> Receives the state, with `is_found`.
+      type(contact_t), intent(out) :: contact
       integer :: k
 
       if (self%n == 0) return
-      if (self%is_closed) then
-         if (self%is_lost .and. ratio < self%least_ratio) return
-         call find_below(self, ratio, self%nodes(1)%contact, contact)
-      else if (.not. self%is_followed) then
+      if (.not. self%is_followed) then
+         if (self%is_closed .and. self%is_lost .and. ratio < self%least_ratio) return
          call find_below(self, ratio, self%nodes(1)%contact, contact)
       else
-         if (ratio < self%nodes(self%n)%ratio .and. .not. self%is_lost) call follow(self, ratio)
          if (self%is_lost .and. ratio < self%nodes(self%n)%ratio) return
          do k = self%n, 1, -1
             if (self%nodes(k)%ratio >= ratio) exit
          end do
          call find_below(self, ratio, self%nodes(max(k, 1))%contact, contact)
       end if
-   end subroutine find_weaker
+   end subroutine find_known
 
    !> Follow the way down to an X, or to where its state is lost.
    pure subroutine follow(self, ratio)
