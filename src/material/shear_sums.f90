@@ -48,8 +48,7 @@ contains
       width = 0
       if (whole_zone > 0) then
          self%c = adhesion_radius
-         ! a disc of adhesion without touch bears no friction
-         if (radius > 0) width = edge_fraction*whole_zone/(adhesion_radius + radius)
+         width = edge_fraction*whole_zone/(adhesion_radius + radius)
       end if
       self%b = radius + width
       self%zone = width*(self%a + self%b)
