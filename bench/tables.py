@@ -332,6 +332,14 @@ def adhesion_public(folder):
     return table(["surface", "cells", "p0/E*", "h0", "branch", "p/E*", "adfric: ms, error", *(f"{name}: ms, error, ratio" for name in solvers)], body)
 
 
+def fit_public(folder):
+    """Fits of curves beside the public package."""
+    body = [[row["theory"] if row["theory"] == "no curve" else f"`{row['theory']}`", row["method"], time(row["ms_least"]), time(row["ratio"]) if row["ratio"] else "",
+             error(row["error"]) if row["error"] else "", error(row["error_largest"]) if row["error_largest"] else "", row["failed"]]
+            for row in rows_of(folder, "fit_public")]
+    return table(["theory", "by", "ms per curve", "ratio of times", "error of the modulus, median", "largest", "no answer"], body)
+
+
 def python_calls(folder):
     """What calls from Python cost."""
     rows = read_table(folder / "python_calls.csv")[1]
@@ -340,7 +348,7 @@ def python_calls(folder):
 
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, sliding_public, adhesion_cells, adhesion_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding)}
+    wave_2d_public, sliding_public, adhesion_cells, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding)}
 
 
 def main():
