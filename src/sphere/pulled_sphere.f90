@@ -13,7 +13,7 @@ module adfric_sphere_pulled_sphere
    use adfric_sphere_peeling_search, only: get_capped
    implicit none (type, external)
    private
-   public :: take_sphere_curve, get_waypoint_at
+   public :: take_sphere_curve, get_waypoint_of, place_of
 
    !> The contact.
    type, extends(pulled_contact_t) :: pulled_sphere_t
@@ -62,19 +62,15 @@ contains
       force = quantity_of(self%path, force_along, waypoint)
    end subroutine get_state
 
-   !> The state at a place of a panel.
-   pure subroutine get_waypoint_at(path, panel, x, waypoint)
-      !> The way.
-      type(path_t), intent(in) :: path
+   !> The place in its piece that a place of a panel is.
+   pure real(dp) function place_of(panel, x)
       !> The panel.
       type(panel_t), intent(in) :: panel
       !> Place in it, -1 to 1.
       real(dp), intent(in) :: x
-      !> Receives the state.
-      type(waypoint_t), intent(out) :: waypoint
 
-      call get_waypoint_of(path, panel%piece, panel%low + (panel%high - panel%low)*(1 + x)/2, waypoint)
-   end subroutine get_waypoint_at
+      place_of = panel%low + (panel%high - panel%low)*(1 + x)/2
+   end function place_of
 
    !> The state at a place of a piece.
    pure subroutine get_waypoint_of(path, piece, place, waypoint)
