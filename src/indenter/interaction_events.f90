@@ -2,6 +2,7 @@
 !> What happens to an indenter as a tangential force grows from 0: the largest force, the onset of sliding, and where the contact is lost
 !> (J 4.1-4.9, fig. 9), its contact in sliding, and its jumps on a lateral spring.
 module adfric_indenter_interaction_events
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_base_not_a_number, only: not_a_number
@@ -103,7 +104,7 @@ contains
       real(dp) :: force
 
       force = -1
-      if (events%sliding_force >= 0) force = events%sliding_force
+      if (.not. ieee_is_nan(events%sliding_force)) force = events%sliding_force
       call take_indenter_curve(path, finish, ending == end_capped, force, curve)
       events%is_converged = curve%is_converged
       call find_critical_stiffness(curve, events%critical_stiffness)
