@@ -148,8 +148,11 @@ contains
             & /(contact%adhesion_radius + contact%spot%radius)
       end associate
       waypoint%core = 2*largest_slip_core
-      if (waypoint%slip_energy/self%demand < waypoint%core*waypoint%radius) &
-         & waypoint%core = waypoint%slip_energy/self%demand/waypoint%radius
+      ! where friction takes nothing from adhesion the slip energy of sliding need not be given
+      if (waypoint%slip_energy < huge(waypoint%slip_energy)) then
+         if (waypoint%slip_energy/self%demand < waypoint%core*waypoint%radius) &
+            & waypoint%core = waypoint%slip_energy/self%demand/waypoint%radius
+      end if
       waypoint%angle = angle_of_slip(waypoint%core)
    end subroutine complete_waypoint
 
