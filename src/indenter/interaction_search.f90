@@ -80,7 +80,8 @@ contains
       if (.not. waypoint%is_found .or. .not. force > 0) return
       call turn(angle_of_force(min(force/largest, 1.0_dp)), waypoint)
       waypoint%slip_energy = min(path%demand*waypoint%radius*waypoint%core, path%law%slip_energy_ratio)
-      if (.not. path%law%interaction > 0) return
+      ! a slip energy below all numbers takes nothing from adhesion
+      if (.not. (path%law%interaction > 0 .and. waypoint%slip_energy > 0)) return
       cap = min(path%law%slip_energy_ratio, path%limit)
       g = min(path%demand*waypoint%radius*waypoint%core, cap)
       before = 0
