@@ -210,7 +210,7 @@ contains
       real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
       real(dp) :: force_rate, displacement_rate, shrinkage
 
-      peeled%is_peeling = waypoint%slip_energy < min(path%law%slip_energy_ratio, path%limit)
+      peeled%is_peeling = waypoint%slip_energy > 0 .and. waypoint%slip_energy < min(path%law%slip_energy_ratio, path%limit)
       if (.not. peeled%is_peeling .or. .not. waypoint%angle > 0) return
       call get_rates(path, waypoint, force_rate, displacement_rate, shrinkage)
       peeled%stiffness = force_of(path, waypoint)/displacement_of(path, waypoint)*(force_rate/displacement_rate)
