@@ -182,7 +182,7 @@ def _draw_profile(axes, columns, name):
     unit = columns[name].unit if name in columns else "-"
     factor, unit = scale_of(values.values, unit)
     x = values.values * factor
-    axes.plot(x, excess, color=CURVE["color"], marker=".", markersize=2.5)
+    axes.plot(x, excess, color=CURVE["color"], marker=".", markersize=2.5, linestyle="none")
     for level, label in LEVELS:
         axes.axhline(level, color="0.5", linewidth=0.7, linestyle="--", zorder=0)
         axes.annotate(label, (1, level), xycoords=("axes fraction", "data"), ha="right", va="bottom", fontsize="small", color="0.4")
@@ -194,11 +194,35 @@ def _draw_profile(axes, columns, name):
     if shown.size:
         x = x[max(shown[0] - 1, 0):shown[-1] + 2]
         axes.set_xlim(x[0], x[-1])
-    if np.all(x > 0) and x[-1] > 3 * x[0]:
+    is_log = np.all(x > 0) and x[-1] > 3 * x[0]
+    if is_log:
         axes.set_xscale("log")
+    axes.plot(*_joined(values.values * factor, excess, is_log), color=CURVE["color"], zorder=3)
     axes.set_ylim(-0.2, MOST_EXCESS)
     axes.set_xlabel(axis_label(name, unit))
     axes.set_ylabel(r"$S - S_{min}$")
+
+
+def _joined(x, excess, is_log, n_between=20):
+    """A profile between its nodes. Its root, with a sign that changes at the least S, is nearly straight: monotone cubics join its nodes
+    (F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17, 1980, 238)."""
+    if len(x) < 3:
+        return x, excess
+    u = np.log(x) if is_log else x
+    root = np.sqrt(np.maximum(excess, 0.0)) * np.where(np.arange(len(x)) < np.argmin(excess), -1, 1)
+    step = np.diff(u)
+    secant = np.diff(root) / step
+    weight = np.stack([2 * step[1:] + step[:-1], step[1:] + 2 * step[:-1]])
+    same = secant[1:] * secant[:-1] > 0
+    safe = np.where(same, secant[:-1], 1.0), np.where(same, secant[1:], 1.0)
+    inner = np.where(same, weight.sum(axis=0) / (weight[0] / safe[0] + weight[1] / safe[1]), 0.0)
+    slope = np.concatenate([secant[:1], inner, secant[-1:]])
+    t = np.linspace(0, 1, n_between, endpoint=False)[None, :]
+    left, right, width = root[:-1, None], root[1:, None], step[:, None]
+    between = (left * (1 + 2 * t) * (1 - t)**2 + right * t**2 * (3 - 2 * t)
+               + width * t * (1 - t) * (slope[:-1, None] * (1 - t) - slope[1:, None] * t))
+    places = np.append((u[:-1, None] + width * t).ravel(), u[-1])
+    return np.exp(places) if is_log else places, np.append(between.ravel(), root[-1])**2
 
 
 def draw_stack(results):

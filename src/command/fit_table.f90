@@ -213,6 +213,21 @@ contains
       lines = lines//newline
    end function null_lines
 
+   !> What helps where points lie beyond the fold: loads may have errors; at an approach without a state in contact nothing touches.
+   pure function hint_beyond(fit) result(hint)
+      !> The fit with its data sets.
+      type(fit_t), intent(in) :: fit
+      character(:), allocatable :: hint
+
+      integer :: k
+
+      hint = ': standard errors of the abscissa (abscissa_sigma) say how far they may be'
+      do k = 1, size(fit%data_sets)
+         if (fit%model%variables(fit%data_sets(k)%abscissa)%name == 'approach') hint = &
+            & ': free points are marked as such by a column branch or contact'
+      end do
+   end function hint_beyond
+
    !> Points that are used, left out, beyond the fold, and far from the curve.
    pure function point_lines(fit, solution) result(lines)
       !> The fit with its data sets.
@@ -228,7 +243,7 @@ contains
       end do
       lines = line('points', show_count(solution%points_used)//' used, '//show_count(n - solution%points_used)//' left out')
       if (solution%points_beyond_fold > 0) lines = lines//line('points beyond the fold', show_count(solution%points_beyond_fold)// &
-         ': standard errors of the abscissa (abscissa_sigma) say how far they may be')
+         hint_beyond(fit))
       if (solution%n_outliers == 0) return
       lines = lines//pad('residuals beyond 3', name_width)//show_count(solution%n_outliers)
       do i = 1, min(solution%n_outliers, most_listed)

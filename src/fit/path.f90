@@ -13,13 +13,13 @@ module adfric_fit_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_powers, only: cube_root
-   use adfric_sphere_contact, only: contact_t, theory_jkr, theory_maugis_dugdale, control_load
+   use adfric_sphere_contact, only: contact_t, theory_hertz, theory_jkr, theory_maugis_dugdale, control_load
    use adfric_sphere_dugdale_curve, only: guess_place, get_disc_radius
    use adfric_sphere_maugis_dugdale, only: maugis_t
    use adfric_fit_state, only: state_t, get_state, add_derivatives
    implicit none (type, external)
    private
-   public :: path_t, set_path, find_state, move_state, held_value, is_outer
+   public :: path_t, set_path, find_state, move_state, held_value, is_outer, ends_unloaded
 
    !> A path.
    type :: path_t
@@ -127,6 +127,14 @@ contains
 
       is_outer = path%side*(t - than) > 0
    end function is_outer
+
+   !> Does contact begin at the end of the path without a jump? There the load, the area and their friction are 0, as out of contact.
+   pure logical function ends_unloaded(path)
+      !> The path.
+      type(path_t), intent(in) :: path
+
+      ends_unloaded = path%theory == theory_hertz .and. path%is_base
+   end function ends_unloaded
 
    !> Find the fold.
    pure subroutine find_fold(path)

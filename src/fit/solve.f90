@@ -218,8 +218,8 @@ contains
          solution%status = fit_not_converged
          solution%reason = 'the search for the least sum of squares has no end'
          if (course%minima%status(1) == squares_stuck) solution%reason = 'the least sum of squares lies at a kink'
-         if (solution%points_beyond_fold > 0) solution%reason = solution%reason//', &
-            & where a point meets the fold: give errors of the load'
+         if (solution%points_beyond_fold > 0) solution%reason = solution%reason// &
+            & ', where a point meets the fold: give errors of the load'
       else if (.not. is_identifiable) then
          solution%status = fit_not_identifiable
          solution%reason = 'the data do not see a combination of the free variables'

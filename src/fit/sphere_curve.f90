@@ -21,7 +21,7 @@ module adfric_fit_sphere_curve
    use adfric_fit_frame, only: frame_t, new_frame, set_frame
    use adfric_fit_order, only: median_step
    use adfric_fit_ordinate, only: ordinate_t, get_ordinate, is_ordinate
-   use adfric_fit_path, only: path_t, set_path, find_state, move_state, is_outer
+   use adfric_fit_path, only: path_t, set_path, find_state, move_state, is_outer, ends_unloaded
    use adfric_fit_problem, only: free_t, fit_t, data_set_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset
    use adfric_fit_sphere_basis, only: basis_t, set_basis, of_radius, of_work, of_lambda
    use adfric_fit_state, only: state_t, add_derivatives
@@ -211,12 +211,14 @@ contains
       type(state_t) :: s
       type(ordinate_t) :: o
       real(dp) :: held, share, held_l, held_ks, weight, last_step
+      logical :: is_beyond
 
       associate (c => self%common, path => self%path)
          held = (self%x(i) - c%x_zero)/c%x_unit
          call predict(self, i, held)
-         call find_state(path, held, self%t(i), s, last_step, self%is_beyond(i))
-         if (.not. self%is_beyond(i)) then
+         call find_state(path, held, self%t(i), s, last_step, is_beyond)
+         self%is_beyond(i) = is_beyond .and. .not. ends_unloaded(path)
+         if (.not. is_beyond) then
             call add_derivatives(path%theory, path%lambda, s)
             call move_state(path, s, last_step)
             self%t(i) = s%t
@@ -225,7 +227,7 @@ contains
          self%fitted(i) = c%y_unit*o%y + c%y_zero
          r(i) = (self%fitted(i) - self%y(i))/self%sigma(i)
          weight = c%y_unit/self%sigma(i)
-         if (self%is_beyond(i)) then
+         if (is_beyond) then
             self%t(i) = 0
             self%change(i, :) = 0
             self%change(i, by_y_unit) = weight*o%y
@@ -338,7 +340,9 @@ contains
       end associate
    end subroutine evaluate_latent
 
-   !> such a zone, at touch. It loads no spring.
+   !> An event with its derivatives. On approach the surfaces jump into contact where the attraction begins: in Maugis-Dugdale where the
+   !> gap is its range, in the other theories at touch. Until then nothing loads the spring. The end of contact under a load is the fold;
+   !> that of a base is the end of all states, also of those without intimate contact.
    subroutine find_event(self, kind, values, nuisance, slopes, value, gradient, is_valid)
       !> The curve, whose nuisances shift the event.
       class(sphere_curve_t), intent(inout) :: self

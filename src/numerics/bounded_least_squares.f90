@@ -10,8 +10,11 @@
 !> known. J = Q R is factored once a step; all the rest is done with R, whatever the number of rows.
 !>
 !> The search ends where the undamped step of the free variables is shorter than `step_tolerance` standard errors, |Q' r| in units
-!> of the residuals, and would lower the sum of squares by less than `relative_tolerance` of it. No end asks how large a gradient is:
-!> that depends on units. |Q' r| is the same in all units of q.
+!> of the residuals, and would lower the sum of squares by less than `relative_tolerance` of it. It ends as well where no step lowers
+!> the sum any more and the undamped step is shorter than ten times that, or foresees less than the round-off of the sum: with n points
+!> of unknown error a step of 1e-6 standard errors lowers the sum by 1e-12/n of it, which no difference of two sums shows. A search
+!> that creeps though its undamped step is long lies at a kink. No end asks how large a gradient is: that depends on units. |Q' r| is
+!> the same in all units of q.
 !>
 !> Columns that are combinations of those before them, up to `rank_tolerance`, have no part in |Q' r|: their reflection is made of
 !> round-off. The damping keeps their variables where they are.
@@ -32,6 +35,10 @@ module adfric_numerics_bounded_least_squares
    real(dp), parameter :: first_damping = 1.0e-3_dp, least_damping = 1.0e-15_dp, enough_gain = 1.0e-4_dp
    !> Steps below this are round-off of variables of size 1.
    real(dp), parameter :: smallest_step = 1.0e-13_dp
+   !> Steps that the sum cannot judge: so many times `step_tolerance`, or a foreseen decrease of that part of the sum.
+   real(dp), parameter :: unjudged_step = 10.0_dp, unjudged_decrease = 64*epsilon(1.0_dp)
+   !> Where a search that creeps has an undamped step longer than that, in standard errors, it lies at a kink.
+   real(dp), parameter :: longest_last_step = 0.01_dp
    !> So many steps one after the other that lower the sum by less than the tolerance end the search.
    integer, parameter :: most_idle = 4
 
@@ -157,7 +164,7 @@ contains
       do while (outcome%steps < limits%most_steps)
          call prepare_step(work, lower, upper, is_held, limits, q, scale, step)
          if (is_at_end(step, limits, outcome%cost, idle)) then
-            outcome%status = squares_converged
+            outcome%status = merge(squares_stuck, squares_converged, is_far_from_level(step, limits, outcome%cost))
             return
          end if
          outcome%steps = outcome%steps + 1
@@ -165,7 +172,7 @@ contains
          call try_steps(squares, limits, step, work, q, damping, raise, outcome, is_better)
          if (.not. is_better) then
             outcome%status = squares_stuck
-            if (has_short_step(step, limits, outcome%cost)) outcome%status = squares_converged
+            if (is_below_judgement(step, limits, outcome%cost)) outcome%status = squares_converged
             return
          end if
          idle = merge(idle + 1, 0, before - outcome%cost <= limits%relative_tolerance*before)
@@ -251,6 +258,37 @@ contains
       has_short_step = all(abs(s) <= 100*smallest_step)
    end function has_short_step
 
+   !> Is the undamped step so short that a difference of two sums cannot judge it?
+   pure logical function is_below_judgement(step, limits, cost)
+      !> The problem of the step.
+      type(step_t), intent(in) :: step
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Cost at the place.
+      real(dp), intent(in) :: cost
+      real(dp) :: variance
+
+      variance = 1
+      if (limits%freedom > 0) variance = cost/limits%freedom
+      is_below_judgement = step%length2 <= max((unjudged_step*limits%step_tolerance)**2*variance, unjudged_decrease*cost) &
+         & .or. has_short_step(step, limits, cost)
+   end function is_below_judgement
+
+   !> Is the undamped step so long that its place is no minimum of a smooth sum?
+   pure logical function is_far_from_level(step, limits, cost)
+      !> The problem of the step.
+      type(step_t), intent(in) :: step
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Cost at the place.
+      real(dp), intent(in) :: cost
+      real(dp) :: variance
+
+      variance = 1
+      if (limits%freedom > 0) variance = cost/limits%freedom
+      is_far_from_level = step%length2 > longest_last_step**2*variance
+   end function is_far_from_level
+
    !> Take the first step that lowers the cost, with more and more damping.
    subroutine try_steps(squares, limits, step, work, q, damping, raise, outcome, is_better)
       !> The sum of squares.
@@ -285,7 +323,7 @@ contains
          if (is_valid .and. foreseen > 0) gain = (outcome%cost - cost)/foreseen
          if (gain >= enough_gain) exit
          ! a step as short as that cannot be told from round-off of the sum
-         if (is_valid .and. has_short_step(step, limits, outcome%cost)) return
+         if (is_valid .and. is_below_judgement(step, limits, outcome%cost)) return
          damping = max(damping, 1.0e-6_dp)*raise
          raise = 2*raise
          if (raise > 1.0e15_dp) return

@@ -6,9 +6,9 @@ module trial_squares
    use adfric_numerics_bounded_least_squares, only: least_squares_t
    implicit none (type, external)
    private
-   public :: trial_squares_t, rosenbrock, decay, broken, straight, combined, gsl_minimum
+   public :: trial_squares_t, rosenbrock, decay, broken, straight, combined, kinked, gsl_minimum
 
-   integer, parameter :: rosenbrock = 1, decay = 2, broken = 3, straight = 4, combined = 5
+   integer, parameter :: rosenbrock = 1, decay = 2, broken = 3, straight = 4, combined = 5, kinked = 6
    !> Points of the decay, and what was measured there.
    integer, parameter :: n_decay = 30
 
@@ -16,6 +16,8 @@ module trial_squares
    type, extends(least_squares_t) :: trial_squares_t
       integer :: kind = rosenbrock
       real(dp) :: unit = 1
+      !> Size of the round-off of the sum, as a part of it.
+      real(dp) :: round_off = 0
       !> Calls that had no value.
       integer :: n_refused = 0
    contains
@@ -99,6 +101,10 @@ contains
          r(:2) = [x(1) + 2*x(2) - 3, 3*x(1) - x(2) - 2]
          j(:2, 1) = [1.0_dp, 3.0_dp]
          j(:2, 2) = [2.0_dp, -1.0_dp]
+      case (kinked)
+         r(:2) = [3 + abs(x(1)), x(2) - 3]
+         j(:2, 1) = [sign(1.0_dp, x(1)), 0.0_dp]
+         j(:2, 2) = [0.0_dp, 1.0_dp]
       case default
          ! only the sum of both is seen
          n_rows = 3
@@ -108,6 +114,7 @@ contains
       end select
       j(:n_rows, :) = j(:n_rows, :)*self%unit
       cost = sum(r(:n_rows)**2)
+      cost = cost*(1 + self%round_off*sin(1.0e9_dp*sum(x)))
    end subroutine evaluate
 
    !> What was measured of the decay: values with a pattern for noise.
