@@ -5,7 +5,8 @@ module adfric_input_fit_values
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_text
    use adfric_input_fit_rows, only: find_fit_row, list_fit_names
-   use adfric_input_item, only: item_t, next_item, take_only_word
+   use adfric_input_group_values, only: take_text
+   use adfric_input_item, only: item_t, next_item
    use adfric_input_literal, only: convert
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_number_list, only: read_list
@@ -155,18 +156,8 @@ contains
       character(:), allocatable, intent(out) :: text
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: quoted, given, flaw
-      integer :: number, place
 
-      number = file%find_assignment(self%group, name)
-      if (number == 0) return
-      call take_only_word(file%value_of(number), quoted, flaw, place)
-      if (len(flaw) == 0) call convert(quoted, given, flaw)
-      if (len(flaw) > 0) then
-         call file%report_variable(problems, self%group, name, flaw//', allowed: a text in quotes', place)
-      else
-         text = given
-      end if
+      call take_text(file, self%group, name, 'a text in quotes', text, problems)
    end subroutine read_text
 
    !> Read several words.
