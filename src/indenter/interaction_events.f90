@@ -10,13 +10,14 @@ module adfric_indenter_interaction_events
    use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_survey, only: survey_curve, survey_t
    use adfric_indenter_curve, only: curve_t
-   use adfric_indenter_interaction_path, only: complete_waypoint, displacement_of, force_of, get_waypoint, path_t, turn, waypoint_t
+   use adfric_indenter_interaction_path, only: complete_waypoint, get_waypoint, path_t, waypoint_t
    use adfric_indenter_interaction_search, only: end_capped, end_no_adhesion, end_sliding, end_snap_off, &
       & find_end, find_peak
    use adfric_indenter_weak_contact, only: weaken
    use adfric_indenter_pulled_indenter, only: take_indenter_curve
    use adfric_material_interaction, only: adhesion_ratio
    use adfric_material_pulled_contact, only: pulled_curve_t
+   use adfric_material_shrinking_way, only: displacement_of, force_of, turn
    use adfric_material_stick_slip, only: find_critical_stiffness, find_stick_slip, forget_stick_slip, stick_slip_t
    implicit none (type, external)
    private
@@ -85,7 +86,7 @@ contains
       end if
       if (ending == end_no_adhesion) return
       events%critical_stiffness = 0
-      if (path%law%interaction > 0) call add_jump(path, finish, ending, stiffness, events)
+      if (path%is_weakened) call add_jump(path, finish, ending, stiffness, events)
    end subroutine find_peeling_events
 
    !> Add what happens on a lateral spring.
@@ -148,11 +149,11 @@ contains
       type(survey_t) :: survey
 
       is_found = .false.
-      if (path%law%interaction > 0 .and. path%law%slip_energy_ratio > path%limit) return
-      call get_waypoint(path, path%law%slip_energy_ratio, sliding)
+      if (path%is_weakened .and. path%slip_energy_ratio > path%limit) return
+      call get_waypoint(path, path%slip_energy_ratio, sliding)
       if (.not. sliding%is_found) then
          allocate (curve, source=path%way%curve)
-         sliding%ratio = adhesion_ratio(path%law%slip_energy_ratio, path%law%interaction)
+         sliding%ratio = adhesion_ratio(path%slip_energy_ratio, path%law%interaction)
          call weaken(curve, sliding%ratio)
          call survey_curve(curve, path%way%control, survey)
          call find_contact(curve, survey, path%way%control, path%way%given, .true., branch_stable, sliding%contact)

@@ -11,18 +11,19 @@
 !> K = 4 m tau^2/(pi W), and th grow: each g has one state, and so has each th. T and u may fall again.
 module adfric_indenter_interaction_path
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: half_pi, pi
+   use adfric_base_constants, only: pi
    use adfric_indenter_annulus, only: get_annulus
    use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_curve, only: control_approach, control_load, control_spring, curve_t
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_weak_contact, only: extend_way, find_known, new_weak_way, weak_way_t
    use adfric_material_interaction, only: adhesion_ratio, get_adhesion_ratio, largest_slip_energy
-   use adfric_material_slip_annulus, only: angle_of_slip, force_of_angle, largest_slip_core, slip_of_angle
+   use adfric_material_shrinking_way, only: shrinking_way_t, slip_state_t
+   use adfric_material_slip_annulus, only: angle_of_slip, largest_slip_core, slip_of_angle
    implicit none (type, external)
    private
-   public :: friction_law_t, path_t, waypoint_t, new_path, get_waypoint, get_known_waypoint, complete_waypoint, turn
-   public :: force_of, displacement_of, slip_of, largest_slip_of, get_rates, work_of
+   public :: friction_law_t, path_t, waypoint_t, new_path, get_waypoint, get_known_waypoint, complete_waypoint
+   public :: slip_of, largest_slip_of, get_rates, work_of
 
    !> The law of friction.
    type :: friction_law_t
@@ -37,30 +38,25 @@ module adfric_indenter_interaction_path
    end type friction_law_t
 
    !> A state on the way.
-   type :: waypoint_t
-      !> Is there contact?
-      logical :: is_found = .false.
+   type, extends(slip_state_t) :: waypoint_t
       !> The contact at this X.
       type(contact_t) :: contact
-      !> g, X, b.
-      real(dp) :: slip_energy = 0, ratio = 1, radius = 0
-      !> Slip core, which passes its largest value where e would be below 0, and th.
-      real(dp) :: core = 0, angle = 0
    end type waypoint_t
 
    !> A way.
-   type :: path_t
+   type, extends(shrinking_way_t) :: path_t
       !> States of contact as X falls.
       type(weak_way_t) :: way
       !> Law of friction.
       type(friction_law_t) :: law
-      !> K; the largest number without adhesion.
-      real(dp) :: demand = huge(1.0_dp)
-      !> The largest g, where X is 0.
-      real(dp) :: limit = huge(1.0_dp)
       !> At rest.
       type(waypoint_t) :: start
+   contains
+      procedure :: get_state
    end type path_t
+
+   !> A slope where b has fallen to nothing, and next to a fold.
+   real(dp), parameter :: steepest = 1.0e30_dp
 
 contains
 
@@ -80,7 +76,11 @@ contains
       type(contact_t), intent(in) :: contact
 
       self%law = law
+      self%is_weakened = law%interaction > 0
+      self%slip_energy_ratio = law%slip_energy_ratio
       self%limit = largest_slip_energy(law%interaction)
+      self%force_scale = pi*law%strength
+      self%displacement_scale = 2*law%compliance*law%strength
       if (work_of(curve) > 0) self%demand = 4*law%compliance*law%strength**2/(pi*work_of(curve))
       self%start%is_found = contact%is_found .and. contact%spot%radius > 0
       self%start%contact = contact
@@ -104,21 +104,41 @@ contains
    !> The state of a slip energy.
    pure subroutine get_waypoint(self, slip_energy, waypoint)
       !> The way, which is followed up to there.
-      type(path_t), intent(inout) :: self
+      class(path_t), intent(inout) :: self
       !> g, from 0 to the limit of the way.
       real(dp), intent(in) :: slip_energy
       !> Receives the state; not found where the contact has been lost.
       type(waypoint_t), intent(out) :: waypoint
 
-      if (self%law%interaction > 0 .and. slip_energy > 0) call extend_way(self%way, adhesion_ratio(slip_energy, &
+      if (self%is_weakened .and. slip_energy > 0) call extend_way(self%way, adhesion_ratio(slip_energy, &
          & self%law%interaction))
       call get_known_waypoint(self, slip_energy, waypoint)
    end subroutine get_waypoint
 
+   !> See `shrinking_way_t`.
+   pure subroutine get_state(self, slip_energy, state, rate)
+      !> The way, which is followed up to there.
+      class(path_t), intent(inout) :: self
+      !> g, from 0 to the limit of the way.
+      real(dp), intent(in) :: slip_energy
+      !> Receives the state; not found where the contact has been lost.
+      type(slip_state_t), intent(out) :: state
+      !> Receives d ln T/d ln g, if it is asked for; enormous and below 0 beyond the last contact.
+      real(dp), intent(out), optional :: rate
+      type(waypoint_t) :: waypoint
+      real(dp) :: others(2)
+
+      call get_waypoint(self, slip_energy, waypoint)
+      state = waypoint%slip_state_t
+      if (.not. present(rate)) return
+      rate = -steepest
+      if (waypoint%is_found) call get_rates(self, waypoint, rate, others(1), others(2))
+   end subroutine get_state
+
    !> The state of a slip energy up to which the way is known.
    pure subroutine get_known_waypoint(self, slip_energy, waypoint)
       !> The way.
-      type(path_t), intent(in) :: self
+      class(path_t), intent(in) :: self
       !> g, from 0 to the largest one that has been looked at.
       real(dp), intent(in) :: slip_energy
       !> Receives the state; not found where the contact has been lost.
@@ -126,7 +146,7 @@ contains
 
       waypoint = self%start
       waypoint%slip_energy = slip_energy
-      if (self%law%interaction > 0 .and. slip_energy > 0) then
+      if (self%is_weakened .and. slip_energy > 0) then
          waypoint%ratio = adhesion_ratio(slip_energy, self%law%interaction)
          call find_known(self%way, waypoint%ratio, waypoint%contact)
          waypoint%is_found = waypoint%contact%is_found .and. waypoint%contact%spot%radius > 0
@@ -137,7 +157,7 @@ contains
    !> b, slip core and angle of a contact and its g.
    pure subroutine complete_waypoint(self, waypoint)
       !> The way.
-      type(path_t), intent(in) :: self
+      class(path_t), intent(in) :: self
       !> In: with its contact and g. Out: with b, slip core and angle, too.
       type(waypoint_t), intent(inout) :: waypoint
 
@@ -155,38 +175,6 @@ contains
       end if
       waypoint%angle = angle_of_slip(waypoint%core)
    end subroutine complete_waypoint
-
-   !> The state of an unchanged contact at another angle.
-   pure subroutine turn(angle, waypoint)
-      !> th, 0 to pi/2.
-      real(dp), intent(in) :: angle
-      !> In: a state. Out: with this angle and its slip core.
-      type(waypoint_t), intent(inout) :: waypoint
-
-      waypoint%angle = angle
-      waypoint%core = largest_slip_core
-      if (angle < half_pi) waypoint%core = slip_of_angle(angle)
-   end subroutine turn
-
-   !> T.
-   pure real(dp) function force_of(self, waypoint) result(force)
-      !> The way.
-      type(path_t), intent(in) :: self
-      !> A state.
-      type(waypoint_t), intent(in) :: waypoint
-
-      force = pi*self%law%strength*waypoint%radius**2*force_of_angle(waypoint%angle)
-   end function force_of
-
-   !> u.
-   pure real(dp) function displacement_of(self, waypoint) result(displacement)
-      !> The way.
-      type(path_t), intent(in) :: self
-      !> A state.
-      type(waypoint_t), intent(in) :: waypoint
-
-      displacement = 2*self%law%compliance*self%law%strength*waypoint%radius*sin(waypoint%angle)
-   end function displacement_of
 
    !> s, the mean slip at the edge of an annulus.
    pure real(dp) function slip_of(law, radius, angle) result(slip)
@@ -214,7 +202,7 @@ contains
    !> d ln T/d ln g and d ln u/d ln g, the slip core's differential being th cos(th) dth.
    pure subroutine get_rates(self, waypoint, force_rate, displacement_rate, shrinkage)
       !> The way.
-      type(path_t), intent(in) :: self
+      class(path_t), intent(in) :: self
       !> A state of the way, not an end of slip.
       type(waypoint_t), intent(in) :: waypoint
       !> Receive the rates.
@@ -236,15 +224,13 @@ contains
    !> d ln b/d ln g, at most 0.
    pure real(dp) function radius_rate(self, waypoint) result(rate)
       !> The way.
-      type(path_t), intent(in) :: self
+      class(path_t), intent(in) :: self
       !> A state of the way.
       type(waypoint_t), intent(in) :: waypoint
-      ! where b has fallen to nothing, and next to a fold
-      real(dp), parameter :: steepest = 1.0e30_dp
       real(dp) :: ratio, ratio_slope, by_u(2), by_ratio(2), radius_by_u, radius_by_ratio, shares(2), slope
 
       rate = 0
-      if (.not. self%law%interaction > 0 .or. self%way%curve%shape%n_pieces == 0) then
+      if (.not. self%is_weakened .or. self%way%curve%shape%n_pieces == 0) then
          rate = face_rate(self, waypoint)
          return
       end if
@@ -273,7 +259,7 @@ contains
    !> The same of a flat face, from a difference; a contact that is the whole face does not change.
    pure real(dp) function face_rate(self, waypoint) result(rate)
       !> The way.
-      type(path_t), intent(in) :: self
+      class(path_t), intent(in) :: self
       !> A state of the way.
       type(waypoint_t), intent(in) :: waypoint
       real(dp), parameter :: step = 1.0e-6_dp
@@ -281,7 +267,7 @@ contains
       type(waypoint_t) :: before
 
       rate = 0
-      if (.not. self%law%interaction > 0 .or. .not. waypoint%contact%spot%radius < 1) return
+      if (.not. self%is_weakened .or. .not. waypoint%contact%spot%radius < 1) return
       copy = self
       call get_waypoint(copy, waypoint%slip_energy*(1 - step), before)
       rate = (waypoint%radius - before%radius)/waypoint%radius/step

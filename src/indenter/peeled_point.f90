@@ -10,14 +10,15 @@ module adfric_indenter_peeled_point
    use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_survey, only: ends_t, survey_curve, survey_t
    use adfric_indenter_interaction_events, only: find_peeling_events, peeling_events_t
-   use adfric_indenter_interaction_path, only: displacement_of, force_of, friction_law_t, get_rates, largest_slip_of, new_path, &
-      & path_t, slip_of, waypoint_t
+   use adfric_indenter_interaction_path, only: friction_law_t, get_rates, largest_slip_of, new_path, path_t, slip_of, &
+      & waypoint_t
    use adfric_indenter_interaction_search, only: find_force
    use adfric_indenter_variables
    use adfric_indenter_weak_contact, only: weaken
    use adfric_material_contact_modulus, only: has_poisson_ratio, poisson_compliance_of
    use adfric_material_interaction, only: adhesion_ratio
    use adfric_material_interaction_rows, only: slip_energy_ratio_of
+   use adfric_material_shrinking_way, only: displacement_of, force_of
    use adfric_material_slip_annulus, only: angle_of_force
    implicit none (type, external)
    private

@@ -9,8 +9,9 @@ module adfric_indenter_pulled_indenter
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_indenter_contact_state, only: contact_t
-   use adfric_indenter_interaction_path, only: displacement_of, force_of, get_known_waypoint, path_t, turn, waypoint_t
+   use adfric_indenter_interaction_path, only: get_known_waypoint, path_t, waypoint_t
    use adfric_material_pulled_contact, only: pulled_contact_t, pulled_curve_t, take_curve
+   use adfric_material_shrinking_way, only: displacement_of, force_of, turn
    implicit none (type, external)
    private
    public :: take_indenter_curve

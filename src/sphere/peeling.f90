@@ -17,7 +17,7 @@ module adfric_sphere_peeling
    use adfric_sphere_static_friction, only: mean_slip, largest_slip
    use adfric_sphere_peeling_path, only: friction_t, path_t, waypoint_t, new_path, get_waypoint, quantity_of, core_along, &
       & force_along, displacement_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
-   use adfric_sphere_peeling_search, only: find_end, find_state, find_peak, get_capped
+   use adfric_sphere_peeling_search, only: find_end, find_state, find_largest, get_capped
    use adfric_sphere_pulled_sphere, only: take_sphere_curve
    implicit none (type, external)
    private
@@ -215,12 +215,12 @@ contains
       events%is_found = path%start%is_found
       if (.not. events%is_found) return
       call find_end(path, events%is_converged)
-      call find_peak(path, force_along, peak, is_peak_converged)
-      events%is_converged = events%is_converged .and. is_peak_converged
       events%ending = path%ending
       ! the last static state, and the largest force
       onset = path%finish
       if (path%ending == end_capped) call get_capped(path%finish, half_pi, onset)
+      call find_largest(path, onset, peak, is_peak_converged)
+      events%is_converged = events%is_converged .and. is_peak_converged
       if (.not. peak%is_found) peak = onset
       if (quantity_of(path, force_along, onset) >= quantity_of(path, force_along, peak)) peak = onset
       events%peak_force = quantity_of(path, force_along, peak)

@@ -1,20 +1,24 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is looked for on the way from rest to sliding: its end, and states with a given angle, force or displacement.
 !>
-!> Along the way force and displacement rise and, with interaction, may fall again; where both happen the largest value
-!> is found first, and the state before it is the one that belongs to a smaller value.
+!> Where the contact shrinks as slip takes from adhesion, which it does in stable contact under a given load or approach, the first
+!> state with a force or displacement and the largest force are found for certain (`adfric_material_shrinking_way`): the force may
+!> have two peaks (JKR at a given separation with alpha near 1). Where it grows, one peak is looked for.
 module adfric_sphere_peeling_search
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_sphere_contact, only: contact_t, theory_t, control_load, control_approach, branch_stable
    use adfric_material_interaction, only: slip_energy_of_ratio
+   use adfric_material_largest_force, only: find_largest_force
+   use adfric_material_shrinking_way, only: find_first, first_displacement, first_force, slip_state_t
    use adfric_material_slip_annulus, only: angle_of_force, angle_of_slip, slip_of_angle, largest_slip_core
    use adfric_sphere_peeling_path, only: path_t, waypoint_t, get_waypoint, complete_waypoint, quantity_of, rate_of, &
       & core_along, force_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
+   use adfric_sphere_shrinking_sphere, only: new_shrinking, shrinking_sphere_t, state_of
    implicit none (type, external)
    private
-   public :: find_end, find_state, find_peak, get_capped
+   public :: find_end, find_state, find_largest, get_capped
 
    !> The last intimate contact less what is held, as a function of X.
    type, extends(equation_t) :: last_contact_t
@@ -30,8 +34,6 @@ module adfric_sphere_peeling_search
 
    !> Step of ln X for the slope of the last contact, and of ln g for that of a quantity.
    real(dp), parameter :: ratio_step = 1.0e-6_dp, fine_step = 1.0e-5_dp
-   !> A state is expected at most this many times as far along the way as it would lie if the area did not change.
-   real(dp), parameter :: allowance = 2.0_dp
    integer, parameter :: max_doublings = 60, n_marks = 100
 
 contains
@@ -48,7 +50,6 @@ contains
       type(waypoint_t), intent(out) :: waypoint
       !> Did all searches converge?
       logical, intent(out) :: is_converged
-      type(waypoint_t) :: last
 
       is_converged = .true.
       if (.not. self%start%is_found) then
@@ -63,21 +64,37 @@ contains
          waypoint%slip_energy = min(self%compliance*waypoint%friction_radius*waypoint%core, self%friction%slip_energy_ratio)
          return
       end if
-      ! without the end of the way, if it will do
-      call turn(self, self%start, quantity, value, last)
-      if (last%is_found .and. is_shrinking(self)) then
-         call get_waypoint(self, min(allowance*self%compliance*last%friction_radius*last%core, self%limit, &
-            & self%friction%slip_energy_ratio), self%start%contact, last)
-         if (last%is_found) then
-            if (value <= quantity_of(self, quantity, last)) then
-               call find_crossing(self, quantity, value, last, waypoint, is_converged)
-               return
-            end if
-         end if
+      if (quantity /= core_along .and. is_shrinking(self)) then
+         call find_first_state(self, quantity, value, waypoint, is_converged)
+         return
       end if
       if (self%ending == end_none) call find_end(self, is_converged)
       if (is_converged) call find_before_end(self, quantity, value, waypoint, is_converged)
    end subroutine find_state
+
+   !> The first state with a force or a displacement on a way along which the contact shrinks.
+   pure subroutine find_first_state(self, quantity, value, waypoint, is_converged)
+      !> The way.
+      type(path_t), intent(in) :: self
+      !> `force_along` or `displacement_along`.
+      integer, intent(in) :: quantity
+      !> Value of the quantity, reduced, > 0.
+      real(dp), intent(in) :: value
+      !> Receives the state; not found if the value is not reached before sliding.
+      type(waypoint_t), intent(out) :: waypoint
+      !> Did the search converge?
+      logical, intent(out) :: is_converged
+      type(shrinking_sphere_t) :: way
+      type(slip_state_t) :: state
+
+      call new_shrinking(way, self)
+      call find_first(way, merge(first_force, first_displacement, quantity == force_along), value, state_of(self%start), state, &
+         & is_converged)
+      if (.not. state%is_found) return
+      call get_waypoint(self, state%slip_energy, self%start%contact, waypoint)
+      waypoint%angle = state%angle
+      waypoint%core = state%core
+   end subroutine find_first_state
 
    !> `find_state` on the whole way, whose end is known.
    pure subroutine find_before_end(self, quantity, value, waypoint, is_converged)
@@ -295,6 +312,31 @@ contains
          slope = (here%load - near%load)/(x*ratio_step)
       end if
    end subroutine evaluate
+
+   !> The state of the largest force before the contact is constant; not found if the end of the way bears more.
+   pure subroutine find_largest(self, onset, waypoint, is_converged)
+      !> The way, whose end is known.
+      type(path_t), intent(inout) :: self
+      !> The last static state.
+      type(waypoint_t), intent(in) :: onset
+      !> Receives the state.
+      type(waypoint_t), intent(out) :: waypoint
+      !> Did the search converge?
+      logical, intent(out) :: is_converged
+      type(shrinking_sphere_t) :: way
+      type(slip_state_t) :: state
+      logical :: is_larger
+
+      is_converged = .true.
+      if (is_shrinking(self)) then
+         call new_shrinking(way, self)
+         call find_largest_force(way, state_of(self%start), state_of(self%finish), quantity_of(self, force_along, onset), state, &
+            & is_larger)
+         if (is_larger) call get_waypoint(self, state%slip_energy, self%start%contact, waypoint)
+      else
+         call find_peak(self, force_along, waypoint, is_converged)
+      end if
+   end subroutine find_largest
 
    !> The largest value of a quantity before the end of the way; not found if it still rises there.
    pure subroutine find_peak(self, quantity, waypoint, is_converged)
