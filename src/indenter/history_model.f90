@@ -16,8 +16,8 @@ module adfric_indenter_history_model
    use adfric_indenter_shape, only: spot_t
    use adfric_indenter_variables
    use adfric_material_contact_modulus, only: derive_contact_modulus, has_poisson_ratio, poisson_compliance_of
-   use adfric_material_tangential_history, only: by_displacement, by_force, history_t, normal_contact_t, normal_state_t, &
-      & start_history
+   use adfric_material_normal_contact, only: by_displacement, by_force, normal_contact_t, normal_state_t
+   use adfric_material_tangential_history, only: history_t, start_history
    use adfric_model_check, only: require
    use adfric_model_derived, only: derived_t
    use adfric_model_pointwise, only: pointwise_model_t, point_state_t
