@@ -8,7 +8,7 @@ module adfric
    use adfric_classical_punch_model, only: punch_model_t, new_punch_model
    use adfric_classical_strip_load_model, only: strip_load_model_t, new_strip_load_model
    use adfric_classical_wave_model, only: wave_model_t, new_wave_model
-   use adfric_indenter_history_model, only: history_model_t, new_history_model
+   use adfric_indenter_history_model, only: indenter_history_t, new_indenter_history
    use adfric_indenter_model, only: indenter_model_t, new_indenter_model
    use adfric_model_model, only: model_t
    use adfric_periodic_sliding_model, only: sliding_model_t, new_sliding_model
@@ -37,7 +37,7 @@ contains
       type(wavy_model_t), allocatable :: wavy
       type(sphere_model_t), allocatable :: sphere
       type(indenter_model_t), allocatable :: indenter
-      type(history_model_t), allocatable :: history
+      type(indenter_history_t), allocatable :: indenter_history
       type(hertz_model_t), allocatable :: hertz
       type(punch_model_t), allocatable :: punch
       type(wave_model_t), allocatable :: wave
@@ -62,9 +62,9 @@ contains
          call new_indenter_model(indenter)
          call move_alloc(indenter, model)
       case ('indenter_history')
-         allocate (history)
-         call new_history_model(history)
-         call move_alloc(history, model)
+         allocate (indenter_history)
+         call new_indenter_history(indenter_history)
+         call move_alloc(indenter_history, model)
       case ('hertz')
          allocate (hertz)
          call new_hertz_model(hertz)
