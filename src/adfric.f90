@@ -2,6 +2,7 @@
 !> The models that the program knows: the only place that has all their names.
 module adfric
    use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_classical_hertz_history_model, only: hertz_history_t, new_hertz_history
    use adfric_classical_hertz_model, only: hertz_model_t, new_hertz_model
    use adfric_classical_line_load_model, only: line_load_model_t, new_line_load_model
    use adfric_classical_point_load_model, only: point_load_model_t, new_point_load_model
@@ -21,8 +22,8 @@ module adfric
    public :: known_models, new_model
 
    !> Names of the models, separated by a blank.
-   character(*), parameter :: known_models = 'wavy_sliding sphere hertz rigid_punch indenter indenter_history wave_1d '// &
-      & 'wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load'
+   character(*), parameter :: known_models = 'wavy_sliding sphere hertz hertz_history rigid_punch indenter indenter_history '// &
+      & 'wave_1d wave_2d_elastic surface_elastic surface_sliding line_load strip_load point_load'
 
 contains
 
@@ -39,6 +40,7 @@ contains
       type(indenter_model_t), allocatable :: indenter
       type(indenter_history_t), allocatable :: indenter_history
       type(hertz_model_t), allocatable :: hertz
+      type(hertz_history_t), allocatable :: hertz_history
       type(punch_model_t), allocatable :: punch
       type(wave_model_t), allocatable :: wave
       type(wave_2d_model_t), allocatable :: wave_2d
@@ -69,6 +71,10 @@ contains
          allocate (hertz)
          call new_hertz_model(hertz)
          call move_alloc(hertz, model)
+      case ('hertz_history')
+         allocate (hertz_history)
+         call new_hertz_history(hertz_history)
+         call move_alloc(hertz_history, model)
       case ('rigid_punch')
          allocate (punch)
          call new_punch_model(punch)

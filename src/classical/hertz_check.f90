@@ -16,7 +16,7 @@ module adfric_classical_hertz_check
    use adfric_model_table, only: variable_t
    implicit none (type, external)
    private
-   public :: check_hertz, is_sliding, get_curvatures
+   public :: check_hertz, check_radii, is_sliding, get_curvatures
 
 contains
 

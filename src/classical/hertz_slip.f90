@@ -14,7 +14,7 @@ module adfric_classical_hertz_slip
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_classical_hertz_ellipse, only: ellipse_t
+   use adfric_classical_hertz_ellipse, only: ellipse_shape_t, ellipse_t
    use adfric_classical_hertz_variables, only: axis_minor, kind_elliptical, kind_line, r_cycle_energy, r_stick_fraction, &
       & r_tangential_displacement, r_tangential_stiffness, v_coefficient, v_contact_modulus, v_kind, v_poisson_ratio, &
       & v_second_poisson_ratio, v_tangential_axis, v_tangential_force
@@ -26,7 +26,7 @@ module adfric_classical_hertz_slip
    implicit none (type, external)
    private
    public :: hertz_slip_t, check_slip, refuse_slip, has_slip, find_slip, add_line_slip, add_ellipse_slip, slip_profiles
-   public :: tractions, p_shear_stress
+   public :: bonded_compliance, tractions, p_shear_stress
 
    !> Place of the shear stress among the profiles, behind those that every contact has.
    integer, parameter :: p_shear_stress = 3
@@ -169,17 +169,27 @@ contains
       real(dp), intent(in) :: values(:)
       !> The contact.
       type(ellipse_t), intent(in) :: ellipse
+      logical :: is_along_minor
+
+      is_along_minor = is_set(values(v_tangential_axis))
+      if (is_along_minor) is_along_minor = nint(values(v_tangential_axis)) == axis_minor
+      compliance = bonded_compliance(values(v_contact_modulus:v_second_poisson_ratio), ellipse%shape, is_along_minor)
+   end function compliance_of
+
+   !> C of the module's head times the half-axis a [1/Pa].
+   pure real(dp) function bonded_compliance(moduli, shape, is_along_minor) result(compliance)
+      !> Values of the rows of the contact modulus; shape `(n_two_bodies)`.
+      real(dp), intent(in) :: moduli(:)
+      !> Shape of the ellipse.
+      type(ellipse_shape_t), intent(in) :: shape
+      !> Does the force act along the minor axis?
+      logical, intent(in) :: is_along_minor
       real(dp) :: along
 
-      associate (shape => ellipse%shape)
-         along = shape%d_along
-         if (is_set(values(v_tangential_axis))) then
-            if (nint(values(v_tangential_axis)) == axis_minor) along = shape%axis_ratio**2*shape%d_across
-         end if
-         compliance = (2/modulus_of(values)*shape%f &
-            & + poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))*along/3)/(2*pi)
-      end associate
-   end function compliance_of
+      along = shape%d_along
+      if (is_along_minor) along = shape%axis_ratio**2*shape%d_across
+      compliance = (2/contact_modulus_of(moduli)*shape%f + poisson_compliance_of(moduli)*along/3)/(2*pi)
+   end function bonded_compliance
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
