@@ -44,13 +44,24 @@ contains
       integer, intent(in) :: number
       !> Receives the word; empty if there are fewer.
       character(:), allocatable, intent(out) :: word
-      integer :: k
+      !> Places of the first letter of a word, and behind its last one.
+      integer :: first, behind
+      integer :: k, length
 
-      word = trim(adjustl(list))
-      do k = 2, number
-         word = adjustl(word(index(word//' ', ' '):))
+      first = 0
+      behind = 0
+      do k = 1, number
+         first = behind + verify(list(behind + 1:), ' ')
+         if (first == behind) exit
+         length = scan(list(first:), ' ') - 1
+         if (length < 0) length = len(list) - first + 1
+         behind = first + length
       end do
-      word = word(:index(word//' ', ' ') - 1)
+      if (first == behind) then
+         word = ''
+      else
+         word = list(first:behind - 1)
+      end if
    end subroutine find_word
 
    !> A text with blanks to a width, and at least one.

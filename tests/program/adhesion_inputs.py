@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The shipped inputs of rough surfaces that adhere, on fewer cells, and their figures."""
 
+import re
 import sys
 import unittest
 from pathlib import Path
@@ -8,12 +9,23 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from input_runs import InputRuns  # noqa: E402
+from input_runs import SOURCE, InputRuns  # noqa: E402
 from plotting import adhesion, figures, surface  # noqa: E402
 from plotting.results import Results  # noqa: E402
 
 
 class AdhesionInputs(InputRuns):
+    def test_waves(self):
+        """Every input of a wave along two directions is answered, on fewer cells where those of the input take their time."""
+        for name, result, count, cells in (("wave_2d_adhesion", "contact_fraction", 52, 128),
+                                           ("wave_2d_adhesion_approach", "contact_fraction", 51, 128),
+                                           ("wave_2d_adhesion_penetration", "mean_pressure", 45, 64),
+                                           ("wave_2d_adhesion_penetration_approach", "mean_pressure", 45, 64),
+                                           ("wave_2d_pull_off", "pull_off_pressure", 13, 128)):
+            given = re.search(r"cells = \d+", (SOURCE / "inputs" / f"{name}.nml").read_text())[0]
+            found = self.solve(name, **{given: f"cells = {cells}"})
+            self.assertEqual(found[result].shape, (count,))
+
     def test_adhesion_and_friction(self):
         """A rough surface that adheres has friction under a tension, where it has no coefficient; it is that of area and of what contact carries."""
         self.make_surface("surface_adhesion_friction", 256)
