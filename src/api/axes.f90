@@ -21,7 +21,7 @@ contains
       !> Values of the variables; shape `(n_variables, n_values)`.
       real(dp), intent(in) :: values(:, :)
       type(axis_t), allocatable :: longer(:)
-      integer :: i, k
+      integer :: i, k, n
 
       do k = 1, size(axes)
          if (size(axes(k)%variables) /= size(variables)) cycle
@@ -32,11 +32,13 @@ contains
       do i = 1, size(variables)
          call leave_out(axes, variables(i))
       end do
-      allocate (longer(size(axes) + 1))
+      n = size(axes) + 1
+      allocate (longer(n))
       call move_axes(axes, longer)
-      longer(size(longer))%variables = variables
-      longer(size(longer))%values = values
-      if (size(variables) > 1) longer(size(longer))%name = name_of_list
+      longer(n)%variables = variables
+      longer(n)%values = values
+      ! n and not an expression: gfortran 11 would write beside the name
+      if (size(variables) > 1) longer(n)%name = name_of_list
       call move_alloc(longer, axes)
    end subroutine put_axis
 
