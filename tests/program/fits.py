@@ -12,11 +12,10 @@ import numpy as np
 import xarray as xr
 
 sys.path.insert(0, str(Path(__file__).parent))
-from runs import Runs  # noqa: E402
+from runs import MAP, STACK, Runs  # noqa: E402
 
 SOURCE = Path(__file__).resolve().parents[2]
 SETS = SOURCE / "tests/reference/fit"
-MAP = SETS / "map_jkr_a.h5"
 # of chi2, absolute; of estimates in standard errors; of standard errors, relative
 CHI2, ESTIMATE, ERROR = 1e-6, 1e-4, 1e-4
 
@@ -36,16 +35,6 @@ AREA = """
 &data file = '{file}', abscissa = 'load', ordinate = 'contact_area' /
 &free variable = 'work_of_adhesion' /
 &free variable = 'contact_modulus' /
-"""
-STACK = """
-&job model = 'sphere', output = 'run.h5' /
-&sphere radius = 5e-6 /
-&model theory = 'jkr' /
-&data file = '{file}:/load', abscissa = 'approach', abscissa_column = 'position', ordinate = 'load', sigma = 2e-10, spring_stiffness = 0.05 /
-&free variable = 'work_of_adhesion' /
-&free variable = 'contact_modulus' /
-&free variable = 'contact_point' /
-&free variable = 'load_offset' /
 """
 # a small case in which each mistake is made
 SMALL = """

@@ -16,7 +16,7 @@ from pathlib import Path
 import h5py
 
 sys.path.insert(0, str(Path(__file__).parent))
-from runs import IN_ORDER, LOADS, PROFILES, PROGRAM, Runs  # noqa: E402
+from runs import IN_ORDER, LOADS, MAP, PROFILES, PROGRAM, STACK, Runs  # noqa: E402
 
 MPIRUN = shutil.which("mpirun")
 N_KILLS = 10
@@ -76,6 +76,18 @@ class Ranks(Runs):
         start = time.monotonic()
         output, _ = self.run_program("run", "--force", "run.nml", "--output", "whole.h5", threads=1)
         return time.monotonic() - start, output
+
+    def test_fits(self):
+        """The curves of a map are shared out as the points of a sweep are."""
+        self.write(STACK.format(file=MAP))
+        output, _ = self.run_program("fit", "--force", "run.nml", "--output", "whole.h5", threads=1)
+        for n_ranks, threads in ((2, 1), (4, 1), (2, 2)):
+            with self.subTest(n_ranks=n_ranks, threads=threads):
+                of_ranks, errors = self.run_ranks(n_ranks, "fit", "run.nml", threads=threads)
+                self.assertEqual(errors, [])
+                self.assertEqual(of_ranks.splitlines()[:-2], output.splitlines()[:-2])
+                self.assert_same(self.snapshot("whole.h5"), self.snapshot("run.h5"))
+                (self.folder / "run.h5").unlink()
 
     def test_same_results(self):
         for text in (LOADS.format(strips=16, count=400), PROFILES.format(strips=16, count=200)):

@@ -37,6 +37,18 @@ LOADS = """
 # points of about the same cost
 EVEN = LOADS.replace("from = -0.1", "from = 0.1").replace("{strips}", "16")
 PROFILES = LOADS + "&output profiles = .true., n_x = 9, n_y = 5 /\n"
+# fits of the curves of a map; some of them have no answer
+MAP = Path(__file__).resolve().parents[1] / "reference/fit/map_jkr_a.h5"
+STACK = """
+&job model = 'sphere', output = 'run.h5' /
+&sphere radius = 5e-6 /
+&model theory = 'jkr' /
+&data file = '{file}:/load', abscissa = 'approach', abscissa_column = 'position', ordinate = 'load', sigma = 2e-10, spring_stiffness = 0.05 /
+&free variable = 'work_of_adhesion' /
+&free variable = 'contact_modulus' /
+&free variable = 'contact_point' /
+&free variable = 'load_offset' /
+"""
 
 
 class Runs(unittest.TestCase):
