@@ -5,8 +5,10 @@
 !>
 !> Sweeps in blocks as the program cuts them, for every kind of shape: without adhesion, by JKR, and by Maugis's theory. Along a load,
 !> an approach or a radius the points of a block share the survey of Maugis's curve; along the work of adhesion each has its own. Partial
-!> slip is that of contacts without adhesion, from small forces to sliding, and that of a shear strength with adhesion. A history is one
-!> point of many steps, of which each counts: load and force wander, so that the stack of its memory is up to some tens of entries.
+!> slip is that of contacts without adhesion, from small forces to sliding, and that of a shear strength with adhesion. With interaction
+!> the force takes from adhesion, JKR's and that of a range; on a lateral spring each point has a way of its own, whose jumps are found. A
+!> history is one point of many steps, of which each counts: load and force wander, so that the stack of its memory is up to some tens of
+!> entries.
 program indenter
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp, i8
@@ -19,7 +21,8 @@ program indenter
    use trial_case, only: trial_case_t, new_case
    implicit none (type, external)
 
-   integer, parameter :: n_repeats = 5, n_points = 2048
+   !> Points of a sweep; those that have a way of their own are fewer.
+   integer, parameter :: n_repeats = 5, n_points = 2048, n_ways = 64
    character(*), parameter :: kinds = 'flat cone paraboloid power sphere flat_cone flat_paraboloid rounded_punch '// &
       & 'rounded_cone polynomial'
    type(trial_case_t) :: case
@@ -27,7 +30,7 @@ program indenter
 
    call print_heading('Indenters')
    table = open_table(text_argument(1, 'indenter.csv'), 'theory,kind,swept,us,us_least,us_most,error_estimate')
-   print '(a16, a16, a20, a30, a16)', 'theory', 'kind', 'swept', 'us per point (range)', 'error_estimate'
+   print '(a16, a16, a20, a35, a16)', 'theory', 'kind', 'swept', 'us per point (range)', 'error_estimate'
    do kind = 1, 10
       call start(kind)
       call report('none', 'load', 1.0e-3_dp, 10.0_dp)
@@ -43,6 +46,7 @@ program indenter
       call case%give('load', 0.1_dp)
       call report('maugis_dugdale', 'work_of_adhesion', 1.0e-3_dp, 0.1_dp)
       call report_strength()
+      call report_interaction()
       call report_history(kind)
    end do
    close (table)
@@ -98,6 +102,26 @@ contains
       case = plain
    end subroutine report_strength
 
+   !> A force that takes half of the work of its slip from adhesion, and a lateral spring.
+   subroutine report_interaction()
+      type(trial_case_t) :: plain
+
+      plain = case
+      call start(kind)
+      call case%give('load', 1.0_dp)
+      call case%give('poisson_ratio', 0.3_dp)
+      call case%give('shear_strength', 1.0_dp)
+      call case%give('work_of_adhesion', 0.01_dp)
+      call case%give('slip_energy_ratio', 1.0_dp)
+      call case%give('interaction', 0.5_dp)
+      call report('interaction jkr', 'tangential_force', 1.0e-6_dp, 0.03_dp)
+      call case%give('adhesion_stress', 0.2_dp)
+      call report('interaction', 'tangential_force', 1.0e-6_dp, 0.03_dp, n_ways)
+      call case%give('events', 1.0_dp)
+      call report('lateral spring', 'lateral_stiffness', 1.0e-2_dp, 10.0_dp, n_ways)
+      case = plain
+   end subroutine report_interaction
+
    !> A history of random forces.
    subroutine report_history(kind)
       integer, intent(in) :: kind
@@ -128,35 +152,41 @@ contains
       end do
       if (any(status /= status_solved)) error stop 'indenter: not solved'
       time = spread_of(times)
-      print '(a16, a16, a20, f10.3, 2(a, f7.3), a, es15.1)', 'history', get_word(kinds, kind), 'step', time%median, ' (', &
+      print '(a16, a16, a20, f11.3, 2(a, f9.3), a, es15.1)', 'history', get_word(kinds, kind), 'step', time%median, ' (', &
          time%least, ' to ', time%most, ')', maxval(estimate)
       write (table, '(3(a, ","), 3(f0.4, ","), es8.2)') 'history', get_word(kinds, kind), 'step', time, maxval(estimate)
       case = plain
    end subroutine report_history
 
    !> Time of a point along a sweep in even steps of the logarithm; the variable is not given then.
-   subroutine report(theory, swept, first, last)
+   subroutine report(theory, swept, first, last, n_given)
       character(*), intent(in) :: theory, swept
       real(dp), intent(in) :: first, last
+      !> Number of points.
+      integer, intent(in), optional :: n_given
       type(trial_case_t) :: one
-      real(dp) :: values(size(case%values), n_points), results(size(case%model%results), n_points), estimate(n_points), &
-         times(n_repeats)
-      integer :: status(n_points), r, i
+      real(dp), allocatable :: values(:, :), results(:, :), estimate(:)
+      real(dp) :: times(n_repeats)
+      integer, allocatable :: status(:)
+      integer :: n, r, i
       type(spread_t) :: time
 
+      n = n_points
+      if (present(n_given)) n = n_given
+      allocate (values(size(case%values), n), results(size(case%model%results), n), estimate(n), status(n))
       one = case
-      do i = 1, n_points
-         call one%give(swept, first*(last/first)**((i - 1.0_dp)/(n_points - 1)))
+      do i = 1, n
+         call one%give(swept, first*(last/first)**((i - 1.0_dp)/(n - 1)))
          values(:, i) = one%values
       end do
       do r = 1, n_repeats
          times(r) = wall_clock()
          call solve(values, results, estimate, status)
-         times(r) = 1.0e6_dp*(wall_clock() - times(r))/n_points
+         times(r) = 1.0e6_dp*(wall_clock() - times(r))/n
       end do
       if (any(status /= status_solved)) error stop 'indenter: not solved'
       time = spread_of(times)
-      print '(a16, a16, a20, f10.3, 2(a, f7.3), a, es15.1)', theory, get_word(kinds, kind), swept, time%median, ' (', &
+      print '(a16, a16, a20, f11.3, 2(a, f9.3), a, es15.1)', theory, get_word(kinds, kind), swept, time%median, ' (', &
          time%least, ' to ', time%most, ')', maxval(estimate)
       write (table, '(3(a, ","), 3(f0.4, ","), es8.2)') theory, get_word(kinds, kind), swept, time, maxval(estimate)
       flush (output_unit)
