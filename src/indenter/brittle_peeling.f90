@@ -22,7 +22,7 @@ module adfric_indenter_brittle_peeling
    use adfric_indenter_contact_state, only: contact_t, set_contact
    use adfric_indenter_curve, only: control_load, curve_t
    use adfric_indenter_shape, only: spot_t
-   use adfric_indenter_weak_contact, only: weaken
+   use adfric_indenter_weak_way, only: weaken
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private

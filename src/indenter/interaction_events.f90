@@ -13,7 +13,7 @@ module adfric_indenter_interaction_events
    use adfric_indenter_interaction_path, only: complete_waypoint, get_waypoint, path_t, waypoint_t
    use adfric_indenter_interaction_search, only: end_capped, end_no_adhesion, end_sliding, end_snap_off, &
       & find_end, find_peak
-   use adfric_indenter_weak_contact, only: weaken
+   use adfric_indenter_weak_way, only: weaken
    use adfric_indenter_pulled_indenter, only: take_indenter_curve
    use adfric_material_interaction, only: adhesion_ratio
    use adfric_material_pulled_contact, only: pulled_curve_t

@@ -14,7 +14,7 @@ module adfric_indenter_peeled_point
       & waypoint_t
    use adfric_indenter_interaction_search, only: find_force
    use adfric_indenter_variables
-   use adfric_indenter_weak_contact, only: weaken
+   use adfric_indenter_weak_way, only: weaken
    use adfric_material_contact_modulus, only: has_poisson_ratio, poisson_compliance_of
    use adfric_material_interaction, only: adhesion_ratio
    use adfric_material_interaction_rows, only: slip_energy_ratio_of
