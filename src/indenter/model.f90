@@ -1,26 +1,22 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `indenter`: an indenter of any axisymmetric shape on an elastic half-space, without adhesion or with it (JKR, Maugis-Dugdale).
 module adfric_indenter_model
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
-   use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
-   use adfric_indenter_axis_stress, only: get_axis_stress
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_indenter_check, only: check_indenter_values
    use adfric_indenter_contact, only: find_contact
-   use adfric_indenter_contact_state, only: contact_t, terms_of
+   use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_survey, only: ends_t, survey_t, survey_curve
-   use adfric_indenter_curve, only: control_approach, control_load, control_radius, control_spring, stability_control
-   use adfric_indenter_energy, only: elastic_energy
+   use adfric_indenter_curve, only: stability_control
+   use adfric_indenter_friction_point, only: add_friction, add_slip, friction_t, shear_at
    use adfric_indenter_loop, only: find_loop, loop_t
-   use adfric_indenter_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_peeled, tangential_compliance
+   use adfric_indenter_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_peeled
+   use adfric_indenter_point_results, only: estimate_error, store_contact, store_ends, store_events, store_stress
    use adfric_indenter_profiles, only: pressure_at, gap_at
-   use adfric_indenter_shear, only: find_shear_slip, find_sliding, resistance_t, shear_slip_t, shear_stress_at
-   use adfric_indenter_slip, only: find_indenter_slip, indenter_slip_t
    use adfric_indenter_variables
    use adfric_material_contact_modulus, only: derive_contact_modulus
    use adfric_model_derived, only: derived_t
@@ -50,12 +46,8 @@ module adfric_indenter_model
       type(indenter_case_t) :: case
       !> Its contact.
       type(contact_t) :: contact
-      !> Its slip, where there is friction.
-      type(indenter_slip_t) :: slip
-      !> How it resists shear, where there is a shear strength.
-      type(resistance_t) :: resistance
-      !> Its slip then.
-      type(shear_slip_t) :: shear
+      !> Its friction, where there is one.
+      type(friction_t) :: friction
       !> The survey of its curve; it serves the next point, too, if that has the same curve and control.
       type(survey_t) :: survey
       !> Values of the variables up to the theory, the stiffness of the spring, and X in sliding, which the curve follows from where
@@ -181,8 +173,10 @@ contains
             error_estimate = estimate_error(case, contact, found%survey%ends) + peeled%error
             call store_contact(case, contact, values, results)
             if (is_set(values(v_position_z))) call store_stress(case, contact, values, results)
-            if (is_set(values(v_friction_coefficient))) call add_slip(values, found, results, status)
-            if (is_set(values(v_shear_strength))) call add_friction(values, found, results, status)
+            if (is_set(values(v_friction_coefficient))) call add_slip(values, case, found%survey, contact, &
+               & found%friction%slip, results, status)
+            if (is_set(values(v_shear_strength))) call add_friction(values, case, contact, &
+               & found%friction%resistance, found%friction%shear, results, status)
             if (status == status_solved .and. (is_set(values(v_shear_strength)) .or. nint(values(v_law)) == law_peeling)) &
                & call store_peeled(values, case, peeled, results)
             if (peeled%is_peeling) results(r_cycle_energy) = not_a_number()
@@ -240,208 +234,6 @@ contains
       end select
    end subroutine take_events
 
-   !> Where contacts end, in SI units.
-   pure subroutine store_ends(case, ends, results)
-      !> The point with its units.
-      type(indenter_case_t), intent(in) :: case
-      !> Where contacts end, reduced.
-      type(ends_t), intent(in) :: ends
-      !> Receives them; shape `(n_results)`.
-      real(dp), intent(inout) :: results(:)
-
-      results([r_pull_off_load, r_jump_inward_load, r_jump_outward_load]) = case%force_unit() &
-         & *[ends%pull_off_load, ends%jump_inward_load, ends%jump_outward_load]
-      results([r_pull_off_approach, r_jump_inward_approach, r_jump_outward_approach]) = case%height_unit &
-         & *[ends%pull_off_approach, ends%jump_inward_approach, ends%jump_outward_approach]
-   end subroutine store_ends
-
-   !> What happens in a cycle, in SI units. Without adhesion nothing jumps.
-   pure subroutine store_events(case, loop, results)
-      !> The point with its units.
-      type(indenter_case_t), intent(in) :: case
-      !> What happens, reduced.
-      type(loop_t), intent(in) :: loop
-      !> Receives it; shape `(n_results)`.
-      real(dp), intent(inout) :: results(:)
-
-      results(r_loop_energy) = 0
-      if (case%theory == theory_none) return
-      results(r_loop_energy) = loop%energy*case%force_unit()*case%height_unit
-      results(r_jump_in_base_approach) = loop%jump_in*case%height_unit
-      results(r_jump_in_load) = loop%jump_in_load*case%force_unit()
-      results(r_pull_off_base_approach) = loop%pull_off*case%height_unit
-   end subroutine store_events
-
-   !> Results of a contact, in SI units. What was given comes back to the last digit.
-   pure subroutine store_contact(case, contact, values, results)
-      !> The point with its units.
-      type(indenter_case_t), intent(in) :: case
-      !> The contact, reduced.
-      type(contact_t), intent(in) :: contact
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Receives the results; shape `(n_results)`.
-      real(dp), intent(inout) :: results(:)
-      real(dp) :: radius
-
-      associate (a => contact%spot%radius)
-         radius = a*case%length_unit
-         if (is_set(values(v_contact_radius))) radius = values(v_contact_radius)
-         results(r_load) = contact%load*case%force_unit()
-         if (is_set(values(v_load))) results(r_load) = values(v_load)
-         results(r_approach) = contact%approach*case%height_unit
-         if (is_set(values(v_approach))) results(r_approach) = values(v_approach)
-         if (is_set(values(v_base_approach))) results(r_base_approach) = values(v_base_approach)
-         results(r_contact_radius) = radius
-         results(r_contact_area) = pi*radius**2
-         if (a > 0) results(r_mean_pressure) = contact%load/(pi*a**2)*case%modulus*(case%height_unit/case%length_unit)
-         results(r_contact_stiffness) = contact%stiffness*case%modulus*case%length_unit
-         results(r_elastic_energy) = elastic_energy(case%curve, contact)*case%force_unit()*case%height_unit
-         results(r_stable) = merge(1, 0, contact%is_stable)
-         results(r_theory_used) = case%theory
-         if (case%theory /= theory_dmt) results(r_adhesion_radius) = contact%adhesion_radius*case%length_unit
-      end associate
-   end subroutine store_contact
-
-   !> Stresses on the axis, in SI units.
-   pure subroutine store_stress(case, contact, values, results)
-      !> The point with its units.
-      type(indenter_case_t), intent(in) :: case
-      !> The contact, reduced.
-      type(contact_t), intent(in) :: contact
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Receives the results; shape `(n_results)`.
-      real(dp), intent(inout) :: results(:)
-      real(dp) :: s_zz, s_rr, unit
-
-      call get_axis_stress(case%curve%shape, contact, values(v_poisson_ratio), values(v_position_z)/case%length_unit, s_zz, s_rr)
-      unit = case%modulus*(case%height_unit/case%length_unit)
-      results(r_stress_zz) = s_zz*unit
-      results(r_stress_rr) = s_rr*unit
-   end subroutine store_stress
-
-   !> Add the results of partial slip; without load there are none.
-   pure subroutine add_slip(values, found, results, status)
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> The point with its contact; receives the slip.
-      type(indenter_state_t), intent(inout) :: found
-      !> In: results of the contact. Out: with those of slip, or all NaN; shape `(n_results)`.
-      real(dp), intent(inout) :: results(:)
-      !> In: solved. Out: one of `status_...`.
-      integer, intent(inout) :: status
-      real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
-      real(dp) :: needed, ratio
-      logical :: is_converged
-
-      associate (case => found%case, slip => found%slip, mu => values(v_friction_coefficient))
-         needed = abs(values(v_tangential_force))/mu
-         if (needed > (1 + round_off)*results(r_load)) then
-            status = status_no_equilibrium
-            results(:) = not_a_number()
-            return
-         end if
-         if (.not. results(r_load) > 0) return
-         call find_indenter_slip(case%curve, found%survey, found%contact, min(needed/results(r_load), 1.0_dp), slip, is_converged)
-         ratio = tangential_compliance(values, case)
-         results(r_stick_fraction) = slip%ratio**2
-         results(r_tangential_displacement) = sign(mu*ratio*case%height_unit*slip%fall, values(v_tangential_force))
-         results(r_tangential_stiffness) = 2*slip%stick%spot%radius*case%length_unit*case%modulus/ratio
-         results(r_cycle_energy) = 8*mu**2*ratio*slip%energy*case%force_unit()*case%height_unit
-         if (is_converged) return
-         status = status_not_converged
-         results(:) = not_a_number()
-      end associate
-   end subroutine add_slip
-
-   !> Add the friction of a shear strength, and under a tangential force its partial slip.
-   pure subroutine add_friction(values, found, results, status)
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> The point with its contact; receives resistance and slip.
-      type(indenter_state_t), intent(inout) :: found
-      !> In: results of the contact. Out: with those of friction, or all NaN; shape `(n_results)`.
-      real(dp), intent(inout) :: results(:)
-      !> In: solved. Out: one of `status_...`.
-      integer, intent(inout) :: status
-      real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
-      real(dp) :: radius, force, ratio, unit
-      logical :: is_converged
-
-      associate (case => found%case, slip => found%shear)
-         unit = case%modulus*(case%height_unit/case%length_unit)
-         found%resistance%strength = values(v_shear_strength)/unit
-         if (is_set(values(v_pressure_factor))) found%resistance%factor = values(v_pressure_factor)
-         found%resistance%edge_fraction = values(v_edge_fraction)
-         call find_sliding(found%resistance, found%contact, case%curve%outer_pull, radius, force)
-         results(r_friction_area) = pi*(radius*case%length_unit)**2
-         results(r_friction_force) = force*case%force_unit()
-         if (.not. is_set(values(v_tangential_force))) return
-         if (abs(values(v_tangential_force)) > (1 + round_off)*results(r_friction_force)) then
-            status = status_no_equilibrium
-            results(:) = not_a_number()
-            return
-         end if
-         if (.not. radius > 0) return
-         call find_shear_slip(case%curve%shape, found%resistance, found%contact, abs(values(v_tangential_force)) &
-            & /case%force_unit(), slip, is_converged)
-         ratio = tangential_compliance(values, case)
-         results(r_stick_fraction) = slip%ratio**2
-         results(r_tangential_displacement) = sign(ratio*case%height_unit*slip%displacement, values(v_tangential_force))
-         results(r_tangential_stiffness) = 2*slip%radius*case%length_unit*case%modulus/ratio
-         results(r_cycle_energy) = ratio*slip%energy*case%force_unit()*case%height_unit
-         if (is_converged) return
-         status = status_not_converged
-         results(:) = not_a_number()
-      end associate
-   end subroutine add_friction
-
-   !> Round-off of what is held moves the contact along the curve, at the end of stability by the root of round-off; load and approach
-   !> are differences. The largest relative error of radius, load and approach, the latter two against at least a tenth of pull-off.
-   pure real(dp) function estimate_error(case, contact, ends) result(error)
-      !> The point.
-      type(indenter_case_t), intent(in) :: case
-      !> Its contact.
-      type(contact_t), intent(in) :: contact
-      !> Where contacts end.
-      type(ends_t), intent(in) :: ends
-      real(dp), parameter :: round_off = 2*epsilon(1.0_dp), least_share = 0.1_dp
-      real(dp) :: terms(2), best(2), sizes(2), shares(2), shift, slope
-      integer :: k
-
-      error = round_off
-      associate (spot => contact%spot)
-         terms = terms_of(contact)
-         sizes = abs([contact%load, contact%approach])
-         ! where no contact is stable there is no pull-off
-         if (.not. ieee_is_nan(ends%pull_off_load)) then
-            sizes = max(sizes, least_share*abs([ends%pull_off_load, ends%pull_off_approach]))
-         end if
-         best = terms
-         if (case%control == control_spring) best = min(terms, [(abs(case%given) + terms(2))/case%curve%compliance, &
-            & abs(case%given) + case%curve%compliance*terms(1)])
-         do k = 1, 2
-            if (sizes(k) > 0) error = max(error, 2*round_off*best(k)/sizes(k))
-         end do
-         if (case%control == control_radius .or. .not. contact%u > 0 .or. case%curve%shape%n_pieces == 0) return
-         ! change of u that round-off of what is held makes
-         shares = 0
-         shares(merge(1, 2, case%control == control_load)) = 1
-         if (case%control == control_spring) shares(1) = case%curve%compliance
-         shift = sqrt(round_off)*contact%u
-         slope = abs(sum(shares*contact%slopes))
-         if (round_off*sum(shares*terms) < shift*slope) shift = round_off*sum(shares*terms)/slope
-         error = error + shift*spot%radius_slope/spot%radius
-         do k = 1, 2
-            ! what is given has no such error
-            if (sizes(k) > 0 .and. k /= case%control) error = error + shift*abs(contact%slopes(k))/sizes(k)
-         end do
-         ! no digits at all
-         error = min(error, 1.0_dp)
-      end associate
-   end function estimate_error
-
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
       !> The model; nothing of it is read here.
@@ -480,53 +272,14 @@ contains
                profiles(k, 1, p_pressure) = pressure_at(case%curve%shape, state%contact, r)*case%modulus &
                   & *(case%height_unit/case%length_unit)
                profiles(k, 1, p_gap) = gap_at(case%curve%shape, state%contact, r)*case%height_unit
-               if (size(profiles, 3) == p_shear_stress) profiles(k, 1, p_shear_stress) = shear_at(state, values, r)
+               if (size(profiles, 3) == p_shear_stress) profiles(k, 1, p_shear_stress) = shear_at(case, state%contact, &
+                  & state%friction, values, r)
             end do
          end associate
       end select
       associate (unused => self, unused_too => values, unused_results => results)
       end associate
    end subroutine fill_profiles
-
-   !> Shear traction at a distance from the axis [Pa].
-   pure real(dp) function shear_at(state, values, r) result(traction)
-      !> The point with its slip.
-      type(indenter_state_t), intent(in) :: state
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Distance from the axis, reduced, >= 0.
-      real(dp), intent(in) :: r
-
-      associate (case => state%case)
-         if (nint(values(v_law)) == law_peeling) then
-            traction = bonded_stress(values(v_tangential_force), state%contact%spot%radius, r)/case%length_unit**2
-            return
-         end if
-         if (is_set(values(v_shear_strength))) then
-            traction = shear_stress_at(case%curve%shape, state%resistance, state%contact, state%shear, r)*case%modulus &
-               & *(case%height_unit/case%length_unit)
-            if (is_set(values(v_tangential_force))) traction = sign(traction, values(v_tangential_force))
-            return
-         end if
-         traction = pressure_at(case%curve%shape, state%contact, r)
-         if (state%slip%stick%load > 0) traction = traction - pressure_at(case%curve%shape, state%slip%stick, r)
-         traction = sign(values(v_friction_coefficient), values(v_tangential_force))*traction*case%modulus &
-            & *(case%height_unit/case%length_unit)
-      end associate
-   end function shear_at
-
-   !> Shear stress of a force on a circle that sticks as a whole; none at its edge.
-   pure real(dp) function bonded_stress(force, radius, r) result(stress)
-      !> The force, which may not be given.
-      real(dp), intent(in) :: force
-      !> Radius of the circle, and distance from the axis.
-      real(dp), intent(in) :: radius, r
-
-      stress = 0
-      if (.not. is_set(force) .or. r > radius) return
-      stress = not_a_number()
-      if (r < radius) stress = force/(2*pi*radius*sqrt((radius - r)*(radius + r)))
-   end function bonded_stress
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
