@@ -28,7 +28,7 @@ module adfric_periodic_operator
       real(dp) :: cell_size(2) = 0
       !> Is the grid a quarter of the period, between two pairs of planes of symmetry?
       logical :: is_quarter = .false.
-      !> How often stiffness or compliance were applied.
+      !> How often stiffness, compliance or anisotropy were applied.
       integer :: n_applied = 0
       !> Transforms of the grid.
       type(spectral_filter_t), private :: filter
@@ -289,6 +289,7 @@ contains
       end do
       symbol(:, :) = symbol/self%filter%gain
       call self%filter%apply(symbol, shear, displacement)
+      self%n_applied = self%n_applied + 1
    end subroutine apply_anisotropy
 
    !> Wave numbers 2 pi n of all modes along x or y, 0 for waves of two cells, whose direction cannot be told.
