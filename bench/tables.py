@@ -302,6 +302,21 @@ def sliding(folder):
     return table(["surface", "cells along x", "time [ms]", "pairs of transforms", "error of the friction", "largest imbalance"], body)
 
 
+def partial_slip(folder):
+    """Random surfaces in partial slip."""
+    body = []
+    cases = {}
+    for row in rows_of(folder, "partial_slip"):
+        cases.setdefault(row["tau"], []).append(row)
+    for tau, rows in cases.items():
+        errors = [error(max(float(row[key]) for row in rows)) for key in (
+            "error_displacement", "error_stiffness", "error_energy", "error_defect", "error_traction")]
+        body.append([f"{float(tau):g}", between([float(row["ratio"]) for row in rows], lambda ratio: f"{float(ratio):.2f}"), *errors,
+                     str(max(int(row["stick_cells"]) for row in rows))])
+    return table(["T/(mu P)", "pairs over those of the contact", "displacement", "stiffness", "energy over T u", "`poisson_defect`",
+                  "traction, over the largest", "cells that stick here or there alone"], body)
+
+
 def between(numbers, text):
     """The least and the largest of some numbers."""
     ends = [text(str(end)) for end in (min(numbers), max(numbers))]
@@ -348,7 +363,7 @@ def python_calls(folder):
 
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, sliding_public, adhesion_cells, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding)}
+    wave_2d_public, sliding_public, adhesion_cells, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding, partial_slip)}
 
 
 def main():
