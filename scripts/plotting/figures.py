@@ -46,7 +46,7 @@ def choose_figure(results):
     """The procedure that draws a run: by its profiles, or by its model and the variable that varies fastest."""
     if fit.is_fit(results):
         return fit.draw_fit
-    if results.model == "indenter_history":
+    if results.model.endswith("_history"):
         return history.draw_history
     if "pressure" in results.profiles or set(halfspace.STRESSES) <= set(results.profiles):
         return choose_profiles(results)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of `indenter_history`."""
+"""Figures of `indenter_history` and `hertz_history`."""
 
 import numpy as np
 
@@ -7,14 +7,16 @@ from .labels import axis_label, point_label, scale_of
 from .style import COLOURS, make_panels, plt
 
 # what is drawn, against what
-PANELS = (("tangential_displacement", "tangential_force"), ("approach", "load"), ("step", "stick_radius"), ("step", "friction_loss"))
+PANELS = (("tangential_displacement", "tangential_force"), ("approach", "load"), ("step", "stick_radius"), ("step", "stick_half_width"),
+          ("step", "friction_loss"))
 
 
 def draw_history(results):
     """Force against displacement, both ways, and what sticks and what is lost, step by step; a curve for each point of the sweep."""
     fields = dict(results.profiles)
     step = results.profile_axes[-1]
-    shown = [pair for pair in PANELS if pair != ("approach", "load") or _varies(fields["load"].values)]
+    known = [pair for pair in PANELS if pair[1] in fields]
+    shown = [pair for pair in known if pair != ("approach", "load") or _varies(fields["load"].values)]
     figure, panels = make_panels(len(shown))
     points = list(np.ndindex(*results.status.shape))
     colours = COLOURS if len(points) <= len(COLOURS) else plt.get_cmap("viridis")(np.linspace(0, 1, len(points)))

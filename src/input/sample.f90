@@ -69,7 +69,7 @@ contains
          if (.not. has_room(2*real_bytes*sample%n_points*size(ranges))) call file%report_variable(problems, group, 'count', &
             'too many values for the memory, given '//show_count(sample%n_points)//', allowed: fewer')
       end if
-      if (problems%count() > n_before) then
+      if (problems%count() > n_before .or. size(ranges) == 0) then
          do i = 1, size(ranges)
             call break_variable(ranges(i)%variable, file%line_of(file%groups(ranges(i)%group)%first), input)
          end do
@@ -135,7 +135,8 @@ contains
             ! which one is meant is not known
             input%is_broken = .true.
          end if
-         if (problems%count() > n_before) cycle
+         ! what is wrong with the name may have been said before
+         if (problems%count() > n_before .or. range%variable == 0) cycle
          n = n + 1
          ranges(n) = range
       end do
