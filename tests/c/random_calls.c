@@ -95,7 +95,7 @@ static int call(uint64_t *state)
    case 14: return adfric_array_at(any_handle(state), draw(state, 60) - 1, &array);
    case 15: return adfric_array_of(any_handle(state), ANY(state, names), &array);
    case 16: return adfric_attribute(any_handle(state), draw(state, 20) - 1, &attribute);
-   case 17: status = adfric_model(draw(state, 13) - 1, &model); return status;
+   case 17: status = adfric_model(draw(state, 14) - 1, &model); return status;
    case 18: return adfric_variable(ANY(state, models), draw(state, 40) - 1, &variable);
    default: return draw(state, 4) > 0 ? adfric_set_real(any_handle(state), ANY(state, names), ANY(state, numbers))
                                       : solve(state, any_handle(state));
