@@ -194,6 +194,14 @@ def wave_2d_public(folder):
     return table(["cells", "p/p*", "quarter: ms, residual, ratio", "general", *solvers], body)
 
 
+def slip_public(folder):
+    """Partial slip beside a public library."""
+    body = [[row["share"], row["solver"], f"{float(row['ms']) / 1000:.0f}", f"{float(row['ratio']):.0f}", error(row["pressure"]), error(row["along"]),
+             error(row["across"]), error(row["displacement"]), row["slip_adfric"], row["slip"]] for row in rows_of(folder, "slip_public")]
+    return table(["T/(mu P)", "solver of Tamaas 2.9.0", "s", "ratio of times", "pressure", "traction along T", "across", "displacement", "share of contact that slips, adfric",
+                  "Tamaas"], body)
+
+
 def sliding_public(folder):
     """Sliding waves beside a march in time."""
     body = []
@@ -363,7 +371,7 @@ def python_calls(folder):
 
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, sliding_public, adhesion_cells, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding, partial_slip)}
+    wave_2d_public, slip_public, sliding_public, adhesion_cells, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding, partial_slip)}
 
 
 def main():
