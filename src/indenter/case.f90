@@ -16,10 +16,10 @@ module adfric_indenter_case
    use adfric_indenter_power_shape, only: power_shape_t, new_power_shape, depth_factor
    use adfric_indenter_sphere_shape, only: sphere_shape_t, new_sphere_shape
    use adfric_indenter_variables
-   use adfric_material_contact_modulus, only: contact_modulus_of
+   use adfric_material_contact_modulus, only: contact_modulus_of, poisson_compliance_of
    implicit none (type, external)
    private
-   public :: indenter_case_t, resolve_case, is_possible, theory_of, has_plain_spring
+   public :: indenter_case_t, resolve_case, is_possible, tangential_compliance, theory_of, has_plain_spring
 
    !> Units and what is held must be between these powers of ten, or numbers have no room.
    integer, parameter :: largest_unit = 70, largest_number = 30
@@ -378,5 +378,15 @@ contains
          & .and. (self%is_beyond .or. .not. self%curve%shape%has_face &
          & .or. self%theory == theory_maugis_dugdale)
    end function is_possible
+
+   !> m, the ratio of the tangential to the normal compliance: 1 + (E*/4) sum of nu/G.
+   pure real(dp) function tangential_compliance(values, case) result(ratio)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point with its modulus.
+      type(indenter_case_t), intent(in) :: case
+
+      ratio = 1 + case%modulus*poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))/4
+   end function tangential_compliance
 
 end module adfric_indenter_case

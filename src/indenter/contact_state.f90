@@ -6,7 +6,7 @@ module adfric_indenter_contact_state
    use adfric_indenter_shape, only: spot_t
    implicit none (type, external)
    private
-   public :: contact_t, set_contact, set_disc, terms_of, held_of, held_by
+   public :: contact_t, set_contact, set_disc, terms_of, held_of, held_by, held_slope
 
    !> A state of contact, reduced.
    type :: contact_t
@@ -110,9 +110,7 @@ contains
       !> The state.
       type(state_t), intent(in) :: state
 
-      held_of = state%load
-      if (control /= control_load) held_of = state%approach
-      if (control == control_spring) held_of = held_of + curve%compliance*state%load
+      held_of = held_part(curve, control, state%load, state%approach)
    end function held_of
 
    !> What is held by a contact, see `held_of`.
@@ -124,9 +122,33 @@ contains
       !> The contact.
       type(contact_t), intent(in) :: contact
 
-      held_by = contact%load
-      if (control /= control_load) held_by = contact%approach
-      if (control == control_spring) held_by = held_by + curve%compliance*contact%load
+      held_by = held_part(curve, control, contact%load, contact%approach)
    end function held_by
+
+   !> Derivative of what is held by u along the curve, see `held_of`.
+   pure real(dp) function held_slope(curve, control, state)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> The state.
+      type(state_t), intent(in) :: state
+
+      held_slope = held_part(curve, control, state%load_slope, state%approach_slope)
+   end function held_slope
+
+   !> What is held of a load and an approach, or of changes of both.
+   pure real(dp) function held_part(curve, control, load, approach)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> Load and approach.
+      real(dp), intent(in) :: load, approach
+
+      held_part = load
+      if (control /= control_load) held_part = approach
+      if (control == control_spring) held_part = held_part + curve%compliance*load
+   end function held_part
 
 end module adfric_indenter_contact_state

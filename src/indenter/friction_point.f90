@@ -5,9 +5,8 @@ module adfric_indenter_friction_point
    use adfric_base_constants, only: pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_unset, only: is_set
-   use adfric_indenter_case, only: indenter_case_t
+   use adfric_indenter_case, only: indenter_case_t, tangential_compliance
    use adfric_indenter_contact_state, only: contact_t
-   use adfric_indenter_peeled_point, only: tangential_compliance
    use adfric_indenter_profiles, only: pressure_at
    use adfric_indenter_shear, only: find_shear_slip, find_sliding, resistance_t, shear_slip_t, shear_stress_at
    use adfric_indenter_slip, only: find_indenter_slip, indenter_slip_t

@@ -4,9 +4,8 @@
 module adfric_indenter_history_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set, unset
-   use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible_case => is_possible
+   use adfric_indenter_case, only: indenter_case_t, resolve_case, tangential_compliance, is_possible_case => is_possible
    use adfric_indenter_check, only: check_body
    use adfric_indenter_contact, only: branch_stable, find_contact
    use adfric_indenter_contact_state, only: contact_t
@@ -14,7 +13,6 @@ module adfric_indenter_history_model
    use adfric_indenter_curve, only: control_load, control_approach
    use adfric_indenter_shape, only: spot_t
    use adfric_indenter_variables
-   use adfric_material_contact_modulus, only: poisson_compliance_of
    use adfric_material_history_model, only: history_model_t, history_units_t
    use adfric_material_history_path, only: n_path_results, path_approaches, path_coefficient, path_loads, &
       & path_tangential_displacements, path_tangential_forces, set_path_results
@@ -107,7 +105,7 @@ contains
       units%force = states%case%force_unit()
       units%approach = states%case%height_unit
       units%length = states%case%length_unit
-      units%compliance_ratio = 1 + states%case%modulus*poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))/4
+      units%compliance_ratio = tangential_compliance(values, states%case)
       call move_alloc(states, contacts)
    end subroutine find_contacts
 
@@ -191,9 +189,7 @@ contains
       integer, intent(in) :: place
       character(:), allocatable :: unit
 
-      unit = self%variables(place)%unit
-      if (place /= v_coefficient .or. .not. is_set(values(v_exponent))) return
-      unit = 'm^(1-'//show_number(values(v_exponent))//')'
+      unit = indenter_unit_of(self%variables, values, place)
    end function unit_of
 
 end module adfric_indenter_history_model

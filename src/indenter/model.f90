@@ -4,7 +4,6 @@ module adfric_indenter_model
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: show_number
    use adfric_base_unset, only: is_set
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_indenter_check, only: check_indenter_values
@@ -304,9 +303,7 @@ contains
       integer, intent(in) :: place
       character(:), allocatable :: unit
 
-      unit = self%variables(place)%unit
-      if (place /= v_coefficient .or. .not. is_set(values(v_exponent))) return
-      unit = 'm^(1-'//show_number(values(v_exponent))//')'
+      unit = indenter_unit_of(self%variables, values, place)
    end function unit_of
 
 end module adfric_indenter_model

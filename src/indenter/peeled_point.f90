@@ -5,7 +5,7 @@ module adfric_indenter_peeled_point
    use adfric_base_constants, only: half_pi, pi
    use adfric_base_unset, only: is_set
    use adfric_indenter_brittle_peeling, only: brittle_t, find_peeled, new_brittle
-   use adfric_indenter_case, only: indenter_case_t
+   use adfric_indenter_case, only: indenter_case_t, tangential_compliance
    use adfric_indenter_contact, only: branch_stable, find_contact
    use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_survey, only: ends_t, survey_curve, survey_t
@@ -15,14 +15,14 @@ module adfric_indenter_peeled_point
    use adfric_indenter_interaction_search, only: find_force
    use adfric_indenter_variables
    use adfric_indenter_weak_way, only: weaken
-   use adfric_material_contact_modulus, only: has_poisson_ratio, poisson_compliance_of
+   use adfric_material_contact_modulus, only: has_poisson_ratio
    use adfric_material_interaction, only: adhesion_ratio
    use adfric_material_interaction_rows, only: slip_energy_ratio_of
    use adfric_material_shrinking_way, only: displacement_of, force_of
    use adfric_material_slip_annulus, only: angle_of_force
    implicit none (type, external)
    private
-   public :: peeled_t, begin_sliding, peel_contact, store_peeled, tangential_compliance, wants_peeling_events
+   public :: peeled_t, begin_sliding, peel_contact, store_peeled, wants_peeling_events
 
    !> What peeling has done to a contact.
    type :: peeled_t
@@ -43,16 +43,6 @@ module adfric_indenter_peeled_point
    end type peeled_t
 
 contains
-
-   !> m, the ratio of the tangential to the normal compliance: 1 + (E*/4) sum of nu/G.
-   pure real(dp) function tangential_compliance(values, case) result(ratio)
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> The point with its modulus.
-      type(indenter_case_t), intent(in) :: case
-
-      ratio = 1 + case%modulus*poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))/4
-   end function tangential_compliance
 
    !> Shall the events of a growing tangential force be found? They need Poisson's ratio, and a uniform shear strength.
    pure logical function wants_peeling_events(values) result(wants)

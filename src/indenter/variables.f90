@@ -3,6 +3,8 @@
 module adfric_indenter_variables
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
+   use adfric_base_text, only: show_number
+   use adfric_base_unset, only: is_set
    use adfric_material_contact_modulus, only: set_modulus_rows
    use adfric_material_interaction_rows, only: set_interaction_rows
    use adfric_material_shear_strength_rows, only: set_shear_rows, shear_profiles, p_shear_stress
@@ -10,7 +12,7 @@ module adfric_indenter_variables
    use adfric_model_table, only: variable_t, result_t, profile_t
    implicit none (type, external)
    private
-   public :: get_indenter_variables, get_indenter_results, get_indenter_profiles
+   public :: get_indenter_variables, get_indenter_results, get_indenter_profiles, indenter_unit_of
 
    !> Places of the variables.
    integer, parameter, public :: v_kind = 1, v_radius = 2, v_slope = 3, v_half_angle = 4, v_exponent = 5, v_coefficient = 6, &
@@ -247,5 +249,20 @@ contains
 
       p = shear_profiles()
    end function get_indenter_profiles
+
+   !> Unit of a variable of a body: that of the coefficient of r^n depends on n.
+   function indenter_unit_of(variables, values, place) result(unit)
+      !> The table of variables.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable in the table.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = variables(place)%unit
+      if (place /= v_coefficient .or. .not. is_set(values(v_exponent))) return
+      unit = 'm^(1-'//show_number(values(v_exponent))//')'
+   end function indenter_unit_of
 
 end module adfric_indenter_variables

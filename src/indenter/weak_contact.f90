@@ -22,8 +22,8 @@
 module adfric_indenter_weak_contact
    use adfric_base_kinds, only: dp
    use adfric_indenter_contact, only: take_given
-   use adfric_indenter_contact_state, only: contact_t, set_contact
-   use adfric_indenter_curve, only: control_load, control_spring, curve_t, state_t
+   use adfric_indenter_contact_state, only: contact_t, held_by, set_contact
+   use adfric_indenter_curve, only: control_spring, curve_t, state_t
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_weak_end, only: find_closed_end
    use adfric_indenter_weak_state, only: find_below
@@ -318,10 +318,7 @@ contains
          if (.not. state%is_stable(self%control)) low = step
       end do
       call set_contact(curve, self%control, high, is_beyond, fold)
-      value = fold%load
-      if (self%control /= control_load) value = fold%approach
-      if (self%control == control_spring) value = value + curve%compliance*fold%load
-      value = value - self%given
+      value = held_by(curve, self%control, fold) - self%given
       call take_given(curve, self%control, self%given, fold)
    end subroutine find_fold_below
 

@@ -3,8 +3,8 @@
 module adfric_indenter_weak_state
    use adfric_base_kinds, only: dp
    use adfric_indenter_contact, only: branch_stable, find_contact, take_given
-   use adfric_indenter_contact_state, only: contact_t, held_of, set_contact
-   use adfric_indenter_curve, only: control_load, control_spring, curve_t, state_t
+   use adfric_indenter_contact_state, only: contact_t, held_of, held_slope, set_contact
+   use adfric_indenter_curve, only: curve_t, state_t
    use adfric_indenter_survey, only: survey_t
    use adfric_indenter_weak_way, only: at_corner, middle, weak_way_t, weaken
    implicit none (type, external)
@@ -129,19 +129,5 @@ contains
       if (low_is_stable) u = low
       is_found = is_converged .and. (low_is_stable .or. abs(value) <= little*abs(self%given))
    end subroutine search_below
-
-   !> Derivative of what is held by u, along the curve.
-   pure real(dp) function held_slope(curve, control, state) result(slope)
-      !> The curve with the compliance of its spring.
-      class(curve_t), intent(in) :: curve
-      !> What is held; not `control_radius`.
-      integer, intent(in) :: control
-      !> The state.
-      type(state_t), intent(in) :: state
-
-      slope = state%load_slope
-      if (control /= control_load) slope = state%approach_slope
-      if (control == control_spring) slope = slope + curve%compliance*state%load_slope
-   end function held_slope
 
 end module adfric_indenter_weak_state

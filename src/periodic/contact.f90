@@ -267,7 +267,7 @@ contains
       !> Says whether only the last wrong cell is changed; takes note of the number of wrong cells.
       type(region_search_t), intent(inout) :: search
       logical, allocatable :: is_wrong(:, :)
-      integer :: cell(2), j, n_wrong
+      integer :: j, n_wrong
 
       allocate (is_wrong, mold=state%is_open)
       n_wrong = 0
@@ -279,13 +279,7 @@ contains
          n_wrong = n_wrong + count(is_wrong(:, j))
       end do
       !$omp end parallel do
-      call search%note_region()
-      call search%get_stricter(n_wrong)
-      if (search%is_one_by_one .and. n_wrong > 0) then
-         cell = findloc(is_wrong, .true., back=.true.)
-         is_wrong(:, :) = .false.
-         is_wrong(cell(1), cell(2)) = .true.
-      end if
+      call search%choose_wrong(n_wrong, is_wrong)
       state%is_open = state%is_open .neqv. is_wrong
       call keep_region_sound(state)
       state%n_rounds = state%n_rounds + 1

@@ -265,13 +265,7 @@ contains
 
       allocate (is_wrong, source=merge(gap + search%gap < -tolerance*search%gap_scale, &
          & pressure + search%pressure < -tolerance*search%pressure_scale, is_open))
-      call region%note_region()
-      call region%get_stricter(count(is_wrong))
-      if (region%is_one_by_one .and. any(is_wrong)) then
-         cell = findloc(is_wrong, .true., back=.true.)
-         is_wrong(:, :) = .false.
-         is_wrong(cell(1), cell(2)) = .true.
-      end if
+      call region%choose_wrong(count(is_wrong), is_wrong)
       if (all(is_open .neqv. is_wrong)) then
          ! the load stands on something
          cell = maxloc(pressure)

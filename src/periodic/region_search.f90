@@ -47,6 +47,7 @@ module adfric_periodic_region_search
       procedure :: note_region
       procedure :: is_stalled
       procedure :: is_due
+      procedure :: choose_wrong
       procedure :: get_stricter
    end type region_search_t
 
@@ -106,6 +107,24 @@ contains
 
       is_due = verdict%left <= max(aim, merge(0.0_dp, self%strictness*verdict%violation, self%is_exact))
    end function is_due
+
+   !> Choose the cells that are changed: all that are wrong, or the last one of them. Steps begin anew.
+   pure subroutine choose_wrong(self, n_wrong, is_wrong)
+      !> The search.
+      class(region_search_t), intent(inout) :: self
+      !> Number of wrong cells.
+      integer, intent(in) :: n_wrong
+      !> In: which cells are wrong. Out: which are changed.
+      logical, intent(inout) :: is_wrong(:, :)
+      integer :: cell(2)
+
+      call self%note_region()
+      call self%get_stricter(n_wrong)
+      if (.not. self%is_one_by_one .or. n_wrong == 0) return
+      cell = findloc(is_wrong, .true., back=.true.)
+      is_wrong(:, :) = .false.
+      is_wrong(cell(1), cell(2)) = .true.
+   end subroutine choose_wrong
 
    !> Take note of the wrong cells that are to be changed; become stricter where they have not become fewer for a while.
    pure subroutine get_stricter(self, n_wrong)
