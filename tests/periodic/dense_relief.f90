@@ -2,11 +2,10 @@
 !> What a lighter load changes on a few cells, without transforms: by elimination, with cells opened and closed one by one.
 module dense_relief
    use adfric_base_kinds, only: dp
+   use dense_kernel, only: set_kernel
    implicit none (type, external)
    private
    public :: solve_dense_relief
-
-   real(dp), parameter :: two_pi = 2*acos(-1.0_dp)
 
 contains
 
@@ -54,17 +53,7 @@ contains
       real(dp) :: kernel(0:nx - 1, 0:ny - 1)
       integer :: i, j, k, l
 
-      kernel = 0
-      do l = -(ny - 1)/2, ny/2
-         do k = -(nx - 1)/2, nx/2
-            do j = 0, ny - 1
-               do i = 0, nx - 1
-                  kernel(i, j) = kernel(i, j) + two_pi*hypot(real(k, dp), l/period_y)/2 &
-                     & *cos(two_pi*(real(k*i, dp)/nx + real(l*j, dp)/ny))/(nx*ny)
-               end do
-            end do
-         end do
-      end do
+      call set_kernel(period_y, kernel)
       do j = 0, ny - 1
          do i = 0, nx - 1
             do l = 0, ny - 1

@@ -4,11 +4,10 @@
 module dense_sliding
    use adfric_base_kinds, only: dp
    use adfric_material_prony, only: prony_t
+   use dense_kernel, only: set_kernel
    implicit none (type, external)
    private
    public :: solve_dense
-
-   real(dp), parameter :: two_pi = 2*acos(-1.0_dp)
 
 contains
 
@@ -50,17 +49,7 @@ contains
       real(dp) :: kernel(0:nx - 1, 0:ny - 1), memory(0:nx - 1), map(nx, ny)
       integer :: i, j, k, l, m
 
-      kernel = 0
-      do l = -(ny - 1)/2, ny/2
-         do k = -(nx - 1)/2, nx/2
-            do j = 0, ny - 1
-               do i = 0, nx - 1
-                  kernel(i, j) = kernel(i, j) + two_pi*hypot(real(k, dp), l/period_y)/2 &
-                     & *cos(two_pi*(real(k*i, dp)/nx + real(l*j, dp)/ny))/(nx*ny)
-               end do
-            end do
-         end do
-      end do
+      call set_kernel(period_y, kernel)
       call set_memory(prony, 1/(nx*velocity), memory)
       do j = 0, ny - 1
          do i = 0, nx - 1
