@@ -6,7 +6,6 @@ module adfric_classical_hertz_model
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_classical_model, only: halfspace_model_t
    use adfric_classical_hertz_check, only: check_hertz, is_sliding, get_curvatures
    use adfric_classical_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
       & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
@@ -20,10 +19,9 @@ module adfric_classical_hertz_model
       & r_violation, v_tangential_force
    use adfric_classical_sliding_cylinder_point, only: cylinder_point_t, solve_cylinder, get_cylinder_profiles, &
       & get_cylinder_frequency
+   use adfric_classical_viscoelastic_model, only: viscoelastic_model_t
    use adfric_material_contact_modulus, only: contact_modulus_of, derive_contact_modulus
-   use adfric_material_given_spectrum, only: given_spectrum_t
-   use adfric_material_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum, take_spectrum, &
-      & take_spectrum_attribute
+   use adfric_material_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum
    use adfric_model_pointwise, only: point_state_t
    use adfric_model_derived, only: derived_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
@@ -33,13 +31,8 @@ module adfric_classical_hertz_model
    public :: hertz_model_t, new_hertz_model
 
    !> The model `hertz`.
-   type, extends(halfspace_model_t) :: hertz_model_t
-      private
-      !> Lists and datasets of the material.
-      type(given_spectrum_t) :: given
+   type, extends(viscoelastic_model_t) :: hertz_model_t
    contains
-      procedure :: take_dataset
-      procedure :: take_attribute
       procedure :: check_case
       procedure :: derive_quantities
       procedure :: describe_case
@@ -75,41 +68,10 @@ contains
       call self%set_tables(name='hertz', &
          & summary='smooth bodies in contact along a line, a circle or an ellipse; a cylinder sliding on a viscoelastic solid', &
          & variables=get_hertz_variables(), results=get_hertz_results(), profiles=slip_profiles(), axes='y x', is_depth=.false.)
+      self%first_material = v_material
       self%references = self%references//'; S. C. Hunter, J. Appl. Mech. 28, 611 (1961); ' &
          & //'R. D. Mindlin, J. Appl. Mech. 16, 259 (1949)'
    end subroutine new_hertz_model
-
-   !> See `model_t`.
-   subroutine take_dataset(self, place, values, problems)
-      !> The model, which keeps the values.
-      class(hertz_model_t), intent(inout) :: self
-      !> Place of the variable, one of the rows of the material.
-      integer, intent(in) :: place
-      !> The values in SI units; shape `(n, n_columns)`.
-      real(dp), intent(in) :: values(:, :)
-      !> Receives what is wrong with the values; nothing here.
-      type(problems_t), intent(inout) :: problems
-
-      call take_spectrum(self%given, place - v_material + 1, values)
-      associate (unused => problems)
-      end associate
-   end subroutine take_dataset
-
-   !> See `model_t`.
-   subroutine take_attribute(self, place, name, value, problems)
-      !> The model, which keeps the value.
-      class(hertz_model_t), intent(inout) :: self
-      !> Place of the variable, one of the rows of the material.
-      integer, intent(in) :: place
-      !> Name of the attribute.
-      character(*), intent(in) :: name
-      !> Its value in SI units.
-      real(dp), intent(in) :: value
-      !> Receives what is wrong with it.
-      type(problems_t), intent(inout) :: problems
-
-      call take_spectrum_attribute(self%given, self%variables(place), place - v_material + 1, name, value, problems)
-   end subroutine take_attribute
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
