@@ -1,19 +1,22 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The grids of the approximate inverse of `adfric_periodic_levels`, and what each makes of its residuals.
 !>
-!> A grid has the mean compliance c of the waves that its cells can tell. For an elastic half-space c doubles from grid to grid, and each
-!> grid takes part with the whole of it. A layer gives way to long waves no more than to some shorter ones; with the whole of c in every
-!> grid a long wave would meet as many times its compliance as there are grids.
+!> A grid has the mean compliance c of the waves that its cells can tell. For a half-space c doubles from grid to grid, and each
+!> grid takes part with the whole of it. Under a sliding body the solid is stiffer for waves along the motion than for those
+!> across it, of the same length. Each grid (i, i), halved i times both ways, then has a row of grids (i + m, i) beside it, of
+!> cells ever longer along the motion, each with what its waves are softer by than those of the grid before in the row.
 !>
-!> Under a sliding body the solid is stiffer for waves along the motion than for those across it, of the same length, and a thin layer
-!> is stiff along the motion alone. Each grid (i, i), halved i times both ways, then has a row of grids (i + m, i) beside it, of cells ever
-!> longer along the motion. A grid takes part with what its waves are softer by than those of all finer ones,
+!> A layer gives way to long waves no more than to some shorter ones, and where it is thin its stiffness depends on the wave along
+!> the motion alone. With the same weights a long wave would meet its compliance as many times as there are grids, and conjugate
+!> gradients and their like take the more steps the thinner it is. So a grid takes part with what its waves are softer by than
+!> those of all finer grids,
 !>
 !>     c(i, j) - c(i - 1, j) - c(i, j - 1) + c(i - 1, j - 1),
 !>
-!> so that a wave meets in sum the compliance of the coarsest grid that has it, once. Over a thin layer c does not depend on j: only the
-!> row beside the finest grid is left. A grid of the main row, (i, i), stands beside none on its other side: it takes part with 1.5 times
-!> c(i, i) - c(i, i - 1), or c(i, i) - c(i - 1, i - 1) on lines and over a layer at rest, which have the main row alone.
+!> and a wave meets in sum the compliance of the coarsest grid that has it, once. Under a thin layer that slides only the row
+!> beside the finest grid is left. A grid of the main row, (i, i), stands beside none on its other side; it takes part with a
+!> multiple of c(i, i) - c(i, i - 1), or of c(i, i) - c(i - 1, i - 1) on lines and at rest, where the main row is the only one;
+!> with c(i, i) at most.
 module adfric_periodic_level_plan
    use adfric_base_kinds, only: dp
    use adfric_periodic_operator, only: periodic_operator_t
@@ -27,8 +30,9 @@ module adfric_periodic_level_plan
    real(dp), parameter :: longest = 1.5_dp
    !> Enough grids for any number of cells that fits into memory.
    integer, parameter :: most_grids = 600
-   !> Factor of what the grids of the main row are softer by than finer ones; between 1 and 2 the numbers of steps are about the same.
-   real(dp), parameter :: gain = 1.5_dp
+   !> Factors of what the grids of the main row of a layer are softer by than finer ones, where one direction is halved, or both:
+   !> with less, waves slide over a thick layer with more steps, with more over a thin one.
+   real(dp), parameter :: gain = 1.5_dp, gain_of_both = 4
 
    !> One grid.
    type :: level_t
@@ -110,15 +114,18 @@ contains
       integer, intent(in) :: place
       !> Operator of the finest grid, for its stiffness.
       type(periodic_operator_t), intent(in) :: operator
-      real(dp) :: before
+      real(dp) :: before, factor
 
       weight = compliance_of(operator, grids(place)%n_cells)
-      if (place == 1 .or. (operator%is_symmetric .and. .not. operator%mean_compliance > 0)) return
+      if (place == 1 .or. .not. operator%mean_compliance > 0) return
       associate (n => grids(place)%n_cells, finer => grids(place - 1)%n_cells)
          before = compliance_of(operator, finer)
-         if (.not. operator%is_symmetric .and. all(grids(place)%is_halved)) before = max(before, &
-            & compliance_of(operator, [n(1), finer(2)]), compliance_of(operator, [finer(1), n(2)]))
-         weight = min(weight, gain*max(weight - before, 0.0_dp))
+         factor = gain
+         if (.not. operator%is_symmetric .and. all(grids(place)%is_halved)) then
+            before = max(before, compliance_of(operator, [n(1), finer(2)]), compliance_of(operator, [finer(1), n(2)]))
+            factor = gain_of_both
+         end if
+         weight = min(weight, factor*max(weight - before, 0.0_dp))
       end associate
    end function main_weight
 
@@ -154,12 +161,13 @@ contains
 
    contains
 
-      !> By how much the waves of the last grid are softer than those of the grid of the same cells along the motion in the finer row.
+      !> By how much the waves of the last grid are softer than those of the grid of the same cells along the motion in the finer
+      !> row.
       pure real(dp) function softness()
          integer :: cells(2)
 
          softness = compliance_of(operator, grids(last)%n_cells)
-         if (place == 1) return
+         if (place == 1 .or. .not. operator%mean_compliance > 0) return
          cells = merge(grids(last)%n_cells, grids(place - 1)%n_cells, is_halved)
          softness = softness - compliance_of(operator, cells)
       end function softness
