@@ -3,10 +3,10 @@
 !>
 !>     sliding_layers [TABLE.csv [LARGEST]]
 !>
-!> Lines of 1024 cells and maps of 128 x 128 up to LARGEST x LARGEST cells (256 if absent), random with waves down to an eighth of
-!> the cells, under loads that leave parts open. The layer slips on its base or is bonded to it with nu = 0.3; thickness 0 means a
-!> half-space. The rubber has 13 relaxation times in 12 decades, kg/k0 = 770, or one, kg/k0 = 10. A pair of transforms is one
-!> application of the stiffness; coarser grids count by their cells.
+!> Lines of 1024 cells and maps of 128 x 128 up to LARGEST x LARGEST cells (256 if absent), random with waves down to eight cells,
+!> under loads that leave parts open. The layer slips on its base or is bonded to it with nu = 0.3; thickness 0 means a half-space.
+!> The rubber has 13 relaxation times in 12 decades, kg/k0 = 770. A pair of transforms is one application of the stiffness; coarser
+!> grids count by their cells.
 program sliding_layers
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
