@@ -310,6 +310,19 @@ def sliding(folder):
     return table(["surface", "cells along x", "time [ms]", "pairs of transforms", "error of the friction", "largest imbalance"], body)
 
 
+def sliding_layers(folder):
+    """Random surfaces that slide over viscoelastic layers."""
+    cases = {}
+    for row in rows_of(folder, "sliding_layers"):
+        cases.setdefault((row["case"].strip(), row["cells"], float(row["thickness"])), []).append(float(row["pairs"]))
+    names = list(dict.fromkeys((name, cells) for name, cells, _ in cases))
+    body = []
+    for thickness in dict.fromkeys(key[2] for key in cases):
+        body.append(["half-space" if thickness == 0 else f"{thickness:g}",
+                     *(f"{sum(pairs)/len(pairs):.0f}, {max(pairs):.0f}" for pairs in (cases[*name, thickness] for name in names))])
+    return table(["thickness over period", *(f"{name}, {cells} cells" for name, cells in names)], body)
+
+
 def partial_slip(folder):
     """Random surfaces in partial slip."""
     body = []
@@ -371,7 +384,7 @@ def python_calls(folder):
 
 TABLES = {function.__name__: function for function in (
     random_strips, strips, surface_strips, surface_points, sphere, sphere_held, sphere_times, sphere_auto, closed_forms, wave_2d,
-    wave_2d_public, slip_public, sliding_public, adhesion_cells, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding, partial_slip)}
+    wave_2d_public, slip_public, sliding_public, adhesion_cells, adhesion_public, fit_public, python_calls, wave_1d, whole_cases, whole_points, whole_phases, reader, error_estimates, scenes, profiles, sliding, sliding_layers, partial_slip)}
 
 
 def main():

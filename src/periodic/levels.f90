@@ -7,11 +7,10 @@
 !> surfaces touch, other than the compliance restricted to the open cells, which forgets that at their edges. The sum is symmetric and
 !> positive definite and takes no transform; seventeen iterations with it are worth ten digits, on any number of cells.
 !>
-!> Under a sliding body the solid is stiffer for waves along the motion than for those across it, of the same length. Each grid then has
-!> a row of grids beside it, of cells ever longer along the motion, each with what its waves are softer by: 1 over their mean stiffness
-!> less 1 over that of the grid before. So a wave meets the compliance of the coarsest grid that has it, once.
+!> Which grids there are, and what each makes of its residuals, stands in `adfric_periodic_level_plan`.
 module adfric_periodic_levels
    use adfric_base_kinds, only: dp
+   use adfric_periodic_level_plan, only: level_t, plan_levels
    use adfric_periodic_maps, only: is_shared
    use adfric_periodic_operator, only: periodic_operator_t
    use adfric_periodic_transfer, only: gather_line, spread_line, neighbour_of
@@ -19,32 +18,8 @@ module adfric_periodic_levels
    private
    public :: levels_t, new_levels
 
-   !> Fewest cells along a direction of the coarsest grid.
-   integer, parameter :: fewest_cells = 4
-   !> A direction is halved while its cells are not longer than so many times those of the other direction.
-   real(dp), parameter :: longest = 1.5_dp
-   !> Enough grids for any number of cells that fits into memory.
-   integer, parameter :: most_grids = 600
    !> Part of the residuals of the four neighbours that is added to that of a cell, since the long waves of a grid are softer.
    real(dp), parameter :: neighbourly = 0.1_dp
-
-   !> One grid.
-   type :: level_t
-      !> Number of the finer grid that this one is made from; 0 for the finest.
-      integer :: finer = 0
-      !> Numbers of the next coarser grid and of the first one of the row beside; 0 where there is none.
-      integer :: coarser = 0, beside = 0
-      !> Number of cells.
-      integer :: n_cells(2) = 1
-      !> Was the direction halved from the finer grid?
-      logical :: is_halved(2) = .false.
-      !> Share of the cell that is open; shape of the cells of this grid, as that of the others.
-      real(dp), allocatable :: open(:, :)
-      !> Sums of residuals, and what this grid and the coarser ones make of them; not of the finest grid.
-      real(dp), allocatable, dimension(:, :) :: residual, correction
-      !> Correction over residual.
-      real(dp) :: weight = 1
-   end type level_t
 
    !> The grids. One for each contact that is solved at a time.
    type :: levels_t
@@ -67,132 +42,17 @@ contains
       type(levels_t), intent(out) :: self
       !> Operator of the finest grid, for its cells and stiffness.
       type(periodic_operator_t), intent(in) :: operator
-      logical, allocatable :: is_halved(:, :)
-      type(level_t) :: grids(most_grids)
-      integer :: k, n, first
+      integer :: k
 
       self%is_quarter = operator%is_quarter
-      call plan_grids(operator%n_cells, operator%cell_size, is_halved)
-      n = 1
-      grids(1)%n_cells = operator%n_cells
-      do k = 2, size(is_halved, 2)
-         call add_grid(grids, n, k - 1, is_halved(:, k))
-      end do
-      do k = 1, n
-         grids(k)%weight = compliance_of(operator, grids(k)%n_cells)
-         if (k < n) grids(k)%coarser = k + 1
-      end do
-      if (.not. operator%is_symmetric) then
-         do k = 1, size(is_halved, 2)
-            first = n + 1
-            call add_grids_beside(grids, n, k, operator)
-            if (n >= first) grids(k)%beside = first
-         end do
-      end if
-      allocate (self%grids(n))
-      do k = 1, n
-         self%grids(k) = grids(k)
-         call set_memory(self%grids, k)
+      call plan_levels(self%grids, operator)
+      do k = 1, size(self%grids)
+         associate (n => self%grids(k)%n_cells)
+            allocate (self%grids(k)%open(n(1), n(2)))
+            if (k > 1) allocate (self%grids(k)%residual(n(1), n(2)), self%grids(k)%correction(n(1), n(2)))
+         end associate
       end do
    end subroutine new_levels
-
-   !> Add a grid.
-   pure subroutine add_grid(grids, n, finer, is_halved)
-      !> Grids; receives one more.
-      type(level_t), intent(inout) :: grids(:)
-      !> Number of grids.
-      integer, intent(inout) :: n
-      !> Number of the grid that it is made from.
-      integer, intent(in) :: finer
-      !> Is the direction halved?
-      logical, intent(in) :: is_halved(2)
-
-      n = n + 1
-      grids(n)%finer = finer
-      grids(n)%is_halved = is_halved
-      grids(n)%n_cells = merge((grids(finer)%n_cells + 1)/2, grids(finer)%n_cells, is_halved)
-   end subroutine add_grid
-
-   !> Add the grids beside a grid: its cells are doubled along the direction in which that softens waves more.
-   pure subroutine add_grids_beside(grids, n, place, operator)
-      !> Grids; receives more.
-      type(level_t), intent(inout) :: grids(:)
-      !> Number of grids.
-      integer, intent(inout) :: n
-      !> Number of the grid beside which they stand.
-      integer, intent(in) :: place
-      !> Operator of the finest grid, for its stiffness.
-      type(periodic_operator_t), intent(in) :: operator
-      logical :: is_halved(2)
-      real(dp) :: before, compliance
-      integer :: last
-
-      associate (cells => grids(place)%n_cells)
-         if (any(cells <= fewest_cells)) return
-         is_halved = compliance_of(operator, [cells(1)/2, cells(2)]) > compliance_of(operator, [cells(1), cells(2)/2])
-      end associate
-      is_halved(2) = .not. is_halved(1)
-      last = place
-      before = grids(place)%weight
-      do while (all(grids(last)%n_cells > fewest_cells) .and. n < size(grids))
-         call add_grid(grids, n, last, is_halved)
-         if (last /= place) grids(last)%coarser = n
-         compliance = compliance_of(operator, grids(n)%n_cells)
-         grids(n)%weight = max(compliance - before, 0.0_dp)
-         before = compliance
-         last = n
-      end do
-   end subroutine add_grids_beside
-
-   !> Gap over residual of the waves that a grid has.
-   pure real(dp) function compliance_of(operator, n_cells) result(compliance)
-      !> Operator of the finest grid.
-      type(periodic_operator_t), intent(in) :: operator
-      !> Number of cells of the grid.
-      integer, intent(in) :: n_cells(2)
-
-      compliance = operator%mean_stiffness(n_cells)
-      if (compliance > 0) compliance = 1/compliance
-   end function compliance_of
-
-   !> Make the fields of a grid, whose residuals are sums over its cells.
-   pure subroutine set_memory(grids, place)
-      !> Grids.
-      type(level_t), intent(inout) :: grids(:)
-      !> Number of the grid.
-      integer, intent(in) :: place
-
-      associate (grid => grids(place), n => grids(place)%n_cells)
-         allocate (grid%open(n(1), n(2)))
-         grid%weight = grid%weight*(real(product(n), dp)/product(real(grids(1)%n_cells, dp)))
-         if (place > 1) allocate (grid%residual(n(1), n(2)), grid%correction(n(1), n(2)))
-      end associate
-   end subroutine set_memory
-
-   !> Halve the shorter direction, or both where they are about as long, down to a few cells.
-   pure subroutine plan_grids(n_cells, cell_size, is_halved)
-      !> Number of cells of the finest grid in each direction.
-      integer, intent(in) :: n_cells(2)
-      !> Their size.
-      real(dp), intent(in) :: cell_size(2)
-      !> Receives for each grid whether a direction was halved from the next finer one; shape `(2, n_grids)`.
-      logical, allocatable, intent(out) :: is_halved(:, :)
-      integer, parameter :: most_halvings = 2*bit_size(1)
-      logical :: halved(2, most_halvings)
-      real(dp) :: sizes(2)
-      integer :: n(2), k
-
-      n = n_cells
-      sizes = cell_size
-      halved = .false.
-      do k = 2, most_halvings
-         halved(:, k) = n > fewest_cells .and. sizes/longest <= minval(sizes, mask=n > fewest_cells)
-         if (.not. any(halved(:, k))) exit
-         n = merge((n + 1)/2, n, halved(:, k))
-         sizes = sizes*merge(2, 1, halved(:, k))
-      end do
-      allocate (is_halved, source=halved(:, :k - 1))
-   end subroutine plan_grids
 
    !> Say which cells are open.
    subroutine set_open(self, is_open)
