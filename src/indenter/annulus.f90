@@ -43,7 +43,12 @@ contains
       !> Receives K.
       real(dp), intent(out), optional :: moment
       real(dp) :: first, largest, c, sums(3), square
+      logical :: is_closed
 
+      if (s > 0 .and. .not. present(moment)) then
+         call shape%get_closed_annulus(spot, is_beyond, s, opening, intensity, is_closed)
+         if (is_closed) return
+      end if
       sums = 0
       c = hypot(spot%radius, s)
       if (is_beyond) then

@@ -13,6 +13,8 @@
 !> rounded punch rises from 0; that of the rounded cone rises up to the corner, falls to a least value, and rises.
 module adfric_indenter_corner_shape
    use adfric_base_kinds, only: dp
+   use adfric_indenter_closed_annulus, only: add_power_annulus, get_cone_annulus, get_paraboloid_annulus, get_punch_annulus, &
+      & get_rounded_cone_annulus, less_arctan
    use adfric_indenter_shape, only: shape_t, spot_t, piece_t
    use adfric_numerics_panels, only: integrand_t, integrate
    implicit none (type, external)
@@ -39,6 +41,7 @@ module adfric_indenter_corner_shape
       procedure :: energy
       procedure :: get_profile
       procedure :: radius_of_height
+      procedure :: get_closed_annulus
    end type corner_shape_t
 
    !> [g(a) - g(x)]^2 dx/dt, v = sinh(t).
@@ -160,25 +163,6 @@ contains
          spot%load = a*a*phi + 4*a*(a/(a + v))/3 + v/3
       end select
    end subroutine evaluate_beyond
-
-   !> v - arctan(v), to its own round-off.
-   elemental real(dp) function less_arctan(v)
-      !> The number v, >= 0.
-      real(dp), intent(in) :: v
-      real(dp), parameter :: small = 0.3_dp
-      integer, parameter :: n_terms = 16
-      integer :: k
-
-      if (v > small) then
-         less_arctan = v - atan(v)
-         return
-      end if
-      less_arctan = 0
-      do k = n_terms, 1, -1
-         less_arctan = 1.0_dp/(2*k + 1) - v*v*less_arctan
-      end do
-      less_arctan = v**3*less_arctan
-   end function less_arctan
 
    !> See `shape_t`.
    elemental real(dp) function unknown_of(self, radius)
@@ -330,5 +314,54 @@ contains
          radius_of_height = 1
       end select
    end function radius_of_height
+
+   !> See `shape_t`: beside small contacts those of `rounded_punch` and `rounded_cone` lose digits.
+   pure subroutine get_closed_annulus(self, spot, is_beyond, s, opening, intensity, is_closed)
+      !> The shape with its kind.
+      class(corner_shape_t), intent(in) :: self
+      !> What the shape is at the contact.
+      type(spot_t), intent(in) :: spot
+      !> Does the contact reach beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> s = sqrt(c^2 - a^2), > 0.
+      real(dp), intent(in) :: s
+      !> Receive J and I.
+      real(dp), intent(out) :: opening, intensity
+      !> Are they closed forms here?
+      logical, intent(out) :: is_closed
+      ! what J loses is as small as V^2
+      real(dp), parameter :: least_square = 1.0_dp
+      real(dp) :: v, width
+
+      opening = 0
+      intensity = 0
+      if (self%kind == rounded_cone .and. .not. is_beyond) then
+         is_closed = spot%radius**2 + s**2 <= 1
+         if (is_closed) call add_power_annulus(2, 1.0_dp, spot%radius, s, opening, intensity)
+         return
+      end if
+      is_closed = .true.
+      v = spot%beyond
+      width = s
+      if (.not. is_beyond) then
+         ! the annulus begins at the corner
+         if (.not. s > spot%beyond) return
+         v = 0
+         width = sqrt((s - spot%beyond)*(s + spot%beyond))
+      end if
+      select case (self%kind)
+      case (flat_cone)
+         call get_cone_annulus(v, width, opening, intensity)
+      case (flat_paraboloid)
+         call get_paraboloid_annulus(v, width, opening, intensity)
+      case (rounded_punch)
+         is_closed = .not. is_beyond .or. v**2 + s**2 > least_square
+         if (is_closed) call get_punch_annulus(v, width, opening, intensity)
+      case (rounded_cone)
+         is_closed = v**2 + s**2 > least_square
+         if (is_closed) call get_rounded_cone_annulus(spot%radius, v, s, opening, intensity)
+      end select
+      if (is_closed .and. is_beyond) opening = opening + spot%depth*less_arctan(s/spot%radius)
+   end subroutine get_closed_annulus
 
 end module adfric_indenter_corner_shape

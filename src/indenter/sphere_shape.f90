@@ -6,6 +6,7 @@
 !> The unknown is u = artanh(s), which has digits where s is close to 1.
 module adfric_indenter_sphere_shape
    use adfric_base_kinds, only: dp
+   use adfric_indenter_closed_annulus, only: get_sphere_annulus
    use adfric_indenter_shape, only: shape_t, spot_t
    use adfric_numerics_panels, only: integrand_t, integrate
    implicit none (type, external)
@@ -28,6 +29,7 @@ module adfric_indenter_sphere_shape
       procedure :: energy
       procedure :: get_profile
       procedure :: radius_of_height
+      procedure :: get_closed_annulus
    end type sphere_shape_t
 
    !> [g(a) - g(x)]^2 dx/du.
@@ -209,5 +211,29 @@ contains
       associate (unused => self)
       end associate
    end function radius_of_height
+
+   !> See `shape_t`.
+   pure subroutine get_closed_annulus(self, spot, is_beyond, s, opening, intensity, is_closed)
+      !> The shape, of which nothing is needed.
+      class(sphere_shape_t), intent(in) :: self
+      !> What the shape is at the contact.
+      type(spot_t), intent(in) :: spot
+      !> There is no corner, so this is always true.
+      logical, intent(in) :: is_beyond
+      !> s = sqrt(c^2 - a^2), > 0.
+      real(dp), intent(in) :: s
+      !> Receive J and I.
+      real(dp), intent(out) :: opening, intensity
+      !> Are they closed forms here? They always are.
+      logical, intent(out) :: is_closed
+      real(dp) :: u
+
+      is_closed = .true.
+      u = 0
+      if (spot%radius > 0) u = spot%depth/spot%radius
+      call get_sphere_annulus(u, spot%radius, s, opening, intensity)
+      associate (unused => self, unused_too => is_beyond)
+      end associate
+   end subroutine get_closed_annulus
 
 end module adfric_indenter_sphere_shape
