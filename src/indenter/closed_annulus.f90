@@ -125,15 +125,15 @@ contains
    end subroutine add_power_annulus
 
    !> J and I of a sphere of radius 1.
-   pure subroutine get_sphere_annulus(u, a, s, opening, intensity)
-      !> artanh(a), the radius a, and s > 0 with a^2 + s^2 < 1.
-      real(dp), intent(in) :: u, a, s
+   pure subroutine get_sphere_annulus(u, a, rest, s, opening, intensity)
+      !> artanh(a), the radius a, 1 - a^2, and s > 0 with s^2 < 1 - a^2.
+      real(dp), intent(in) :: u, a, rest, s
       !> Receive J and I.
       real(dp), intent(out) :: opening, intensity
       real(dp) :: c_square, k
 
       c_square = a*a + s*s
-      k = sqrt(1 - c_square)
+      k = sqrt((sqrt(rest) - s)*(sqrt(rest) + s))
       opening = lag(k, c_square, s, a*k)
       if (a > 0) opening = opening + a*u*less_arctan(s/a)
       intensity = s*u + c_square/k*atan2(s, a*k)
@@ -193,10 +193,39 @@ contains
       !> Receive J and I, without the part of J that g(a) has.
       real(dp), intent(out) :: opening, intensity
 
+      real(dp) :: edge, turn
+
       call get_cone_annulus(v, s, opening, intensity)
-      opening = opening - (bulge(s, v) - bulge(s, a))/2
-      ! a - v and t - th without loss
-      intensity = intensity + s/(a + v) - (a*a + s*s)*atan(s/((a + v)*(a*v + s*s)))
+      ! s (a - v) and c^2 (t - th)
+      edge = s/(a + v)
+      turn = (a*a + s*s)*atan(edge/(a*v + s*s))
+      intensity = intensity + edge - turn
+      if (s < small*v) then
+         opening = opening - narrow_difference(a, v, s)
+      else
+         opening = opening + (atan2(s, v) - turn - edge)/2
+      end if
    end subroutine get_rounded_cone_annulus
+
+   !> Half of `bulge(s, v)` less half of `bulge(s, a)` for s below v, as a series: s^3 sum of (-s^2)^m/((2 m + 1) (2 m + 3)) times the
+   !> difference of v^-(2 m + 1) and a^-(2 m + 1).
+   pure real(dp) function narrow_difference(a, v, s) result(total)
+      !> Radius a of contact, v, and s > 0.
+      real(dp), intent(in) :: a, v, s
+      real(dp) :: power, ratio, difference
+      integer :: m
+
+      ! times s^(2 m + 1)
+      ratio = (s/(a*v))**2
+      difference = s/(a*v*(a + v))
+      power = s/a
+      total = 0
+      do m = 0, n_terms - 1
+         total = total + merge(1, -1, modulo(m, 2) == 0)*difference/((2*m + 1)*(2*m + 3))
+         difference = difference*(s/v)**2 + power*ratio
+         power = power*(s/a)**2
+      end do
+      total = s*s*total
+   end function narrow_difference
 
 end module adfric_indenter_closed_annulus

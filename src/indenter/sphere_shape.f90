@@ -231,7 +231,7 @@ contains
       is_closed = .true.
       u = 0
       if (spot%radius > 0) u = spot%depth/spot%radius
-      call get_sphere_annulus(u, spot%radius, s, opening, intensity)
+      call get_sphere_annulus(u, spot%radius, spot%radius_slope, s, opening, intensity)
       associate (unused => self, unused_too => is_beyond)
       end associate
    end subroutine get_closed_annulus
