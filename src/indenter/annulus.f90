@@ -189,7 +189,7 @@ contains
             ! without a corner t itself is the angle
             x = v
             angle = place
-            if (shape%corner > 0) x = hypot(shape%corner, v)
+            if (shape%corner > 0) x = sqrt(shape%corner**2 + v*v)
             if (shape%corner > 0 .or. way /= along_angle) angle = atan2(y, x)
             part = part + weights(node)*shape%rise(v)*slope*[angle, x/y, ((x**2 + y**2)*angle - x*y)/2]
          end do

@@ -66,7 +66,7 @@ contains
       call find_zone(self, state%spot, is_beyond, s, opening, intensity, state%is_converged)
       if (.not. state%is_converged) return
       associate (a => state%spot%radius, pull => self%stress)
-         c = hypot(a, s)
+         c = sqrt(a*a + s*s)
          th = atan2(s, a)
          one_less = (s/c)*(s/(c + a))
          state%adhesion_radius = c
@@ -179,7 +179,7 @@ contains
       real(dp) :: c, th, pull
 
       call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
-      c = hypot(spot%radius, s)
+      c = sqrt(spot%radius**2 + s*s)
       th = atan2(s, spot%radius)
       pull = 4*self%stress/pi
       value = 2*opening/pi + pull*s*(th - s/(c + spot%radius))
@@ -293,7 +293,7 @@ contains
       call find_zone(self%curve, spot, is_beyond, s, opening, intensity, is_converged)
       margin = 0
       if (.not. is_converged) return
-      c = hypot(spot%radius, s)
+      c = sqrt(spot%radius**2 + s*s)
       th = atan2(s, spot%radius)
       gain = intensity
       loss = 2*self%curve%stress*(s*s/(c + spot%radius))
