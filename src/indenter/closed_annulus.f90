@@ -91,8 +91,9 @@ contains
 
    !> Add J and I of x^n.
    pure subroutine add_power_annulus(n, factor, a, s, opening, intensity)
-      !> The whole exponent, >= 1, and the factor of x^n.
+      !> The whole exponent, >= 1.
       integer, intent(in) :: n
+      !> The factor of x^n.
       real(dp), intent(in) :: factor
       !> Radius of contact, and s; both >= 0, and not both 0.
       real(dp), intent(in) :: a, s
