@@ -13,14 +13,15 @@
 !> rounded punch rises from 0; that of the rounded cone rises up to the corner, falls to a least value, and rises.
 module adfric_indenter_corner_shape
    use adfric_base_kinds, only: dp
+   use adfric_indenter_closed_annulus, only: add_power_annulus, get_cone_annulus, get_paraboloid_annulus, get_punch_annulus, &
+      & get_rounded_cone_annulus, less_arctan
+   use adfric_indenter_corner_energy, only: corner_energy
+   use adfric_indenter_corner_kinds, only: flat_face, flat_cone, flat_paraboloid, rounded_punch, rounded_cone
    use adfric_indenter_shape, only: shape_t, spot_t, piece_t
-   use adfric_numerics_panels, only: integrand_t, integrate
    implicit none (type, external)
    private
    public :: corner_shape_t, new_corner_shape, flat_face, flat_cone, flat_paraboloid, rounded_punch, rounded_cone
 
-   !> The kinds; a flat face ends where it ends.
-   integer, parameter :: flat_face = 0, flat_cone = 1, flat_paraboloid = 2, rounded_punch = 3, rounded_cone = 4
    !> v where sqrt(a) g'(a) is least: the roots of v^3 phi + v^2 = 2, of 6 v^4 + 3 v^2 = 2, and of
    !> v [phi (a + v) + 2] (a + v) = 2.
    real(dp), parameter :: least_of_cone = 1.0424561234141567_dp, least_of_paraboloid = 0.6157539034434908_dp, &
@@ -39,17 +40,8 @@ module adfric_indenter_corner_shape
       procedure :: energy
       procedure :: get_profile
       procedure :: radius_of_height
+      procedure :: get_closed_annulus
    end type corner_shape_t
-
-   !> [g(a) - g(x)]^2 dx/dt, v = sinh(t).
-   type, extends(integrand_t) :: energy_integrand_t
-      !> The shape.
-      type(corner_shape_t) :: shape
-      !> g(a).
-      real(dp) :: depth = 0
-   contains
-      procedure :: value_at
-   end type energy_integrand_t
 
 contains
 
@@ -104,7 +96,7 @@ contains
 
       if (is_beyond) then
          spot%beyond = u
-         spot%radius = hypot(1.0_dp, u)
+         spot%radius = sqrt(1 + u*u)
          spot%radius_slope = u/spot%radius
          spot%radius_curve = 1/spot%radius**3
          call evaluate_beyond(self%kind, u, spot%radius, spot)
@@ -115,7 +107,7 @@ contains
          spot%depth_curve = 2
          spot%load = 4*u**3/3
       else
-         spot%beyond = 1/hypot(1.0_dp, u)
+         spot%beyond = 1/sqrt(1 + u*u)
          spot%radius = u*spot%beyond
          spot%radius_slope = spot%beyond**3
          spot%radius_curve = -3*u*spot%beyond**5
@@ -161,25 +153,6 @@ contains
       end select
    end subroutine evaluate_beyond
 
-   !> v - arctan(v), to its own round-off.
-   elemental real(dp) function less_arctan(v)
-      !> The number v, >= 0.
-      real(dp), intent(in) :: v
-      real(dp), parameter :: small = 0.3_dp
-      integer, parameter :: n_terms = 16
-      integer :: k
-
-      if (v > small) then
-         less_arctan = v - atan(v)
-         return
-      end if
-      less_arctan = 0
-      do k = n_terms, 1, -1
-         less_arctan = 1.0_dp/(2*k + 1) - v*v*less_arctan
-      end do
-      less_arctan = v**3*less_arctan
-   end function less_arctan
-
    !> See `shape_t`.
    elemental real(dp) function unknown_of(self, radius)
       !> The shape with its corner.
@@ -222,7 +195,7 @@ contains
       real(dp), intent(in) :: v
       real(dp) :: x
 
-      x = hypot(1.0_dp, v)
+      x = sqrt(1 + v*v)
       select case (self%kind)
       case (flat_cone)
          rise = (atan(v)*v + 1)/x
@@ -246,7 +219,7 @@ contains
       if (self%kind == rounded_cone) inner_rise = 2
    end function inner_rise
 
-   !> See `shape_t`: what lies within the corner is a polynomial, and the rest an integral over t, v = sinh(t).
+   !> See `shape_t`.
    pure real(dp) function energy(self, u, is_beyond)
       !> The shape that is evaluated.
       class(corner_shape_t), intent(in) :: self
@@ -254,36 +227,14 @@ contains
       real(dp), intent(in) :: u
       !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
-      type(energy_integrand_t) :: integrand
-      type(spot_t) :: spot
 
-      if (.not. is_beyond) then
-         energy = 0
-         if (self%kind == rounded_cone) energy = 8*u**5/15
-         return
+      energy = 0
+      if (is_beyond) then
+         energy = corner_energy(self%kind, u)
+      else if (self%kind == rounded_cone) then
+         energy = 8*u**5/15
       end if
-      call self%evaluate(u, .true., spot)
-      energy = spot%depth**2
-      if (self%kind == rounded_cone) energy = (spot%depth - 1)**2 + 4*(spot%depth - 1)/3 + 8.0_dp/15
-      integrand%shape%kind = self%kind
-      integrand%depth = spot%depth
-      energy = energy + integrate(integrand, 0.0_dp, asinh(u))
    end function energy
-
-   !> See `integrand_t`.
-   pure real(dp) function value_at(self, place)
-      !> The integrand with its shape and g(a).
-      class(energy_integrand_t), intent(in) :: self
-      !> t > 0 of a radius inside the contact.
-      real(dp), intent(in) :: place
-      type(spot_t) :: spot
-      real(dp) :: v
-
-      v = sinh(place)
-      spot%radius = hypot(1.0_dp, v)
-      call evaluate_beyond(self%shape%kind, v, spot%radius, spot)
-      value_at = (self%depth - spot%depth)**2*v
-   end function value_at
 
    !> See `shape_t`.
    pure subroutine get_profile(self, r, height, slope)
@@ -330,5 +281,54 @@ contains
          radius_of_height = 1
       end select
    end function radius_of_height
+
+   !> See `shape_t`: beside small contacts those of `rounded_punch` and `rounded_cone` lose digits.
+   pure subroutine get_closed_annulus(self, spot, is_beyond, s, opening, intensity, is_closed)
+      !> The shape with its kind.
+      class(corner_shape_t), intent(in) :: self
+      !> What the shape is at the contact.
+      type(spot_t), intent(in) :: spot
+      !> Does the contact reach beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> s = sqrt(c^2 - a^2), > 0.
+      real(dp), intent(in) :: s
+      !> Receive J and I.
+      real(dp), intent(out) :: opening, intensity
+      !> Are they closed forms here?
+      logical, intent(out) :: is_closed
+      ! J is smaller than its terms by V, and of a punch by V^2
+      real(dp), parameter :: least_square_of_cone = 0.04_dp, least_square_of_punch = 0.4_dp
+      real(dp) :: v, width
+
+      opening = 0
+      intensity = 0
+      if (self%kind == rounded_cone .and. .not. is_beyond) then
+         is_closed = spot%radius**2 + s**2 <= 1
+         if (is_closed) call add_power_annulus(2, 1.0_dp, spot%radius, s, opening, intensity)
+         return
+      end if
+      is_closed = .true.
+      v = spot%beyond
+      width = s
+      if (.not. is_beyond) then
+         ! the annulus begins at the corner
+         if (.not. s > spot%beyond) return
+         v = 0
+         width = sqrt((s - spot%beyond)*(s + spot%beyond))
+      end if
+      select case (self%kind)
+      case (flat_cone)
+         call get_cone_annulus(v, width, opening, intensity)
+      case (flat_paraboloid)
+         call get_paraboloid_annulus(v, width, opening, intensity)
+      case (rounded_punch)
+         is_closed = .not. is_beyond .or. v**2 + s**2 > least_square_of_punch
+         if (is_closed) call get_punch_annulus(v, width, opening, intensity)
+      case (rounded_cone)
+         is_closed = v**2 + s**2 > least_square_of_cone
+         if (is_closed) call get_rounded_cone_annulus(spot%radius, v, s, opening, intensity)
+      end select
+      if (is_closed .and. is_beyond) opening = opening + spot%depth*less_arctan(s/spot%radius)
+   end subroutine get_closed_annulus
 
 end module adfric_indenter_corner_shape

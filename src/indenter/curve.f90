@@ -114,18 +114,13 @@ contains
       logical, intent(in) :: is_beyond
       !> Receives the state, reduced.
       type(state_t), intent(out) :: state
-      real(dp) :: root, gain, loss
+      real(dp) :: gain, loss
 
       associate (spot => state%spot)
          call self%shape%evaluate(u, is_beyond, spot)
-         root = sqrt(spot%radius)
-         state%neck = self%tension*root
-         state%load = spot%load - 2*spot%radius*state%neck - self%outer_pull
-         state%approach = spot%depth - state%neck
+         state%neck = self%tension*sqrt(spot%radius)
          state%adhesion_radius = spot%radius
-         state%load_slope = 2*root*(root*spot%depth_slope - 1.5_dp*self%tension*spot%radius_slope)
-         state%approach_slope = spot%depth_slope
-         if (root > 0) state%approach_slope = spot%depth_slope - self%tension*spot%radius_slope/(2*root)
+         call get_sums(self, spot, state%load, state%load_slope, state%approach, state%approach_slope)
          ! dP/ddelta = 2 a (a g' - 3 Dl/2)/(a g' - Dl/2)
          gain = spot%radius*spot%depth_slope
          loss = state%neck*spot%radius_slope
@@ -155,20 +150,39 @@ contains
       real(dp), intent(out) :: held
       !> Derivative by u; of no meaning at a radius of 0.
       real(dp), intent(out) :: slope
-      type(state_t) :: state
+      type(spot_t) :: spot
+      real(dp) :: load, load_slope
 
-      call self%get_state(u, is_beyond, state)
+      call self%shape%evaluate(u, is_beyond, spot)
+      call get_sums(self, spot, load, load_slope, held, slope)
       if (control == control_load) then
-         held = state%load
-         slope = state%load_slope
-      else
-         held = state%approach
-         slope = state%approach_slope
+         held = load
+         slope = load_slope
+      else if (control == control_spring) then
+         held = held + self%compliance*load
+         slope = slope + self%compliance*load_slope
       end if
-      if (control /= control_spring) return
-      held = held + self%compliance*state%load
-      slope = slope + self%compliance*state%load_slope
    end subroutine get_held
+
+   !> Load and approach at a spot, and their derivatives by u.
+   pure subroutine get_sums(curve, spot, load, load_slope, approach, approach_slope)
+      !> The curve.
+      class(curve_t), intent(in) :: curve
+      !> What the shape is there.
+      type(spot_t), intent(in) :: spot
+      !> Receive the load and its derivative.
+      real(dp), intent(out) :: load, load_slope
+      !> Receive the approach and its derivative.
+      real(dp), intent(out) :: approach, approach_slope
+      real(dp) :: root
+
+      root = sqrt(spot%radius)
+      load = spot%load - 2*spot%radius*(curve%tension*root) - curve%outer_pull
+      approach = spot%depth - curve%tension*root
+      load_slope = 2*root*(root*spot%depth_slope - 1.5_dp*curve%tension*spot%radius_slope)
+      approach_slope = spot%depth_slope
+      if (root > 0) approach_slope = spot%depth_slope - curve%tension*spot%radius_slope/(2*root)
+   end subroutine get_sums
 
    !> The states without touch that are stable, as ranges of their radii: a theory without range has none.
    pure subroutine find_discs(self, control, discs, n)

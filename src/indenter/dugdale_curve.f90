@@ -34,6 +34,7 @@ module adfric_indenter_dugdale_curve
       real(dp) :: stress = 1, range = 1
    contains
       procedure :: get_state
+      procedure :: get_held
       procedure :: find_intervals
       procedure :: find_discs
       procedure :: get_disc
@@ -66,7 +67,7 @@ contains
       call find_zone(self, state%spot, is_beyond, s, opening, intensity, state%is_converged)
       if (.not. state%is_converged) return
       associate (a => state%spot%radius, pull => self%stress)
-         c = hypot(a, s)
+         c = sqrt(a*a + s*s)
          th = atan2(s, a)
          one_less = (s/c)*(s/(c + a))
          state%adhesion_radius = c
@@ -85,6 +86,35 @@ contains
          state%is_stable = [f_load > 0, f_approach > 0, f_approach + 2*self%compliance*f_load > 0]
       end associate
    end subroutine get_state
+
+   !> See `curve_t`.
+   pure subroutine get_held(self, control, u, is_beyond, held, slope)
+      !> The curve.
+      class(dugdale_curve_t), intent(in) :: self
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> The unknown, >= 0.
+      real(dp), intent(in) :: u
+      !> Is u one of those beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> Load, approach, or approach of the base of the spring, reduced.
+      real(dp), intent(out) :: held
+      !> Derivative by u.
+      real(dp), intent(out) :: slope
+      type(state_t) :: state
+
+      call self%get_state(u, is_beyond, state)
+      if (control == control_load) then
+         held = state%load
+         slope = state%load_slope
+      else
+         held = state%approach
+         slope = state%approach_slope
+      end if
+      if (control /= control_spring) return
+      held = held + self%compliance*state%load
+      slope = slope + self%compliance*state%load_slope
+   end subroutine get_held
 
    !> The zone of adhesion of a contact: s, with J and I. ln of the right side is almost linear in ln s, so Newton's method comes
    !> from anywhere.
@@ -179,7 +209,7 @@ contains
       real(dp) :: c, th, pull
 
       call get_annulus(self%shape, spot, is_beyond, s, opening, intensity)
-      c = hypot(spot%radius, s)
+      c = sqrt(spot%radius**2 + s*s)
       th = atan2(s, spot%radius)
       pull = 4*self%stress/pi
       value = 2*opening/pi + pull*s*(th - s/(c + spot%radius))
@@ -293,7 +323,7 @@ contains
       call find_zone(self%curve, spot, is_beyond, s, opening, intensity, is_converged)
       margin = 0
       if (.not. is_converged) return
-      c = hypot(spot%radius, s)
+      c = sqrt(spot%radius**2 + s*s)
       th = atan2(s, spot%radius)
       gain = intensity
       loss = 2*self%curve%stress*(s*s/(c + spot%radius))

@@ -227,7 +227,8 @@ contains
       if (.not. allocated(state)) return
       select type (state)
       type is (indenter_state_t)
-         if (any(abs(state%point - found%point) > 0) .or. .not. state%peeled%has_events) return
+         if (.not. state%peeled%has_events) return
+         if (any(abs(state%point - found%point) > 0)) return
          found%peeled%has_events = .true.
          found%peeled%events = state%peeled%events
       end select

@@ -5,6 +5,7 @@
 module adfric_indenter_power_shape
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
+   use adfric_indenter_closed_annulus, only: add_power_annulus
    use adfric_indenter_shape, only: shape_t, spot_t
    implicit none (type, external)
    private
@@ -32,6 +33,7 @@ module adfric_indenter_power_shape
       procedure :: energy
       procedure :: get_profile
       procedure :: radius_of_height
+      procedure :: get_closed_annulus
    end type power_shape_t
 
 contains
@@ -229,5 +231,32 @@ contains
             & (height*depth_factor(self%exponents(k))/self%factors(k))**(1/self%exponents(k)))
       end do
    end function radius_of_height
+
+   !> See `shape_t`: where all exponents are small whole numbers.
+   pure subroutine get_closed_annulus(self, spot, is_beyond, s, opening, intensity, is_closed)
+      !> The shape with its terms.
+      class(power_shape_t), intent(in) :: self
+      !> What the shape is at the contact.
+      type(spot_t), intent(in) :: spot
+      !> There is no corner, so this is always true.
+      logical, intent(in) :: is_beyond
+      !> s = sqrt(c^2 - a^2), > 0.
+      real(dp), intent(in) :: s
+      !> Receive J and I.
+      real(dp), intent(out) :: opening, intensity
+      !> Are they closed forms here?
+      logical, intent(out) :: is_closed
+      integer :: k
+
+      opening = 0
+      intensity = 0
+      is_closed = all(self%whole(:self%n_terms) > 0)
+      if (.not. is_closed) return
+      do k = 1, self%n_terms
+         call add_power_annulus(self%whole(k), self%factors(k), spot%radius, s, opening, intensity)
+      end do
+      associate (unused => is_beyond)
+      end associate
+   end subroutine get_closed_annulus
 
 end module adfric_indenter_power_shape

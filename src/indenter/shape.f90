@@ -72,6 +72,7 @@ module adfric_indenter_shape
       procedure(energy_i), deferred :: energy
       procedure(get_profile_i), deferred :: get_profile
       procedure(radius_of_height_i), deferred :: radius_of_height
+      procedure(get_closed_annulus_i), deferred :: get_closed_annulus
    end type shape_t
 
    abstract interface
@@ -149,6 +150,24 @@ module adfric_indenter_shape
          !> The height, > 0.
          real(dp), intent(in) :: height
       end function radius_of_height_i
+
+      !> J and I of `adfric_indenter_annulus` where they are closed forms.
+      pure subroutine get_closed_annulus_i(self, spot, is_beyond, s, opening, intensity, is_closed)
+         import :: shape_t, spot_t, dp
+         implicit none (type, external)
+         !> The shape that is evaluated.
+         class(shape_t), intent(in) :: self
+         !> What the shape is at the contact.
+         type(spot_t), intent(in) :: spot
+         !> Does the contact reach beyond the corner?
+         logical, intent(in) :: is_beyond
+         !> s = sqrt(c^2 - a^2), > 0.
+         real(dp), intent(in) :: s
+         !> Receive J and I; 0 where they are not closed forms.
+         real(dp), intent(out) :: opening, intensity
+         !> Are they closed forms here that lose no digits?
+         logical, intent(out) :: is_closed
+      end subroutine get_closed_annulus_i
 
       !> int [g(a) - g(x)]^2 dx from 0 to a: the elastic energy without adhesion, over E* L H^2.
       pure real(dp) function energy_i(self, u, is_beyond)

@@ -6,7 +6,10 @@
 !> The unknown is u = artanh(s), which has digits where s is close to 1.
 module adfric_indenter_sphere_shape
    use adfric_base_kinds, only: dp
+   use adfric_indenter_closed_annulus, only: get_sphere_annulus
    use adfric_indenter_shape, only: shape_t, spot_t
+   use adfric_numerics_gauss, only: gauss_nodes_10, gauss_weights_10
+   use adfric_numerics_libm, only: expm1
    use adfric_numerics_panels, only: integrand_t, integrate
    implicit none (type, external)
    private
@@ -14,6 +17,8 @@ module adfric_indenter_sphere_shape
 
    !> Below this s the load is a series.
    real(dp), parameter :: small = 0.3_dp
+   !> Up to this u 10 nodes do for its energy, whose singularities are at i pi/2.
+   real(dp), parameter :: one_range = 1.0_dp
    !> Beyond this u the rest of the sphere is round-off.
    real(dp), parameter :: decayed = 24.0_dp
 
@@ -28,6 +33,7 @@ module adfric_indenter_sphere_shape
       procedure :: energy
       procedure :: get_profile
       procedure :: radius_of_height
+      procedure :: get_closed_annulus
    end type sphere_shape_t
 
    !> [g(a) - g(x)]^2 dx/du.
@@ -163,9 +169,17 @@ contains
       !> There is no corner, so this is always true.
       logical, intent(in) :: is_beyond
       type(energy_integrand_t) :: integrand
+      integer :: node
 
       integrand%depth = u*tanh(u)
-      energy = integrate(integrand, 0.0_dp, min(u, decayed))
+      if (u > one_range) then
+         energy = integrate(integrand, 0.0_dp, min(u, decayed))
+      else
+         energy = 0
+         do node = 1, size(gauss_nodes_10)
+            energy = energy + gauss_weights_10(node)*u/2*integrand%value_at(u*(1 + gauss_nodes_10(node))/2)
+         end do
+      end if
       associate (unused => self, unused_too => is_beyond)
       end associate
    end function energy
@@ -177,7 +191,11 @@ contains
       !> The unknown artanh(x) of a radius inside the contact.
       real(dp), intent(in) :: place
 
-      value_at = (self%depth - place*tanh(place))**2*inverse_square_cosh(place)
+      real(dp) :: less
+
+      less = expm1(-2*place)
+      ! tanh(u) and 1/cosh(u)^2
+      value_at = (self%depth + place*less/(2 + less))**2*(4*(1 + less)/(2 + less)**2)
    end function value_at
 
    !> See `shape_t`.
@@ -209,5 +227,29 @@ contains
       associate (unused => self)
       end associate
    end function radius_of_height
+
+   !> See `shape_t`.
+   pure subroutine get_closed_annulus(self, spot, is_beyond, s, opening, intensity, is_closed)
+      !> The shape, of which nothing is needed.
+      class(sphere_shape_t), intent(in) :: self
+      !> What the shape is at the contact.
+      type(spot_t), intent(in) :: spot
+      !> There is no corner, so this is always true.
+      logical, intent(in) :: is_beyond
+      !> s = sqrt(c^2 - a^2), > 0.
+      real(dp), intent(in) :: s
+      !> Receive J and I.
+      real(dp), intent(out) :: opening, intensity
+      !> Are they closed forms here? They always are.
+      logical, intent(out) :: is_closed
+      real(dp) :: u
+
+      is_closed = .true.
+      u = 0
+      if (spot%radius > 0) u = spot%depth/spot%radius
+      call get_sphere_annulus(u, spot%radius, spot%radius_slope, s, opening, intensity)
+      associate (unused => self, unused_too => is_beyond)
+      end associate
+   end subroutine get_closed_annulus
 
 end module adfric_indenter_sphere_shape

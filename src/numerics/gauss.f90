@@ -1,10 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Gauss's rules of 16 and of 10 nodes on (-1, 1), exact for polynomials of degree 31 and 19, and integrals up to the nodes of the latter.
+!> Gauss's rules of 16, 10 and 6 nodes on (-1, 1), exact for polynomials of degree 31, 19 and 11, and integrals up to the nodes of the
+!> second.
 module adfric_numerics_gauss
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: gauss_nodes, gauss_weights, gauss_nodes_10, gauss_weights_10, gauss_integrals_10
+   public :: gauss_nodes, gauss_weights, gauss_nodes_10, gauss_weights_10, gauss_integrals_10, gauss_nodes_6, gauss_weights_6
 
    !> The 16 nodes and their weights.
    real(dp), parameter :: gauss_nodes(16) = [ &
@@ -64,6 +65,21 @@ module adfric_numerics_gauss
       & 0.21908636251598204400_dp, &
       & 0.14945134915058059315_dp, &
       & 0.066671344308688137594_dp]
+   !> The same of the rule of 6 nodes, exact for polynomials of degree 11.
+   real(dp), parameter :: gauss_nodes_6(6) = [ &
+      & -0.93246951420315202781_dp, &
+      & -0.66120938646626451366_dp, &
+      & -0.23861918608319690863_dp, &
+      & 0.23861918608319690863_dp, &
+      & 0.66120938646626451366_dp, &
+      & 0.93246951420315202781_dp]
+   real(dp), parameter :: gauss_weights_6(6) = [ &
+      & 0.17132449237917034504_dp, &
+      & 0.36076157304813860757_dp, &
+      & 0.46791393457269104739_dp, &
+      & 0.46791393457269104739_dp, &
+      & 0.36076157304813860757_dp, &
+      & 0.17132449237917034504_dp]
    !> Integrals from -1 up to each of the 10 nodes: times the values of a function at the nodes, exact for polynomials of degree 9; shape
    !> `(node, value)`.
    real(dp), parameter :: gauss_integrals_10(10, 10) = reshape([ &
