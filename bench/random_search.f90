@@ -6,6 +6,7 @@ program random_search
    use adfric, only: known_models
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: count_words, get_word
+   use adfric_model_status, only: status_not_converged, status_solved
    use measure, only: integer_argument, text_argument
    use search_loop, only: search_t, search_model
    implicit none (type, external)
@@ -26,7 +27,8 @@ program random_search
    print '(a16, 6a12)', 'model', 'cases', 'solved', 'no state', 'no conv', 'us/point', 'slowest us'
    do k = 1, count_words(models)
       call search_model(get_word(models, k), seed, huge(seed), real(seconds, dp)/count_words(models), longest, search)
-      print '(a16, 4i12, 2f12.1)', get_word(models, k), search%n_cases, search%by_status, &
+      print '(a16, 4i12, 2f12.1)', get_word(models, k), search%n_cases, &
+         search%by_status(status_solved:status_not_converged), &
          1.0e6_dp*search%seconds/max(1, sum(search%by_status)), 1.0e6_dp*search%slowest
       if (search%n_faults > 0) print '(a16, i12, a)', '', search%n_faults, ' broken'
       n_faults = n_faults + search%n_faults
