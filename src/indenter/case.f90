@@ -19,7 +19,7 @@ module adfric_indenter_case
    use adfric_material_contact_modulus, only: contact_modulus_of, poisson_compliance_of
    implicit none (type, external)
    private
-   public :: indenter_case_t, resolve_case, is_possible, tangential_compliance, theory_of, has_plain_spring
+   public :: indenter_case_t, resolve_case, is_possible, tangential_compliance, theory_of, has_plain_spring, has_plain_base
 
    !> Units and what is held must be between these powers of ten, or numbers have no room.
    integer, parameter :: largest_unit = 70, largest_number = 30
@@ -42,6 +42,8 @@ module adfric_indenter_case
       real(dp) :: radius = 0
       !> Stiffness of a lateral spring, reduced; 0 if none is given.
       real(dp) :: lateral_stiffness = 0
+      !> Displacement of its base, reduced; 0 if none is given.
+      real(dp) :: base_displacement = 0
    contains
       procedure :: force_unit
       procedure :: stiffness_unit
@@ -107,6 +109,7 @@ contains
          & self%curve)
       call resolve_given(values, self)
       if (is_set(values(v_lateral_stiffness))) self%lateral_stiffness = values(v_lateral_stiffness)/self%stiffness_unit()
+      if (is_set(values(v_base_displacement))) self%base_displacement = values(v_base_displacement)/self%height_unit
    end subroutine resolve_case
 
    !> The theory of a case: without adhesion none, and without a range JKR.
@@ -351,6 +354,14 @@ contains
       has_plain_spring = self%lateral_stiffness > 1/most .and. self%lateral_stiffness < most
    end function has_plain_spring
 
+   !> Is the displacement of the base of a lateral spring within the numbers?
+   pure logical function has_plain_base(self)
+      !> The case with its spring.
+      type(indenter_case_t), intent(in) :: self
+
+      has_plain_base = self%base_displacement < 10.0_dp**largest_number
+   end function has_plain_base
+
    !> Is there such a contact? A contact of given radius is not smaller than a face, and smaller than a sphere; and all has to be
    !> within the numbers.
    pure logical function is_possible(values, self)
@@ -372,7 +383,8 @@ contains
             is_possible = curve%has_room(merge(self%given, 0.0_dp, self%radius > 0), self%is_beyond)
          end if
       end select
-      if (is_set(values(v_lateral_stiffness))) is_possible = is_possible .and. has_plain_spring(self)
+      if (is_set(values(v_lateral_stiffness))) is_possible = is_possible .and. has_plain_spring(self) &
+         & .and. has_plain_base(self)
       if (.not. is_possible .or. .not. is_set(values(v_contact_radius))) return
       is_possible = has_depth(self) .and. is_inside(self, self%radius) &
          & .and. (self%is_beyond .or. .not. self%curve%shape%has_face &

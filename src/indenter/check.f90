@@ -5,7 +5,7 @@ module adfric_indenter_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: get_word
-   use adfric_indenter_case, only: has_plain_spring, indenter_case_t, resolve_case, is_possible, theory_of
+   use adfric_indenter_case, only: has_plain_base, has_plain_spring, indenter_case_t, resolve_case, is_possible, theory_of
    use adfric_indenter_contact, only: branch_stable
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_friction_check, only: check_friction, is_moved
@@ -194,6 +194,10 @@ contains
       call resolve_case(values, case)
       if (is_set(values(v_lateral_stiffness)) .and. case%height_unit > 0 .and. .not. has_plain_spring(case)) then
          call problems%add('operating', 'lateral_stiffness', 'is beyond all numbers for this indenter')
+         return
+      end if
+      if (case%height_unit > 0 .and. .not. has_plain_base(case)) then
+         call problems%add('operating', 'base_displacement', 'is beyond all numbers for this indenter')
          return
       end if
       if (is_possible(values, case)) then

@@ -24,7 +24,7 @@ contains
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      is_moved = is_set(values(v_tangential_force)) .or. has_events(values)
+      is_moved = any(is_set(values([v_tangential_force, v_base_displacement]))) .or. has_events(values)
    end function is_moved
 
    !> Are the events of a growing tangential force asked for at a given load? At a given approach they come beside those of a cycle.
@@ -70,30 +70,60 @@ contains
             & 'of a growing tangential force are known for a uniform shear strength alone; allowed: pressure_factor = 0')
       end if
       if (nint(values(v_law)) /= law_peeling) call check_interaction(variables, values, is_adhesive, problems)
-      if (is_set(values(v_lateral_stiffness))) call check_lateral_spring(values, problems)
+      if (any(is_set(values([v_lateral_stiffness, v_base_displacement])))) call check_lateral_spring(variables, values, problems)
       if (.not. is_moved(values) .or. .not. is_set(values(v_contact_modulus))) return
       if (.not. has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))) &
          & call problems%add('solid', 'poisson_ratio', 'is missing [-]; the tangential displacement needs it')
    end subroutine check_friction
 
    !> A lateral spring: its jumps are events of a contact that slides against a shear strength.
-   subroutine check_lateral_spring(values, problems)
+   subroutine check_lateral_spring(variables, values, problems)
+      !> Table of the variables of the model; shape `(n_variables)`.
+      type(variable_t), intent(in) :: variables(:)
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
+      logical :: is_driven
 
+      is_driven = is_set(values(v_base_displacement))
+      if (is_driven) call require(variables, values, [v_lateral_stiffness], problems)
       if (nint(values(v_law)) == law_peeling) then
          call problems%add('operating', 'lateral_stiffness', 'has no meaning for law = ''peeling'', where nothing slides')
          return
       end if
-      if (.not. values(v_events) > 0) call problems%add('operating', 'lateral_stiffness', 'has no meaning without events')
+      if (.not. (values(v_events) > 0 .or. is_driven)) call problems%add('operating', 'lateral_stiffness', &
+         & 'has no meaning without events or base_displacement')
       if (.not. is_set(values(v_shear_strength))) call problems%add('friction', 'shear_strength', &
          & 'is missing [Pa]; lateral_stiffness needs it')
       ! with interaction that has been said
       if (nint(values(v_branch)) /= branch_stable .and. .not. values(v_interaction) > 0) call problems%add('operating', 'branch', &
          & 'has no meaning with lateral_stiffness, whose jumps begin at the largest stable contact')
+      if (is_driven) call check_driven(variables, values, problems)
    end subroutine check_lateral_spring
+
+   !> A base that is moved.
+   subroutine check_driven(variables, values, problems)
+      !> Table of the variables of the model; shape `(n_variables)`.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call require_one(variables, values, [v_tangential_force, v_base_displacement], .false., problems)
+      if (nint(values(v_state)) == state_sliding) call problems%add('operating', 'state', &
+         & 'is ''sliding'' beside a displacement of the base')
+      if (any(is_set(values([v_contact_radius, v_face_angle]))) .and. .not. values(v_interaction) > 0) &
+         & call problems%add('operating', 'base_displacement', 'needs a contact that is held; give load, approach or base_approach')
+      if (is_set(values(v_shear_strength))) then
+         if (.not. values(v_shear_strength) > 0 .and. .not. values(v_interaction) > 0) call problems%add('friction', &
+            & 'shear_strength', 'is 0 [Pa]; base_displacement needs a number > 0')
+      end if
+      if (.not. is_set(values(v_pressure_factor))) return
+      if (values(v_pressure_factor) > 0) call problems%add('operating', 'base_displacement', &
+         & 'stands beside pressure_factor > 0, with which nothing jumps; give tangential_force')
+   end subroutine check_driven
 
    !> With alpha > 0, JKR's infinite tension at the edge would slip at once.
    subroutine check_edge(values, problems)
@@ -165,8 +195,8 @@ contains
       if (.not. is_adhesive) call problems%add('friction', 'interaction', 'needs adhesion to act on; give work_of_adhesion')
       if (.not. values(v_shear_strength) > 0) call problems%add('friction', 'shear_strength', &
          & 'is 0 [Pa]; interaction needs a number > 0')
-      if (is_sliding .or. has_events(values)) call require_one(variables, values, [v_slip_energy_ratio, v_critical_slip], .true., &
-         & problems)
+      if (is_sliding .or. has_events(values) .or. is_set(values(v_base_displacement))) call require_one(variables, values, &
+         & [v_slip_energy_ratio, v_critical_slip], .true., problems)
       call check_way(values, problems)
       if (is_adhesive) call check_share(values, problems)
    end subroutine check_interaction
@@ -179,7 +209,7 @@ contains
       type(problems_t), intent(inout) :: problems
       logical :: has_way
 
-      has_way = is_set(values(v_tangential_force)) .or. has_events(values)
+      has_way = is_moved(values)
       if (has_way .and. any(is_set(values([v_contact_radius, v_face_angle])))) call problems%add('friction', 'interaction', &
          & 'makes the contact shrink under a tangential force, but its radius is given; give load, approach or base_approach')
       if (has_way .and. nint(values(v_branch)) /= branch_stable) call problems%add('operating', 'branch', &

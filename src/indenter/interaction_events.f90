@@ -14,14 +14,14 @@ module adfric_indenter_interaction_events
    use adfric_indenter_interaction_search, only: end_capped, end_no_adhesion, end_sliding, end_snap_off, &
       & find_end, find_peak
    use adfric_indenter_weak_way, only: weaken
-   use adfric_indenter_pulled_indenter, only: take_indenter_curve
+   use adfric_indenter_pulled_indenter, only: pulled_indenter_t, take_indenter_curve
    use adfric_material_interaction, only: adhesion_ratio
    use adfric_material_pulled_contact, only: pulled_curve_t
    use adfric_material_shrinking_way, only: displacement_of, force_of, turn
    use adfric_material_stick_slip, only: find_critical_stiffness, find_stick_slip, forget_stick_slip, stick_slip_t
    implicit none (type, external)
    private
-   public :: peeling_events_t, find_peeling_events, forget_peeling_events
+   public :: peeling_events_t, find_peeling_events, forget_peeling_events, slide
 
    !> What happens; NaN where it does not.
    type :: peeling_events_t
@@ -102,11 +102,12 @@ contains
       !> In: with all other events. Out: with the jump, too.
       type(peeling_events_t), intent(inout) :: events
       type(pulled_curve_t) :: curve
+      type(pulled_indenter_t) :: contact
       real(dp) :: force
 
       force = -1
       if (.not. ieee_is_nan(events%sliding_force)) force = events%sliding_force
-      call take_indenter_curve(path, finish, ending == end_capped, force, curve)
+      call take_indenter_curve(path, finish, ending == end_capped, force, curve, contact)
       events%is_converged = curve%is_converged
       call find_critical_stiffness(curve, events%critical_stiffness)
       if (.not. stiffness > 0) return

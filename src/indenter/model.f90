@@ -13,7 +13,7 @@ module adfric_indenter_model
    use adfric_indenter_curve, only: stability_control
    use adfric_indenter_friction_point, only: add_friction, add_slip, friction_t, shear_at
    use adfric_indenter_loop, only: find_loop, loop_t
-   use adfric_indenter_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_peeled
+   use adfric_indenter_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_driven, store_peeled
    use adfric_indenter_point_results, only: estimate_error, store_contact, store_ends, store_events, store_stress
    use adfric_indenter_profiles, only: pressure_at, gap_at
    use adfric_indenter_variables
@@ -56,7 +56,8 @@ module adfric_indenter_model
       type(loop_t) :: loop
       !> Has a survey been made?
       logical :: is_surveyed = .false.
-      !> What peeling has done; its events serve the next point, too, if that has another force alone.
+      !> What peeling has done; its events and its way on a driven spring serve the next point, too, if that has another force or
+      !> displacement of the base alone.
       type(peeled_t) :: peeled
       !> All values of the point.
       real(dp) :: point(n_indenter_variables) = 0
@@ -142,6 +143,7 @@ contains
       real(dp), intent(inout) :: counts(:)
       type(indenter_state_t), allocatable :: found
       type(ends_t) :: ends
+      real(dp) :: moved(n_indenter_variables)
 
       allocate (found)
       error_estimate = 0
@@ -174,10 +176,13 @@ contains
             if (is_set(values(v_position_z))) call store_stress(case, contact, values, results)
             if (is_set(values(v_friction_coefficient))) call add_slip(values, case, found%survey, contact, &
                & found%friction%slip, results, status)
-            if (is_set(values(v_shear_strength))) call add_friction(values, case, contact, &
+            moved = values
+            if (peeled%driven%is_found) moved(v_tangential_force) = peeled%driven%force*case%force_unit()
+            if (is_set(values(v_shear_strength))) call add_friction(moved, case, contact, &
                & found%friction%resistance, found%friction%shear, results, status)
             if (status == status_solved .and. (is_set(values(v_shear_strength)) .or. nint(values(v_law)) == law_peeling)) &
-               & call store_peeled(values, case, peeled, results)
+               & call store_peeled(moved, case, peeled, results)
+            if (status == status_solved .and. peeled%driven%is_found) call store_driven(moved, case, peeled, results)
             if (peeled%is_peeling) results(r_cycle_energy) = not_a_number()
          end if
       end associate
@@ -213,7 +218,8 @@ contains
       end select
    end subroutine take_survey
 
-   !> Take the events of the point before over, if that differs in the tangential force alone.
+   !> Take the events of the point before over, and its way on a driven spring, if that differs in the tangential force or the
+   !> displacement of the base alone.
    pure subroutine take_events(state, values, found)
       !> What the point before has left.
       class(point_state_t), allocatable, intent(in) :: state
@@ -223,14 +229,16 @@ contains
       type(indenter_state_t), intent(inout) :: found
 
       found%point = values
-      found%point(v_tangential_force) = 0
+      found%point([v_tangential_force, v_base_displacement]) = 0
       if (.not. allocated(state)) return
       select type (state)
       type is (indenter_state_t)
-         if (.not. state%peeled%has_events) return
+         if (.not. (state%peeled%has_events .or. state%peeled%has_drive)) return
          if (any(abs(state%point - found%point) > 0)) return
-         found%peeled%has_events = .true.
-         found%peeled%events = state%peeled%events
+         found%peeled%has_events = state%peeled%has_events
+         if (state%peeled%has_events) found%peeled%events = state%peeled%events
+         found%peeled%has_drive = state%peeled%has_drive
+         if (state%peeled%has_drive) found%peeled%drive = state%peeled%drive
       end select
    end subroutine take_events
 

@@ -3,6 +3,7 @@
 module adfric_indenter_peeled_point
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi, pi
+   use adfric_base_not_a_number, only: not_a_number
    use adfric_base_unset, only: is_set
    use adfric_indenter_brittle_peeling, only: brittle_t, find_peeled, new_brittle
    use adfric_indenter_case, only: indenter_case_t, tangential_compliance
@@ -13,6 +14,7 @@ module adfric_indenter_peeled_point
    use adfric_indenter_interaction_path, only: friction_law_t, get_rates, largest_slip_of, new_path, path_t, slip_of, &
       & waypoint_t
    use adfric_indenter_interaction_search, only: find_force
+   use adfric_indenter_spring_drive, only: driven_state_t, find_driven_state, new_spring_drive, spring_drive_t
    use adfric_indenter_variables
    use adfric_indenter_weak_way, only: weaken
    use adfric_material_contact_modulus, only: has_poisson_ratio
@@ -22,7 +24,7 @@ module adfric_indenter_peeled_point
    use adfric_material_slip_annulus, only: angle_of_force
    implicit none (type, external)
    private
-   public :: peeled_t, begin_sliding, peel_contact, store_peeled, wants_peeling_events
+   public :: peeled_t, begin_sliding, peel_contact, store_driven, store_peeled, wants_peeling_events
 
    !> What peeling has done to a contact.
    type :: peeled_t
@@ -40,6 +42,12 @@ module adfric_indenter_peeled_point
       logical :: has_events = .false.
       !> They, reduced.
       type(peeling_events_t) :: events
+      !> Is the way on a driven spring known, from a point that differs in the displacement of the base alone?
+      logical :: has_drive = .false.
+      !> That way.
+      type(spring_drive_t) :: drive
+      !> The state at the displacement of the base.
+      type(driven_state_t) :: driven
    end type peeled_t
 
 contains
@@ -171,7 +179,7 @@ contains
          call peel_brittle(values, case, force, contact, peeled, results)
          return
       end if
-      is_moved = values(v_interaction) > 0 .and. force > 0
+      is_moved = values(v_interaction) > 0 .and. force > 0 .or. is_set(values(v_base_displacement))
       if (.not. (is_moved .or. wants_peeling_events(values)) .or. .not. contact%is_found) return
       call new_path(path, case%curve, law_of(values, case), case%control, case%given, contact)
       if (wants_peeling_events(values)) call add_events(case, path, peeled, results)
@@ -179,7 +187,13 @@ contains
       ! without touch no force is borne
       contact%is_found = path%start%is_found
       if (.not. contact%is_found) return
-      call find_force(path, force, waypoint, peeled%is_converged)
+      if (is_set(values(v_base_displacement))) then
+         call drive_contact(case, path, peeled)
+         waypoint = peeled%driven%waypoint
+         waypoint%is_found = peeled%driven%is_found
+      else
+         call find_force(path, force, waypoint, peeled%is_converged)
+      end if
       contact%is_found = waypoint%is_found
       if (.not. waypoint%is_found) return
       contact = waypoint%contact
@@ -189,6 +203,21 @@ contains
       ends = weak%ends
       call add_rates(path, waypoint, peeled)
    end subroutine peel_contact
+
+   !> The state at a displacement of the base of a lateral spring.
+   pure subroutine drive_contact(case, path, peeled)
+      !> The point with its units.
+      type(indenter_case_t), intent(in) :: case
+      !> The way from rest, which need not have been followed.
+      type(path_t), intent(in) :: path
+      !> Receives the state; its way is found if it is not known.
+      type(peeled_t), intent(inout) :: peeled
+
+      if (.not. peeled%has_drive) call new_spring_drive(peeled%drive, path, case%lateral_stiffness)
+      peeled%has_drive = .true.
+      peeled%is_converged = peeled%is_converged .and. peeled%drive%is_converged
+      if (peeled%drive%is_converged) call find_driven_state(peeled%drive, case%base_displacement, peeled%driven)
+   end subroutine drive_contact
 
    !> The slope of the force over the displacement, and what round-off of the force does to the radius.
    pure subroutine add_rates(path, waypoint, peeled)
@@ -284,5 +313,36 @@ contains
       results(r_slip) = slip_of(law, radius, angle)*case%height_unit
       results(r_largest_slip) = largest_slip_of(law, radius, angle)*case%height_unit
    end subroutine store_peeled
+
+   !> Add the state at a displacement of the base, in SI units, which its angle tells better than its force does.
+   pure subroutine store_driven(values, case, peeled, results)
+      !> Values of the variables, with the tangential force of the state; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point with its units.
+      type(indenter_case_t), intent(in) :: case
+      !> What peeling has done.
+      type(peeled_t), intent(in) :: peeled
+      !> In: with the results of friction. Out: with those of the state; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      type(friction_law_t) :: law
+      real(dp) :: stick
+
+      associate (driven => peeled%driven, waypoint => peeled%driven%waypoint)
+         results(r_tangential_force) = values(v_tangential_force)
+         results(r_tangential_displacement) = driven%displacement*case%height_unit
+         stick = 0
+         if (waypoint%angle < half_pi) stick = cos(waypoint%angle)
+         results(r_stick_fraction) = stick**2
+         results(r_stick_radius) = stick*results(r_friction_radius)
+         if (driven%is_sliding) then
+            results([r_slip, r_largest_slip, r_cycle_energy]) = not_a_number()
+            results(r_tangential_stiffness) = 0
+         else
+            law = law_of(values, case)
+            results(r_slip) = slip_of(law, waypoint%radius, waypoint%angle)*case%height_unit
+            results(r_largest_slip) = largest_slip_of(law, waypoint%radius, waypoint%angle)*case%height_unit
+         end if
+      end associate
+   end subroutine store_driven
 
 end module adfric_indenter_peeled_point

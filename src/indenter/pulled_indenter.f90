@@ -14,7 +14,7 @@ module adfric_indenter_pulled_indenter
    use adfric_material_shrinking_way, only: displacement_of, force_of, turn
    implicit none (type, external)
    private
-   public :: take_indenter_curve
+   public :: pulled_indenter_t, take_indenter_curve, get_waypoint_of
 
    !> Corners that a way may pass: with a, and with c.
    integer, parameter :: most_corners = 2
@@ -40,7 +40,7 @@ module adfric_indenter_pulled_indenter
 contains
 
    !> Take the way of an indenter.
-   pure subroutine take_indenter_curve(path, finish, is_capped, sliding_force, curve)
+   pure subroutine take_indenter_curve(path, finish, is_capped, sliding_force, curve, contact)
       !> The way from rest, whose end has been found.
       type(path_t), intent(in) :: path
       !> The end of the part where the contact changes.
@@ -51,15 +51,23 @@ contains
       real(dp), intent(in) :: sliding_force
       !> Receives the way.
       type(pulled_curve_t), intent(out) :: curve
-      type(pulled_indenter_t) :: contact
+      !> Receives the contact that is pulled.
+      type(pulled_indenter_t), intent(out) :: contact
 
       contact%path = path
       contact%finish = finish
       contact%is_capped = is_capped
       contact%slides = sliding_force >= 0
       contact%force_after = max(sliding_force, 0.0_dp)
-      call divide(contact)
-      contact%n_pieces = contact%n_changing + merge(1, 0, is_capped)
+      if (path%is_weakened) then
+         call divide(contact)
+      else
+         ! all of the way is one contact, whose angle grows alone
+         contact%n_changing = 0
+         contact%is_capped = .true.
+         call turn(0.0_dp, contact%finish)
+      end if
+      contact%n_pieces = contact%n_changing + merge(1, 0, contact%is_capped)
       call take_curve(contact, curve)
    end subroutine take_indenter_curve
 
@@ -132,11 +140,27 @@ contains
       !> Receive D and T.
       real(dp), intent(out) :: displacement, force
       type(waypoint_t) :: waypoint
-      real(dp) :: share
 
       displacement = 0
       force = 0
       if (piece == 1 .and. .not. place > 0) return
+      call get_waypoint_of(self, piece, place, waypoint)
+      displacement = displacement_of(self%path, waypoint)
+      force = force_of(self%path, waypoint)
+   end subroutine get_state
+
+   !> The state at a place of a piece.
+   pure subroutine get_waypoint_of(self, piece, place, waypoint)
+      !> The contact.
+      class(pulled_indenter_t), intent(in) :: self
+      !> Number of the piece.
+      integer, intent(in) :: piece
+      !> Place in the piece, 0 to 1.
+      real(dp), intent(in) :: place
+      !> Receives the state.
+      type(waypoint_t), intent(out) :: waypoint
+      real(dp) :: share
+
       if (piece > self%n_changing) then
          waypoint = self%finish
          call turn(self%finish%angle + (half_pi - self%finish%angle)*place, waypoint)
@@ -145,9 +169,7 @@ contains
          if (piece == self%n_changing .and. self%is_capped) share = place
          call get_waypoint_at(self, self%ends(piece - 1) + (self%ends(piece) - self%ends(piece - 1))*share, waypoint)
       end if
-      displacement = displacement_of(self%path, waypoint)
-      force = force_of(self%path, waypoint)
-   end subroutine get_state
+   end subroutine get_waypoint_of
 
    !> The state at a place of the part where the contact changes.
    pure subroutine get_waypoint_at(self, z, waypoint)

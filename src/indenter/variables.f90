@@ -23,8 +23,8 @@ module adfric_indenter_variables
       & v_tangential_force = 34, v_friction_coefficient = 35, v_shear_strength = 36, v_pressure_factor = 37, v_edge_fraction = 38, &
       & v_position_z = 39, v_base_approach = 40, v_machine_stiffness = 41, v_events = 42, &
       & v_law = 43, v_state = 44, v_interaction = 45, v_critical_slip = 46, v_slip_energy_ratio = 47, &
-      & v_lateral_stiffness = 48
-   integer, parameter, public :: n_indenter_variables = 48
+      & v_lateral_stiffness = 48, v_base_displacement = 49
+   integer, parameter, public :: n_indenter_variables = 49
 
    !> Places of the words in the choices.
    integer, parameter, public :: kind_flat = 1, kind_cone = 2, kind_paraboloid = 3, kind_power = 4, kind_sphere = 5, &
@@ -45,8 +45,9 @@ module adfric_indenter_variables
       & r_loop_energy = 29, r_friction_radius = 30, r_adhesion_ratio = 31, r_stick_radius = 32, r_slip = 33, r_largest_slip = 34, &
       & r_peak_force = 35, r_peak_displacement = 36, r_sliding_force = 37, r_force_drop = 38, r_snap_off_force = 39, &
       & r_snap_off_displacement = 40, r_critical_lateral_stiffness = 41, r_jump_base_displacement = 42, r_jump_displacement = 43, &
-      & r_jump_force = 44, r_arrest_force = 45, r_jump_energy = 46, r_jump_period = 47, r_period_work = 48
-   integer, parameter, public :: n_indenter_results = 48
+      & r_jump_force = 44, r_arrest_force = 45, r_jump_energy = 46, r_jump_period = 47, r_period_work = 48, &
+      & r_tangential_force = 49
+   integer, parameter, public :: n_indenter_results = 49
    !> Places of the profiles; that of the shear stress comes from the rows of friction.
    public :: p_shear_stress
    integer, parameter, public :: p_pressure = 1, p_gap = 2
@@ -115,6 +116,8 @@ contains
       call set_interaction_rows(v(v_interaction:v_slip_energy_ratio))
       v(v_lateral_stiffness) = above_zero(group='operating', name='lateral_stiffness', unit='N/m', &
          & meaning='of a lateral spring; the events then have its jumps')
+      v(v_base_displacement) = any_number(group='operating', name='base_displacement', unit='m', &
+         & meaning='of the base of a lateral spring, from rest, instead of the force', lower=0.0_dp)
    end function get_indenter_variables
 
    !> The rows of the shape.
@@ -241,6 +244,8 @@ contains
       r(r_jump_period) = result_row(name='jump_period', unit='m', &
          & long_name='displacement of the base from one jump to the next, if rest heals the contact')
       r(r_period_work) = result_row(name='period_work', unit='J', long_name='work of the base from one jump to the next')
+      r(r_tangential_force) = result_row(name='tangential_force', unit='N', &
+         & long_name='tangential force at a given displacement of the base of a lateral spring')
    end subroutine set_peeling_results
 
    !> The table of profiles.

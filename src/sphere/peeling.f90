@@ -18,7 +18,7 @@ module adfric_sphere_peeling
    use adfric_sphere_peeling_path, only: friction_t, path_t, waypoint_t, new_path, get_waypoint, quantity_of, core_along, &
       & force_along, displacement_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
    use adfric_sphere_peeling_search, only: find_end, find_state, find_largest, get_capped
-   use adfric_sphere_pulled_sphere, only: take_sphere_curve
+   use adfric_sphere_pulled_sphere, only: pulled_sphere_t, take_sphere_curve
    implicit none (type, external)
    private
    public :: friction_t, friction_state_t, friction_events_t
@@ -246,6 +246,7 @@ contains
       !> Stiffness of the spring, reduced.
       real(dp), intent(in), optional :: stiffness
       type(pulled_curve_t) :: curve
+      type(pulled_sphere_t) :: contact
       real(dp) :: force
 
       if (path%ending == end_no_adhesion) return
@@ -253,7 +254,7 @@ contains
       if (.not. path%friction%interaction > 0) return
       force = -1
       if (sliding%is_found .and. path%ending /= end_snap_off) force = sliding%force
-      call take_sphere_curve(path, force, curve)
+      call take_sphere_curve(path, force, curve, contact)
       events%is_converged = events%is_converged .and. curve%is_converged
       call find_critical_stiffness(curve, events%critical_stiffness)
       if (present(stiffness)) call find_stick_slip(curve, stiffness, events%jump)

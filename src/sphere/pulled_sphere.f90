@@ -7,13 +7,13 @@
 module adfric_sphere_pulled_sphere
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
-   use adfric_material_pulled_contact, only: panel_t, pulled_contact_t, pulled_curve_t, take_curve
+   use adfric_material_pulled_contact, only: pulled_contact_t, pulled_curve_t, take_curve
    use adfric_sphere_peeling_path, only: path_t, waypoint_t, get_waypoint, quantity_of, force_along, displacement_along, &
       & end_capped
    use adfric_sphere_peeling_search, only: get_capped
    implicit none (type, external)
    private
-   public :: take_sphere_curve, get_waypoint_of, place_of
+   public :: pulled_sphere_t, take_sphere_curve, get_waypoint_of
 
    !> The contact.
    type, extends(pulled_contact_t) :: pulled_sphere_t
@@ -26,14 +26,15 @@ module adfric_sphere_pulled_sphere
 contains
 
    !> Take the way of a sphere.
-   pure subroutine take_sphere_curve(path, sliding_force, curve)
+   pure subroutine take_sphere_curve(path, sliding_force, curve, contact)
       !> The way from rest to sliding, whose end is known.
       type(path_t), intent(in) :: path
       !> Force of sliding; below 0 where contact is lost.
       real(dp), intent(in) :: sliding_force
       !> Receives the way.
       type(pulled_curve_t), intent(out) :: curve
-      type(pulled_sphere_t) :: contact
+      !> Receives the contact that is pulled.
+      type(pulled_sphere_t), intent(out) :: contact
 
       contact%path = path
       contact%slides = sliding_force >= 0
@@ -61,16 +62,6 @@ contains
       displacement = quantity_of(self%path, displacement_along, waypoint)
       force = quantity_of(self%path, force_along, waypoint)
    end subroutine get_state
-
-   !> The place in its piece that a place of a panel is.
-   pure real(dp) function place_of(panel, x)
-      !> The panel.
-      type(panel_t), intent(in) :: panel
-      !> Place in it, -1 to 1.
-      real(dp), intent(in) :: x
-
-      place_of = panel%low + (panel%high - panel%low)*(1 + x)/2
-   end function place_of
 
    !> The state at a place of a piece.
    pure subroutine get_waypoint_of(path, piece, place, waypoint)
