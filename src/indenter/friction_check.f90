@@ -65,10 +65,6 @@ contains
       else if (is_set(values(v_tangential_force))) then
          call problems%add('friction', 'coefficient', 'is missing [-]; tangential_force needs it, or shear_strength')
       end if
-      if (has_events(values) .and. is_set(values(v_pressure_factor))) then
-         if (values(v_pressure_factor) > 0) call problems%add('output', 'events', &
-            & 'of a growing tangential force are known for a uniform shear strength alone; allowed: pressure_factor = 0')
-      end if
       if (nint(values(v_law)) /= law_peeling) call check_interaction(variables, values, is_adhesive, problems)
       if (any(is_set(values([v_lateral_stiffness, v_base_displacement])))) call check_lateral_spring(variables, values, problems)
       if (.not. is_moved(values) .or. .not. is_set(values(v_contact_modulus))) return
@@ -132,7 +128,8 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      if (.not. (values(v_pressure_factor) > 0 .and. is_set(values(v_tangential_force)))) return
+      if (.not. values(v_pressure_factor) > 0) return
+      if (.not. (is_set(values(v_tangential_force)) .or. has_events(values))) return
       if (theory_of(values) == theory_jkr) call problems%add('friction', 'pressure_factor', &
          & 'has no partial slip in JKR, whose tension at the edge is infinite; give adhesion a range')
    end subroutine check_edge

@@ -12,6 +12,7 @@ module adfric_indenter_friction_point
    use adfric_indenter_slip, only: find_indenter_slip, indenter_slip_t
    use adfric_indenter_survey, only: survey_t
    use adfric_indenter_variables
+   use adfric_material_contact_modulus, only: has_poisson_ratio
    use adfric_model_status, only: status_no_equilibrium, status_not_converged
    implicit none (type, external)
    private
@@ -96,6 +97,14 @@ contains
       call find_sliding(resistance, contact, case%curve%outer_pull, radius, force)
       results(r_friction_area) = pi*(radius*case%length_unit)**2
       results(r_friction_force) = force*case%force_unit()
+      is_converged = .true.
+      if (radius > 0 .and. wants_onset(values, case)) call add_onset(values, case, contact, resistance, force, results, &
+         & is_converged)
+      if (.not. is_converged) then
+         status = status_not_converged
+         results(:) = not_a_number()
+         return
+      end if
       if (.not. is_set(values(v_tangential_force))) return
       if (abs(values(v_tangential_force)) > (1 + round_off)*results(r_friction_force)) then
          status = status_no_equilibrium
@@ -114,6 +123,44 @@ contains
       status = status_not_converged
       results(:) = not_a_number()
    end subroutine add_friction
+
+   !> Are the events asked for under a strength that grows with pressure? They need Poisson's ratio, no interaction, and a stress at the
+   !> edge that is finite.
+   pure logical function wants_onset(values, case) result(wants)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point with its theory.
+      type(indenter_case_t), intent(in) :: case
+
+      wants = values(v_events) > 0 .and. is_set(values(v_pressure_factor)) .and. .not. values(v_interaction) > 0
+      if (wants) wants = values(v_pressure_factor) > 0 .and. case%theory /= theory_jkr &
+         & .and. has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))
+   end function wants_onset
+
+   !> Add the onset of sliding of a contact that does not change: T grows with u up to the force of sliding, at which the last place
+   !> slips, so that is the largest one and nothing drops or jumps.
+   pure subroutine add_onset(values, case, contact, resistance, force, results, is_converged)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point with its units.
+      type(indenter_case_t), intent(in) :: case
+      !> Its contact, of a radius of friction > 0.
+      type(contact_t), intent(in) :: contact
+      !> How it resists.
+      type(resistance_t), intent(in) :: resistance
+      !> Force of sliding, reduced.
+      real(dp), intent(in) :: force
+      !> Receives the events; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Was the displacement found to round-off?
+      logical, intent(out) :: is_converged
+      type(shear_slip_t) :: slip
+
+      call find_shear_slip(case%curve%shape, resistance, contact, force, slip, is_converged)
+      results([r_peak_force, r_sliding_force]) = force*case%force_unit()
+      results([r_force_drop, r_critical_lateral_stiffness]) = 0
+      results(r_peak_displacement) = tangential_compliance(values, case)*case%height_unit*slip%displacement
+   end subroutine add_onset
 
    !> Shear traction at a distance from the axis [Pa].
    pure real(dp) function shear_at(case, contact, friction, values, r) result(traction)
