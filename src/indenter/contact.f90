@@ -180,7 +180,7 @@ contains
       call set_disc(curve, control, c, contact)
       contact%is_stable = .true.
       contact%is_converged = contact%is_converged .and. is_converged
-      if (control == control_approach) contact%approach = given
+      call take_given(curve, control, given, contact)
    end subroutine try_disc_range
 
    !> See `equation_t`.

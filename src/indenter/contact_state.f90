@@ -28,6 +28,8 @@ module adfric_indenter_contact_state
       real(dp) :: neck = 0
       !> Radius c up to which adhesion acts, and its stress there; 0 where it acts in the contact alone.
       real(dp) :: adhesion_radius = 0, stress = 0
+      !> Sizes of the terms of load and approach of a disc without touch; else 0.
+      real(dp) :: disc_terms(2) = 0
       !> dP/ddelta along the curve.
       real(dp) :: stiffness = 0
    end type contact_t
@@ -88,6 +90,7 @@ contains
       contact%stiffness = state%stiffness
       contact%adhesion_radius = state%adhesion_radius
       contact%stress = state%stress
+      contact%disc_terms = state%disc_terms
       contact%is_stable = state%is_stable(stability_control(control))
       contact%is_converged = contact%is_converged .and. state%is_converged
    end subroutine take_state
@@ -98,6 +101,8 @@ contains
       type(contact_t), intent(in) :: contact
       real(dp) :: terms(2)
 
+      terms = contact%disc_terms
+      if (terms(2) > 0) return
       terms = [contact%spot%load + 2*contact%spot%radius*abs(contact%neck), contact%spot%depth + abs(contact%neck)]
    end function terms_of
 

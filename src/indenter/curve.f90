@@ -44,6 +44,8 @@ module adfric_indenter_curve
       real(dp) :: neck = 0
       !> Radius c up to which adhesion acts, and its stress there; 0 where it acts in the contact alone.
       real(dp) :: adhesion_radius = 0, stress = 0
+      !> Sizes of the terms of load and approach of a disc without touch; 0 of a contact, where they follow from the others.
+      real(dp) :: disc_terms(2) = 0
       !> Is the state stable under a given load, at a given approach, and on a spring?
       logical :: is_stable(3) = .true.
       !> Was it found to round-off?

@@ -294,6 +294,7 @@ contains
       state%spot%radius_slope = 0
       state%load = -pi*self%stress*c**2
       state%approach = height - 4*self%stress*c/pi - self%range
+      state%disc_terms = [pi*self%stress*c**2, height + 4*self%stress*c/pi + self%range]
       state%neck = 2*self%stress*c
       state%adhesion_radius = c
       state%stress = self%stress

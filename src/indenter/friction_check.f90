@@ -19,12 +19,13 @@ module adfric_indenter_friction_check
 
 contains
 
-   !> Is there a tangential displacement, so that Poisson's ratio has a use of its own?
+   !> Is there a tangential displacement or stiffness, so that Poisson's ratio has a use of its own?
    pure logical function is_moved(values)
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      is_moved = any(is_set(values([v_tangential_force, v_base_displacement]))) .or. has_events(values)
+      is_moved = any(is_set(values([v_tangential_force, v_base_displacement]))) .or. has_events(values) &
+         & .or. nint(values(v_law)) == law_peeling
    end function is_moved
 
    !> Are the events of a growing tangential force asked for at a given load? At a given approach they come beside those of a cycle.

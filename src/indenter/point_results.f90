@@ -110,7 +110,7 @@ contains
       !> Where contacts end.
       type(ends_t), intent(in) :: ends
       real(dp), parameter :: round_off = 2*epsilon(1.0_dp), least_share = 0.1_dp
-      real(dp) :: terms(2), best(2), sizes(2), shares(2), shift, slope
+      real(dp) :: terms(2), best(2), sizes(2), shares(2), place, shift, slope
       integer :: k
 
       error = round_off
@@ -127,15 +127,22 @@ contains
          do k = 1, 2
             if (sizes(k) > 0) error = max(error, 2*round_off*best(k)/sizes(k))
          end do
-         if (case%control == control_radius .or. .not. contact%u > 0 .or. case%curve%shape%n_pieces == 0) return
+         ! that of a disc without touch is its radius
+         place = contact%u
+         if (contact%disc_terms(2) > 0) place = contact%adhesion_radius
+         if (case%control == control_radius .or. .not. place > 0 .or. case%curve%shape%n_pieces == 0) return
          ! change of u that round-off of what is held makes
          shares = 0
          shares(merge(1, 2, case%control == control_load)) = 1
          if (case%control == control_spring) shares(1) = case%curve%compliance
-         shift = sqrt(round_off)*contact%u
+         shift = sqrt(round_off)*place
          slope = abs(sum(shares*contact%slopes))
          if (round_off*sum(shares*terms) < shift*slope) shift = round_off*sum(shares*terms)/slope
-         error = error + shift*spot%radius_slope/spot%radius
+         if (contact%disc_terms(2) > 0) then
+            error = error + shift/place
+         else
+            error = error + shift*spot%radius_slope/spot%radius
+         end if
          do k = 1, 2
             ! what is given has no such error
             if (sizes(k) > 0 .and. k /= case%control) error = error + shift*abs(contact%slopes(k))/sizes(k)
