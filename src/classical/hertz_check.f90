@@ -8,10 +8,11 @@ module adfric_classical_hertz_check
    use adfric_classical_hertz_variables, only: kind_line, kind_elliptical, v_angle, v_approach, v_contact_modulus, v_kind, v_load, &
       & v_material, v_radius, v_radius_1x, v_radius_2y, v_second_poisson_ratio, v_temperature, v_velocity
    use adfric_classical_hertz_slip, only: check_slip, refuse_slip
+   use adfric_classical_sliding_check, only: check_sliding, refuse_sliding
    use adfric_classical_sliding_cylinder_point, only: is_possible_cylinder
    use adfric_material_contact_modulus, only: check_contact_modulus
    use adfric_material_given_spectrum, only: given_spectrum_t
-   use adfric_material_spectrum_rows, only: check_spectrum, has_spectrum, n_spectrum_rows
+   use adfric_material_spectrum_rows, only: has_spectrum
    use adfric_model_check, only: require, require_one
    use adfric_model_table, only: variable_t
    implicit none (type, external)
@@ -63,14 +64,10 @@ contains
       real(dp), intent(in) :: values(:)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      integer :: k
 
       call check_contact_modulus(variables(v_contact_modulus:v_second_poisson_ratio), &
          & values(v_contact_modulus:v_second_poisson_ratio), problems, .true.)
-      do k = v_temperature, v_velocity
-         if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
-            & 'has no meaning without &material; over an elastic solid nothing rubs')
-      end do
+      call refuse_sliding(variables(v_material:v_velocity), values(v_material:v_velocity), problems)
    end subroutine check_solid
 
    !> Add to `problems` what is wrong with a viscoelastic material.
@@ -83,7 +80,6 @@ contains
       type(given_spectrum_t), intent(in) :: given
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      logical :: is_swept(n_spectrum_rows)
       integer :: k
 
       if (is_set(values(v_kind))) then
@@ -93,11 +89,7 @@ contains
       k = findloc(is_set(values(v_contact_modulus:v_second_poisson_ratio)), .true., 1)
       if (k > 0) call problems%add('solid', variables(v_contact_modulus - 1 + k)%name, &
          & 'stands beside &material, over which a rigid cylinder slides; give &solid for elastic solids, or &material')
-      ! what is swept has a value here, and is refused for that
-      is_swept = .false.
-      call check_spectrum(variables(v_material:v_temperature), values(v_material:v_temperature), given, is_swept, &
-         & problems)
-      call require(variables, values, [v_velocity], problems)
+      call check_sliding(variables(v_material:v_velocity), values(v_material:v_velocity), given, problems)
    end subroutine check_material
 
    !> Add to `problems` radii that do not go with the kind of contact, or make none.

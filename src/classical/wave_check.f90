@@ -5,6 +5,7 @@ module adfric_classical_wave_check
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_classical_adhesive_wave_point, only: is_possible_adhesion
+   use adfric_classical_sliding_check, only: check_sliding, refuse_sliding
    use adfric_classical_sliding_wave_point, only: is_possible_slide
    use adfric_classical_wave_variables, only: v_adhesion, v_amplitude, v_branch, v_coefficient, v_contact_modulus, v_material, &
       & v_mean_pressure, v_penetration, v_period, v_poisson_ratio, v_pressure_factor, v_second_poisson_ratio, v_shear_strength, &
@@ -14,7 +15,7 @@ module adfric_classical_wave_check
    use adfric_material_coulomb_rows, only: check_coulomb, has_coulomb, n_coulomb_rows, needs_poisson_ratio
    use adfric_material_given_spectrum, only: given_spectrum_t
    use adfric_material_shear_strength_rows, only: check_shear, has_shear
-   use adfric_material_spectrum_rows, only: check_spectrum, has_spectrum, n_spectrum_rows
+   use adfric_material_spectrum_rows, only: has_spectrum
    use adfric_model_check, only: require, require_one
    use adfric_model_table, only: variable_t
    implicit none (type, external)
@@ -80,7 +81,6 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp) :: friction(n_coulomb_rows)
-      integer :: k
 
       friction = values(v_tangential_stress:v_coefficient)
       call check_contact_modulus(variables(v_contact_modulus:v_second_poisson_ratio), &
@@ -93,10 +93,7 @@ contains
       call check_adhesion(variables(v_adhesion:v_turning_pressure), values(v_adhesion:v_turning_pressure), problems)
       call check_shear(variables(v_shear_strength:v_pressure_factor), values(v_shear_strength:v_pressure_factor), &
          & merge(values(v_adhesion), 0.0_dp, is_adhesive(values)), problems)
-      do k = v_temperature, v_velocity
-         if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
-            & 'has no meaning without &material; over an elastic solid nothing rubs')
-      end do
+      call refuse_sliding(variables(v_material:v_velocity), values(v_material:v_velocity), problems)
    end subroutine check_solid
 
    !> Add to `problems` what is wrong with a viscoelastic material.
@@ -109,18 +106,13 @@ contains
       type(given_spectrum_t), intent(in) :: given
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      logical :: is_swept(n_spectrum_rows)
       integer :: k
 
       do k = v_contact_modulus, v_second_poisson_ratio
          if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
             & 'stands beside &material; give &solid for an elastic solid, &material for a viscoelastic one')
       end do
-      ! what is swept has a value here, and is refused for that
-      is_swept = .false.
-      call check_spectrum(variables(v_material:v_temperature), values(v_material:v_temperature), given, is_swept, &
-         & problems)
-      call require(variables, values, [v_velocity], problems)
+      call check_sliding(variables(v_material:v_velocity), values(v_material:v_velocity), given, problems)
       do k = v_shear_strength, v_coefficient
          if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
             & 'stands beside &material; the friction of a viscoelastic solid is that of its losses')

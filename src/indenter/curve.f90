@@ -65,6 +65,7 @@ module adfric_indenter_curve
    contains
       procedure :: get_state
       procedure :: get_held
+      procedure :: get_sums
       procedure :: find_intervals
       procedure :: find_discs
       procedure :: get_disc
@@ -122,7 +123,7 @@ contains
          call self%shape%evaluate(u, is_beyond, spot)
          state%neck = self%tension*sqrt(spot%radius)
          state%adhesion_radius = spot%radius
-         call get_sums(self, spot, state%load, state%load_slope, state%approach, state%approach_slope)
+         call sum_terms(self, spot, state%load, state%load_slope, state%approach, state%approach_slope)
          ! dP/ddelta = 2 a (a g' - 3 Dl/2)/(a g' - Dl/2)
          gain = spot%radius*spot%depth_slope
          loss = state%neck*spot%radius_slope
@@ -152,11 +153,9 @@ contains
       real(dp), intent(out) :: held
       !> Derivative by u; of no meaning at a radius of 0.
       real(dp), intent(out) :: slope
-      type(spot_t) :: spot
       real(dp) :: load, load_slope
 
-      call self%shape%evaluate(u, is_beyond, spot)
-      call get_sums(self, spot, load, load_slope, held, slope)
+      call self%get_sums(u, is_beyond, load, load_slope, held, slope)
       if (control == control_load) then
          held = load
          slope = load_slope
@@ -166,8 +165,26 @@ contains
       end if
    end subroutine get_held
 
+   !> Load and approach at an unknown, and their derivatives by u, which take less time than a state.
+   pure subroutine get_sums(self, u, is_beyond, load, load_slope, approach, approach_slope)
+      !> The curve.
+      class(curve_t), intent(in) :: self
+      !> The unknown, >= 0.
+      real(dp), intent(in) :: u
+      !> Is u one of those beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> Receive the load and its derivative.
+      real(dp), intent(out) :: load, load_slope
+      !> Receive the approach and its derivative.
+      real(dp), intent(out) :: approach, approach_slope
+      type(spot_t) :: spot
+
+      call self%shape%evaluate(u, is_beyond, spot)
+      call sum_terms(self, spot, load, load_slope, approach, approach_slope)
+   end subroutine get_sums
+
    !> Load and approach at a spot, and their derivatives by u.
-   pure subroutine get_sums(curve, spot, load, load_slope, approach, approach_slope)
+   pure subroutine sum_terms(curve, spot, load, load_slope, approach, approach_slope)
       !> The curve.
       class(curve_t), intent(in) :: curve
       !> What the shape is there.
@@ -184,7 +201,7 @@ contains
       load_slope = 2*root*(root*spot%depth_slope - 1.5_dp*curve%tension*spot%radius_slope)
       approach_slope = spot%depth_slope
       if (root > 0) approach_slope = spot%depth_slope - curve%tension*spot%radius_slope/(2*root)
-   end subroutine get_sums
+   end subroutine sum_terms
 
    !> The states without touch that are stable, as ranges of their radii: a theory without range has none.
    pure subroutine find_discs(self, control, discs, n)

@@ -34,7 +34,7 @@ module adfric_indenter_dugdale_curve
       real(dp) :: stress = 1, range = 1
    contains
       procedure :: get_state
-      procedure :: get_held
+      procedure :: get_sums
       procedure :: find_intervals
       procedure :: find_discs
       procedure :: get_disc
@@ -88,33 +88,25 @@ contains
    end subroutine get_state
 
    !> See `curve_t`.
-   pure subroutine get_held(self, control, u, is_beyond, held, slope)
+   pure subroutine get_sums(self, u, is_beyond, load, load_slope, approach, approach_slope)
       !> The curve.
       class(dugdale_curve_t), intent(in) :: self
-      !> What is held; not `control_radius`.
-      integer, intent(in) :: control
       !> The unknown, >= 0.
       real(dp), intent(in) :: u
       !> Is u one of those beyond the corner?
       logical, intent(in) :: is_beyond
-      !> Load, approach, or approach of the base of the spring, reduced.
-      real(dp), intent(out) :: held
-      !> Derivative by u.
-      real(dp), intent(out) :: slope
+      !> Receive the load and its derivative.
+      real(dp), intent(out) :: load, load_slope
+      !> Receive the approach and its derivative.
+      real(dp), intent(out) :: approach, approach_slope
       type(state_t) :: state
 
       call self%get_state(u, is_beyond, state)
-      if (control == control_load) then
-         held = state%load
-         slope = state%load_slope
-      else
-         held = state%approach
-         slope = state%approach_slope
-      end if
-      if (control /= control_spring) return
-      held = held + self%compliance*state%load
-      slope = slope + self%compliance*state%load_slope
-   end subroutine get_held
+      load = state%load
+      load_slope = state%load_slope
+      approach = state%approach
+      approach_slope = state%approach_slope
+   end subroutine get_sums
 
    !> The zone of adhesion of a contact: s, with J and I. ln of the right side is almost linear in ln s, so Newton's method comes
    !> from anywhere.

@@ -174,15 +174,14 @@ contains
             error_estimate = estimate_error(case, contact, found%survey%ends) + peeled%error
             call store_contact(case, contact, values, results)
             if (is_set(values(v_position_z))) call store_stress(case, contact, values, results)
-            if (is_set(values(v_friction_coefficient))) call add_slip(values, case, found%survey, contact, &
-               & found%friction%slip, results, status)
-            moved = values
-            if (peeled%driven%is_found) moved(v_tangential_force) = peeled%driven%force*case%force_unit()
-            if (is_set(values(v_shear_strength))) call add_friction(moved, case, contact, &
-               & found%friction%resistance, found%friction%shear, results, status)
-            if (status == status_solved .and. (is_set(values(v_shear_strength)) .or. nint(values(v_law)) == law_peeling)) &
-               & call store_peeled(moved, case, peeled, results)
-            if (status == status_solved .and. peeled%driven%is_found) call store_driven(moved, case, peeled, results)
+            if (peeled%driven%is_found) then
+               moved = values
+               moved(v_tangential_force) = peeled%driven%force*case%force_unit()
+               call store_friction(moved, found, results, status)
+               if (status == status_solved) call store_driven(moved, case, peeled, results)
+            else
+               call store_friction(values, found, results, status)
+            end if
             if (peeled%is_peeling) results(r_cycle_energy) = not_a_number()
          end if
       end associate
@@ -190,6 +189,27 @@ contains
       associate (unused => self, unused_counts => counts)
       end associate
    end subroutine solve_point
+
+   !> Add the results of friction.
+   subroutine store_friction(values, found, results, status)
+      !> Values of the variables, with the tangential force of the state; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point with its contact; receives its friction.
+      type(indenter_state_t), intent(inout) :: found
+      !> In: results of the contact. Out: with those of friction, or all NaN; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> In: solved. Out: one of `status_...`.
+      integer, intent(inout) :: status
+
+      associate (friction => found%friction)
+         if (is_set(values(v_friction_coefficient))) call add_slip(values, found%case, found%survey, found%contact, friction%slip, &
+            & results, status)
+         if (is_set(values(v_shear_strength))) call add_friction(values, found%case, found%contact, friction%resistance, &
+            & friction%shear, results, status)
+         if (status == status_solved .and. (is_set(values(v_shear_strength)) .or. nint(values(v_law)) == law_peeling)) &
+            & call store_peeled(values, found%case, found%peeled, results)
+      end associate
+   end subroutine store_friction
 
    !> Are the events of a cycle of approach and retraction asked for?
    pure logical function makes_cycle(values)

@@ -20,13 +20,11 @@ module adfric_sphere_spring_drive
 
    !> The way of a sphere, and what happens on its spring.
    type :: spring_drive_t
-      !> Has all been found to round-off?
-      logical :: is_converged = .true.
+      !> Is there a contact at rest, and has all been found to round-off?
+      logical :: is_found = .false., is_converged = .true.
       !> Stiffness of the spring.
       real(dp) :: stiffness = 1
-      !> The way from rest to sliding, as a path, as a contact that is pulled, and as polynomials.
-      type(path_t) :: path
-      !> The contact.
+      !> The way from rest to sliding, as a contact that is pulled, and as polynomials.
       type(pulled_sphere_t) :: contact
       !> The polynomials.
       type(pulled_curve_t) :: curve
@@ -40,7 +38,7 @@ contains
 
    !> The way of a sphere on a spring.
    pure subroutine new_spring_drive(self, theory, friction, control, held, branch, stiffness)
-      !> Receives the way; without contact at rest its path has no start.
+      !> Receives the way.
       type(spring_drive_t), intent(out) :: self
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
@@ -54,17 +52,19 @@ contains
       integer, intent(in) :: branch
       !> Stiffness of the spring, reduced, > 0.
       real(dp), intent(in) :: stiffness
+      type(path_t) :: path
       real(dp) :: force
 
       self%stiffness = stiffness
-      call new_path(self%path, theory, friction, control, held, branch)
-      if (.not. self%path%start%is_found) return
-      call find_end(self%path, self%is_converged)
+      call new_path(path, theory, friction, control, held, branch)
+      self%is_found = path%start%is_found
+      if (.not. self%is_found) return
+      call find_end(path, self%is_converged)
       if (.not. self%is_converged) return
-      call slide(self%path, self%sliding)
+      call slide(path, self%sliding)
       force = -1
-      if (self%sliding%is_found .and. self%path%ending /= end_snap_off) force = self%sliding%force
-      call take_sphere_curve(self%path, force, self%curve, self%contact)
+      if (self%sliding%is_found .and. path%ending /= end_snap_off) force = self%sliding%force
+      call take_sphere_curve(path, force, self%curve, self%contact)
       self%is_converged = self%curve%is_converged
       call find_stick_slip(self%curve, stiffness, self%jump)
    end subroutine new_spring_drive
@@ -84,13 +84,13 @@ contains
 
       state%is_converged = self%is_converged
       state%is_found = .false.
-      if (.not. (self%path%start%is_found .and. self%is_converged) .or. self%path%ending == end_none) return
+      if (.not. (self%is_found .and. self%is_converged) .or. self%contact%path%ending == end_none) return
       call find_driven_place(self%contact, self%curve, self%jump, self%stiffness, base, piece, place, is_reached)
       if (is_reached) then
-         call get_waypoint_of(self%path, piece, place, waypoint)
-         call describe(self%path, waypoint, state)
+         call get_waypoint_of(self%contact%path, piece, place, waypoint)
+         call describe(self%contact%path, waypoint, state)
       else
-         if (self%jump%is_lost .or. .not. self%curve%slides .or. self%path%ending == end_no_adhesion) return
+         if (self%jump%is_lost .or. .not. self%curve%slides .or. self%contact%path%ending == end_no_adhesion) return
          state = self%sliding
          ! a force of sliding above that of the end of the way is not reached at once
          state%force = min(state%force, self%stiffness*(base - self%curve%last_displacement))
