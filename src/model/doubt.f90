@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Doubts: how far a theory holds, and whether a point lies beyond.
+!> Doubts: how far a theory holds, and whether a point lies beyond. Each bound stands where its theory may be off by about a tenth
+!> (docs/doubts.md derives them).
 !>
 !> A model measures at a point what the bounds of its theory are held against, and what it does not measure is not doubted. A point
 !> beyond several bounds has the doubt that stands first in the list, which goes from the geometry that a theory assumes to the digits
@@ -20,8 +21,8 @@ module adfric_model_doubt
    character(*), parameter :: doubt_name = 'doubt'
    !> Names of the doubts, in the order of their numbers from 0.
    character(*), parameter :: doubt_meanings = 'none contact_too_wide slope_too_steep layer_too_thick estimate_above_tenth'
-   !> What is measured is doubted from these numbers on (docs/doubts.md says how large the errors are there).
-   real(dp), parameter :: doubt_limits(n_doubts) = [0.3_dp, 0.3_dp, 0.25_dp, 0.1_dp]
+   !> What is measured is doubted from these numbers on.
+   real(dp), parameter :: doubt_limits(n_doubts) = [0.5_dp, 0.5_dp, 0.25_dp, 0.1_dp]
    !> What stands for a number that a model does not measure.
    real(dp), parameter :: not_measured = -1
 
@@ -67,13 +68,13 @@ contains
       case (doubt_none)
          text = 'the point lies within the bounds of its theory'
       case (doubt_contact_too_wide)
-         text = 'the contact is 0.3 radii of the body wide or more; it is a few percent off there, and soon useless'
+         text = 'half-width of contact >= 0.5 radius of the body: off by a tenth or more'
       case (doubt_slope_too_steep)
-         text = 'the surface has a slope of 0.3 or more where it touches; small slopes are assumed'
+         text = 'slope >= 0.5, and small slopes are assumed: off by a tenth or more'
       case (doubt_layer_too_thick)
-         text = 'the layer is a quarter of the shortest wave thick or more; columns are 8 percent too soft there'
+         text = 'thickness >= a quarter of the shortest wave: columns are off by a tenth or more'
       case default
-         text = 'the error estimate of the point is 0.1 or more'
+         text = 'error_estimate >= 0.1'
       end select
    end function explain_doubt
 
