@@ -302,6 +302,10 @@ contains
       call new_sheared_sphere(point%sheared, memory%theory, point%contact, case%strength, case%pressure_factor, &
          & case%edge_fraction, case%poisson)
       associate (sphere => point%sheared)
+         if (.not. sphere%has_force) then
+            point%status = status_no_equilibrium
+            return
+         end if
          if (needs_events) then
             point%events%peak_force = sphere%largest_force
             point%events%peak_displacement = sphere%largest_displacement

@@ -41,6 +41,9 @@ module adfric_wavy_marched_points
    real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
    !> Round-off of load and friction, over the sizes of their terms and the pressure with which a glassy column answers to lengths.
    real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
+   !> Round-off of the lengths of slow dashpots in a contact, over that of one length: they are differences from those of endless contact,
+   !> found anew where each part of the contact begins.
+   real(dp), parameter :: share_of_places = 8
    !> Chords through half the samples err four times as much as through all, splines sixteen times: the change is 3 and 15 times the
    !> error, if all goes well, so that of chords counts this often.
    real(dp), parameter :: share_of_chords = 3
@@ -393,19 +396,26 @@ contains
       type(march_equilibrium_t), intent(in) :: coarse
       !> Is there one?
       logical, intent(in) :: has_samples
-      real(dp) :: errors(2), sizes(2), change, lengths
+      real(dp) :: errors(2), sizes(2), change, lengths, of_places
 
       associate (f => self%equilibrium%forces, rows => self%equilibrium%rows, law => self%surface%law)
-         sizes = max(abs([mean(f%load), mean(f%friction)]), share_of_scale*[mean(f%load_scale), mean(f%friction_scale)])
+         sizes = abs([mean(f%load), mean(f%friction)])
+         sizes(1) = max(sizes(1), share_of_scale*mean(f%load_scale))
          ! a friction that is nothing beside the load has no digits of its own
          sizes(2) = max(sizes(2), negligible*sizes(1))
          ! places are known to the round-off of lengths, to which a column answers at once, and states to their last step
          lengths = 1 + abs(self%equilibrium%depth) + law%stress + law%shift
          errors = 0
          ! where nothing touches all forces are 0
-         if (any(f%n_contacts + f%n_adhesions > 0)) errors = [mean(abs(f%load_mismatch)), mean(abs(f%energy_mismatch))] &
-            & + round_off*([mean(f%load_scale), mean(f%friction_scale)] + self%surface%rows(1)%solid%glassy*lengths) &
-            & + maxval(rows%largest_step)
+         if (any(f%n_contacts + f%n_adhesions > 0)) then
+            associate (glassy => self%surface%rows(1)%solid%glassy, step => maxval(rows%largest_step))
+               errors(1) = mean(abs(f%load_mismatch)) + round_off*(mean(f%load_scale) + glassy*lengths) + step
+               ! a pressure that is off by a constant makes no friction but where contact begins lower than it ends
+               of_places = share_of_places*round_off*lengths + step
+               errors(2) = mean(abs(f%energy_mismatch)) + round_off*mean(f%friction_scale) &
+                  & + of_places*(glassy*mean(f%contact_rise) + law%stress)
+            end associate
+         end if
          change = 0
          if (has_samples) then
             change = 1
