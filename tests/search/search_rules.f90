@@ -225,8 +225,8 @@ contains
       end do
       do i = 1, size(answer%status)
          call compare(model, results, drawn%values(:, i), answer, i, scaled, i, fault)
-         if (len(fault) > 0) fault = 'in units '//show(2**powers(1))//' Pa, '//show(2**powers(2))//' m, '//show(2**powers(3)) &
-            & //' s: '//fault
+         if (len(fault) > 0) fault = 'in units '//show(2**powers(1))//' Pa, '//show(2**powers(2))//' m, '//show(2**powers(3))// &
+            & ' s: '//fault
          if (len(fault) > 0) return
       end do
    end subroutine judge_other_units
@@ -306,15 +306,16 @@ contains
       end do
    end subroutine compare
 
-   !> What a difference of a result is measured by, where the result itself is smaller: a component of a field by the whole field;
-   !> load and friction by a share of the tractions they are made of, and friction that is nothing beside the load by that
-   !> (`docs/wavy.md`).
+   !> What a difference of a result is measured by, where the result itself is smaller: a component of a field by the whole
+   !> field; load and approach of a contact by a share of those of pull-off (`docs/indenter.md`); load and friction of a wave by a
+   !> share of the tractions they are made of, and friction that is nothing beside the load by that (`docs/wavy.md`).
    real(dp) function least_size(model, results, values, found, k) result(least)
       class(model_t), intent(in) :: model
       type(result_t), intent(in) :: results(:)
       real(dp), intent(in) :: values(:), found(:)
       !> Number of the result.
       integer, intent(in) :: k
+      real(dp), parameter :: share_of_pull_off = 0.06_dp
       integer :: i
 
       least = 0
@@ -324,6 +325,11 @@ contains
          end do
       else if (model%name == 'wavy_sliding') then
          least = least_wavy_size(model, values, found, k)
+      else
+         do i = 1, size(results)
+            if (results(i)%name /= 'pull_off_'//results(k)%name .or. ieee_is_nan(found(i))) cycle
+            least = share_of_pull_off*abs(found(i))
+         end do
       end if
    end function least_size
 
