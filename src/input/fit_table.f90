@@ -98,7 +98,7 @@ contains
       end if
       if (form(len(form):) /= ';') form = form//','
       form = form//' '//show_text(name)
-      if (len(table%unit_of(name)) > 0) form = form//' ['//show_text(table%unit_of(name))//']'
+      if (len(table%unit_of(name)) > 0) form = form//' in '//show_text(table%unit_of(name))
    end subroutine take
 
    !> Is a column wanted: by its name, because it is needed, or because it is there?

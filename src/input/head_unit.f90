@@ -66,7 +66,7 @@ contains
          call cut(head, k - 1, k + 3)
          return
       end if
-      k = index(head%text, ' / ')
+      k = index(head%text, ' / ') + 1
       if (k < 2) then
          call split_letters(head)
          if (head%is_bare) return

@@ -45,7 +45,7 @@ contains
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1; 0 if it is the whole of it.
       integer, intent(out) :: place
-      integer :: first, last, k
+      integer :: first, last
       logical :: is_found
 
       flaw = ''
@@ -54,13 +54,8 @@ contains
       if (first == 0) then
          call take_first_line(text, layout, flaw, place)
       else
-         is_found = .false.
-         do k = 1, len(separators)
-            if (.not. fits_numbers(text, first, last, separators(k:k))) cycle
-            layout%separator = separators(k:k)
-            call find_heads(text, first, last, layout, is_found)
-            if (is_found) exit
-         end do
+         call find_heads(text, first, last, .false., layout, is_found)
+         if (.not. is_found) call find_heads(text, first, last, .true., layout, is_found)
          if (.not. is_found) call say_what_is_wrong(text, first, last, flaw)
          if (.not. is_found) place = first
       end if
@@ -92,34 +87,46 @@ contains
       !> A tab, a semicolon, a comma, or a blank for any number of blanks and tabs.
       character, intent(in) :: separator
       type(cell_t) :: cell
+      integer :: n
 
       cell = begin_cells(first)
       fits_numbers = .true.
+      n = 0
       do while (cell%next > 0 .and. fits_numbers)
          call next_cell(text, last, separator, cell)
+         n = n + 1
          associate (word => text(cell%first:cell%last))
             fits_numbers = is_numeral(word) .or. is_missing(word)
+            ! in one column alone a mark too many might separate columns
+            if (n == 1 .and. cell%next == 0) fits_numbers = is_number_form(word)
          end associate
       end do
    end function fits_numbers
 
-   !> Find the names above the first line of numbers. Where no line has them, comments directly above may.
-   pure subroutine find_heads(text, first, last, layout, is_found)
+   !> Find the separator by which there are names above the first line of numbers.
+   pure subroutine find_heads(text, first, last, in_comments, layout, is_found)
       !> The whole text.
       character(*), intent(in) :: text
       !> Positions of the first and the last character of the line of numbers.
       integer, intent(in) :: first, last
-      !> In: the separator. Out: also the names, if there are some.
+      !> Do the names stand in comments, directly above?
+      logical, intent(in) :: in_comments
+      !> Receives the separator and the names, if there are some.
       type(layout_t), intent(inout) :: layout
       !> Are there names?
       logical, intent(out) :: is_found
-      integer :: n_cells, n_filled
+      integer :: k, n_cells, n_filled
       logical :: is_wrong
 
-      call count_cells(text, first, last, layout%separator, n_cells, n_filled, is_wrong)
-      call search_above(text, first, n_filled, n_cells, .false., layout, is_found)
-      if (.not. is_found) call search_above(text, first, n_filled, n_cells, .true., layout, is_found)
-      layout%is_single = n_cells == 1
+      is_found = .false.
+      do k = 1, len(separators)
+         if (.not. fits_numbers(text, first, last, separators(k:k))) cycle
+         layout%separator = separators(k:k)
+         call count_cells(text, first, last, layout%separator, n_cells, n_filled, is_wrong)
+         call search_above(text, first, n_filled, n_cells, in_comments, layout, is_found)
+         layout%is_single = n_cells == 1
+         if (is_found) return
+      end do
    end subroutine find_heads
 
    !> Find the nearest line above another that has names, and a line of units before it or none.

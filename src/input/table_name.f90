@@ -2,7 +2,7 @@
 !> Names of tables of text, and of their columns: `FILE.csv` and `FILE.csv:COLUMN`.
 module adfric_input_table_name
    use adfric_base_text, only: to_lower
-   use adfric_base_words, only: count_words, get_word
+   use adfric_base_words, only: has_word
    implicit none (type, external)
    private
    public :: is_table_name, find_column_name
@@ -16,15 +16,11 @@ contains
    pure logical function is_table_name(name)
       !> Name of a file.
       character(*), intent(in) :: name
-      integer :: k
+      integer :: dot
 
+      dot = index(name, '.', back=.true.)
       is_table_name = .false.
-      do k = 1, count_words(endings)
-         associate (ending => get_word(endings, k))
-            if (len(name) > len(ending)) is_table_name = is_table_name .or. &
-               to_lower(name(max(1, len(name) - len(ending) + 1):)) == ending
-         end associate
-      end do
+      if (dot > 1) is_table_name = has_word(endings, to_lower(name(dot:)))
    end function is_table_name
 
    !> Position of the colon between a table and its column; 0 if there is none.
