@@ -11,6 +11,7 @@ AREAS = {
         "Tutorial": "docs/tutorial.md",
         "Gallery": "docs/gallery.md",
         "The input": "docs/namelist.md",
+        "Tables of text": "docs/tables.md",
         "The results file": "docs/file_format.md",
         "Measured surfaces": "docs/import.md",
         "Fits of measured data": "docs/fit.md",
