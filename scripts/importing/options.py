@@ -4,8 +4,7 @@
 import argparse
 from pathlib import Path
 
-from plotting.command import Parser as PlainParser
-
+from .parser import Parser
 from .problems import BadInput
 from .reading import check_values
 
@@ -13,13 +12,6 @@ from .reading import check_values
 OF_SURFACES = {"unit": None, "height_unit": None, "spacing": None, "channel": None, "transpose": False, "periodic": None,
                "detrend": None, "region": None, "average": 1, "most_missing": 0.05}
 OF_CURVES = {"frequency_unit": None, "modulus_unit": None, "reference_temperature": None, "poisson_ratio": None}
-
-
-class Parser(PlainParser):
-    """A parser that reports a bad option in one line."""
-
-    def error(self, message):
-        raise BadInput(message)
 
 
 def read_command_line(arguments):
