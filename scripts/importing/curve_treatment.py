@@ -22,7 +22,7 @@ FEWEST_DWELL = 6
 # the base line is the part of a segment that is at least so far from the end in contact, in parts of its range
 OUTER = 0.6
 # between what is clearly contact and what is clearly free lie so many times the distance in which the load doubles
-BETWEEN = 3.0
+BETWEEN = 4.0
 STATUS = ("used", "unreadable", "few_samples", "no_motion", "contrary", "no_contact", "missing")
 APPROACH, DWELL, RETRACTION, NOTHING = 0, 1, 2, -1
 SEGMENTS = ("approach", "dwell", "retraction")

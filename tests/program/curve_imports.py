@@ -29,12 +29,13 @@ class Curves(ImportCase):
 def make_curve(samples=200, depth=6e-8, free=1.5e-7, dwell=0, noise=0.0, seed=1):
     """Position of the base, load and segment: an approach, a dwell if wanted, and a retraction that sticks until the pull-off."""
     rng = np.random.default_rng(seed)
-    approach = np.linspace(-free, depth, samples)
-    back = approach[::-1]
-    tip = np.concatenate([approach, np.full(dwell, depth), back])
-    load = STIFFNESS * np.maximum(tip, 0) ** 1.5
+    tips = np.linspace(-3e-9, depth, 20001)
+    hertz = STIFFNESS * np.maximum(tips, 0) ** 1.5
+    highest = depth + hertz[-1] / SPRING
+    ramp = np.linspace(-free, highest, samples)
+    position = np.concatenate([ramp, np.full(dwell, highest), ramp[::-1]])
     segment = np.repeat([0, 1, 2], (samples, dwell, samples))
-    load = np.where((segment == 2) & (tip > -0.02 * free), load - PULL, load)
-    # the lever is read with noise, the base is not
-    position = tip + load / SPRING
+    in_contact = np.interp(position, tips + hertz / SPRING, hertz)
+    sticks = np.interp(position, tips + (hertz - PULL) / SPRING, hertz - PULL, left=0.0)
+    load = np.where(segment == 2, sticks, in_contact)
     return position, load + noise * rng.normal(size=load.size), segment
