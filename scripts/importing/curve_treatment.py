@@ -23,6 +23,8 @@ FEWEST_DWELL = 6
 OUTER = 0.6
 # between what is clearly contact and what is clearly free lie so many times the distance in which the load doubles
 BETWEEN = 4.0
+# noise is at least this part of the range of the load
+FINEST = 1e-5
 STATUS = ("used", "unreadable", "few_samples", "no_motion", "contrary", "no_contact", "missing")
 APPROACH, DWELL, RETRACTION, NOTHING = 0, 1, 2, -1
 SEGMENTS = ("approach", "dwell", "retraction")
@@ -236,7 +238,8 @@ def contact_of_segment(position, load):
     # the base line may be tilted; a contact that reaches into it is told by its unevenness
     trend = np.polyfit(position[outer] - position[-1], load[outer], 1)
     rest = load - np.polyval(trend, position - position[-1])
-    noise = max(float(np.std(rest[outer])), noise_of(load))
+    # numbers without noise have round-off
+    noise = max(float(np.std(rest[outer])), FINEST * float(np.ptp(load)))
     far = np.abs(rest) > CLEAR * noise
     inner = np.flatnonzero(far & ~outer)
     # one sample that is far away is none
