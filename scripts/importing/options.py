@@ -11,7 +11,8 @@ from .reading import check_values
 # options of surfaces alone, and of master curves alone, with the value that says that they are not given
 OF_SURFACES = {"unit": None, "height_unit": None, "spacing": None, "channel": None, "transpose": False, "periodic": None,
                "detrend": None, "region": None, "average": 1, "most_missing": 0.05}
-OF_CURVES = {"frequency_unit": None, "modulus_unit": None, "reference_temperature": None, "poisson_ratio": None}
+OF_CURVES = {"frequency_unit": None, "modulus_unit": None, "reference_temperature": None, "poisson_ratio": None,
+             "frequency_column": None, "storage_column": None, "loss_column": None, "tan_delta_column": None, "log10": None}
 
 
 def read_command_line(arguments):
@@ -47,6 +48,10 @@ def read_command_line(arguments):
     curve("--modulus-unit", metavar="U", help="Pa, kPa, MPa or GPa, where the file states none")
     curve("--reference-temperature", metavar="T", type=float, help="[K], where the file states none")
     curve("--poisson-ratio", metavar="NU", type=float, help="by which shear moduli become Young's moduli")
+    for name in ("frequency", "storage", "loss", "tan-delta"):
+        curve(f"--{name}-column", metavar="NAME", help=f"column of the {name.replace('-', ' ')}, where its head is not known or several are")
+    curve("--log10", metavar="WHAT", nargs="+", choices=("frequency", "storage", "loss", "tan delta"),
+          help="columns with decimal logarithms whose heads do not say so: frequency, storage, loss, 'tan delta'")
     given = parser.parse_args(arguments)
     check_options(given)
     return given
