@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The options of scripts/import_curve."""
 
-from pathlib import Path
-
 import math
+import sys
+from pathlib import Path
 
 from .parser import Parser
 from .problems import BadInput
@@ -69,3 +69,7 @@ def check_options(given):
     given.picture = None if given.no_picture else given.output.with_suffix(".png")
     if given.picture == given.output:
         raise BadInput(f"{given.output}: the picture has this name, --output needs another ending, such as .h5")
+
+
+if __name__ == "__main__":
+    read_command_line(sys.argv[1:])

@@ -2,6 +2,7 @@
 """The options of the command line."""
 
 import argparse
+import sys
 from pathlib import Path
 
 from .parser import Parser
@@ -81,3 +82,7 @@ def check_options(given):
     given.picture = None if given.no_picture else given.output.with_suffix(".png")
     if given.picture == given.output:
         raise BadInput(f"{given.output}: the picture has this name, --output needs another ending, such as .h5")
+
+
+if __name__ == "__main__":
+    read_command_line(sys.argv[1:])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A parser of options that reports a bad one in one line."""
 
-from plotting.command import Parser as PlainParser
+from plotting.options import Parser as PlainParser
 
 from .problems import BadInput
 
