@@ -63,7 +63,7 @@ def write(program, given, lines, remarks, contents):
     targets = [target for target in (given.output, given.picture) if target]
     write_files(dict(zip(targets, contents)), given.force)
     for text in remarks:
-        print(printable(f"{program}: warning: {files_of(given)[0]}: {text}"), file=sys.stderr)
+        print(printable(f"{program}: warning: {text}"), file=sys.stderr)
     for line in [*lines, *(f"  {name:<17}{target}" for name, target in zip(("file", "picture"), targets))]:
         print(printable(line))
 
@@ -89,7 +89,8 @@ def import_heights(given, arguments):
         contents.append(draw_surface(surface, results, given.file.name))
     if surface.is_periodic and analysis.is_open(results.seams):
         source.remarks.append("the opposite edges do not meet: this is hardly one period")
-    return report.surface_lines(given, source, surface, read, results), source.remarks, contents
+    return (report.surface_lines(given, source, surface, read, results), [f"{given.file}: {remark}" for remark in source.remarks],
+            contents)
 
 
 def import_curve(given, arguments):

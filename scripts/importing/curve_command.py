@@ -44,7 +44,7 @@ def read_stack(given):
         treated, direction, said = treat(sources[-1], given, path)
         curves += treated
         directions.append(direction)
-        remarks += said + sources[-1].remarks
+        remarks += [f"{path}: {remark}" for remark in said + sources[-1].remarks]
     return make_stack(curves, given.grid), sources, directions, remarks
 
 

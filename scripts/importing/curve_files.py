@@ -111,6 +111,8 @@ def say(curve, says):
 def fill(curve, data, wanted):
     """Numbers of a curve; the name of the column that is its height."""
     there = [name for name in HEIGHTS.values() if name in data]
+    if "force" not in data:
+        raise BadInput("there is no load")
     curve.load = np.asarray(data["force"], float)
     for name in ("time", "segment"):
         if name in data:

@@ -275,7 +275,7 @@ class Formats(Reads):
         self.assertEqual(found["load"].shape, (2, 3, 400))
         self.assertEqual(found["curve_status"].tolist(), [[0, 0, 0], [0, 1, 0]])
         np.testing.assert_allclose(found["y"], [0, 2e-6], atol=1e-18)
-        self.assertIn("a.h5 4: cannot be read", errors)
+        self.assertIn("import_curve: warning: a.h5 4: cannot be read: there is no load", errors)
         self.check({name: found[name][1, 2] for name in ("load", "position", "approach", "deflection")}, self.position, self.load)
 
     def test_two_heights(self):
