@@ -13,6 +13,7 @@ module adfric_indenter_case
       & rounded_cone
    use adfric_indenter_curve, only: curve_t, control_load, control_approach, control_spring, control_radius
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
+   use adfric_indenter_edge_slope, only: slope_of
    use adfric_indenter_power_shape, only: power_shape_t, new_power_shape, depth_factor
    use adfric_indenter_sphere_shape, only: sphere_shape_t, new_sphere_shape
    use adfric_indenter_variables
@@ -165,15 +166,6 @@ contains
          curve%range = work/curve%stress
       end select
    end subroutine resolve_adhesion
-
-   !> k of a cone.
-   pure real(dp) function slope_of(values)
-      !> Values of the variables.
-      real(dp), intent(in) :: values(:)
-
-      slope_of = values(v_slope)
-      if (.not. is_set(slope_of)) slope_of = 1/tan(values(v_half_angle))
-   end function slope_of
 
    !> A shape with a corner.
    pure subroutine resolve_corner(values, self)
