@@ -4,6 +4,8 @@
 # first, since it starts the file again with the Python that has afmformats
 from curve_imports import SENSITIVITY, SPRING, STIFFNESS, Curves, make_curve
 
+import sys
+import unittest.mock
 import zipfile
 
 import h5py
@@ -11,6 +13,8 @@ import numpy as np
 from runs import main
 
 from afmformats.mod_force_distance import AFMForceDistance
+from importing.curve_reading import options, read_stack
+from importing.curve_stack import array_of
 
 # text of nine digits keeps so much of a number, and 32-bit numbers of a table of afmformats eight
 DIGITS = 1e-7
@@ -337,6 +341,28 @@ class Formats(Reads):
         part = found["segment"] == 0
         self.check({name: found[name][part][-half + 2:] for name in ("load", "position", "approach", "deflection")},
                    self.position[2:half], self.load[2:half])
+
+
+class Library(Reads):
+    """What other programs call."""
+
+    def test_read_stack(self):
+        position, load, _ = make_curve()
+        self.table("a.csv", {"z [nm]": position * 1e9, "load [nN]": load * 1e9})
+        stack, sources, directions, remarks = read_stack(options(files=[self.folder / "a.csv"] * 2, spring_constant=SPRING))
+        self.assertEqual((stack.shape, len(sources), directions, remarks), ((2,), 2, [1, 1], []))
+        np.testing.assert_allclose(array_of(stack, "load")[1], load, rtol=DIGITS, atol=1e-15)
+
+    def test_without_afmformats(self):
+        """Tables need no package; files of instruments are refused with its name."""
+        hidden = {name: None for name in sys.modules if name.split(".")[0] == "afmformats"}
+        position, load, _ = make_curve()
+        self.table("a.csv", {"z [nm]": position * 1e9, "load [nN]": load * 1e9})
+        with unittest.mock.patch.dict(sys.modules, hidden):
+            found, _, _ = self.read("a.csv", *LEVER)
+            self.check(found, position, load)
+            self.write("", "a.ibw")
+            self.refuse("files of instruments need the package afmformats", "a.ibw")
 
 
 class Fitted(Reads):
