@@ -100,6 +100,14 @@ class Tables(Reads):
                     self.assertLessEqual(np.count_nonzero(found["segment"] != segment), 0 if stated is not None else 3)
                     self.assertEqual("dwell/load" in found, dwell > 0)
                     self.assertEqual(len(found["retraction/load"]), np.count_nonzero(found["segment"] == 2))
+        # words, and a time in cycles, are left out
+        words = np.array(["approach", "dwell", "back"])[segment]
+        rows = "".join(f"{z * 1e9},{f * 1e9},{word},{i}\n" for i, (z, f, word) in enumerate(zip(position, load, words)))
+        self.write("z [nm],load [nN],segment,time (cycles)\n" + rows, "a.csv")
+        found, _, errors = self.read("a.csv", *LEVER, warns=True)
+        self.assertIn("the column segment is left out", errors)
+        self.assertIn("the column time (cycles) is left out", errors)
+        self.assertLessEqual(np.count_nonzero(found["segment"] != segment), 3)
         # an approach alone
         part = segment == 0
         self.table("a.csv", {key: values[part] for key, values in columns.items()})
@@ -194,6 +202,13 @@ class Tables(Reads):
         np.testing.assert_allclose(found["load"], 0.6 * load / SPRING * 5 / 4, atol=1e-15)
         np.testing.assert_allclose(found["position"] - found["deflection"], found["approach"], atol=1e-20)
         self.assertIn("spring constant  0.6 N/m, as --spring-constant says", output)
+        # volts become metres once
+        self.write("# sensitivity: 40 nm/V\nz [nm],deflection [V]\n" +
+                   "".join(f"{z * 1e9:.7f},{f / SPRING / SENSITIVITY:.9f}\n" for z, f in zip(position, load)), "a.csv")
+        for options, factor in (((), 1), (("--sensitivity", "5e-8"), 5 / 4)):
+            found, _, _ = self.read("a.csv", *LEVER, *options)
+            np.testing.assert_allclose(found["load"], factor * load, atol=1e-15)
+            self.assertAlmostEqual(found["sensitivity"] / SENSITIVITY, factor, places=12)
 
     def test_picture_and_history(self):
         position, load, _ = make_curve()
