@@ -15,15 +15,21 @@ from .problems import BadInput, first_line
 
 # formats by the words of --format, with their endings
 FORMATS = {"nt-mdt": ".txt"}
+# endings of tables of text, which other programs write as well
+TABLES = (".txt", ".csv", ".tsv", ".tab", ".dat", ".asc")
 HEIGHTS = {"measured": "height (measured)", "piezo": "height (piezo)"}
 
 
 def find_recipe(path, wanted):
     """The reader of afmformats for a file; None where it is a table, which `text_curve` reads."""
-    # imported here, since it takes a second that a bad option need not cost
-    from afmformats.formats import formats_by_suffix
-
     suffix = path.suffix.lower()
+    try:
+        # imported here, since it takes a second that a bad option need not cost
+        from afmformats.formats import formats_by_suffix
+    except ImportError:
+        if suffix in TABLES and not wanted:
+            return None
+        raise BadInput(f"{path}: files of instruments need the package afmformats") from None
     recipes = [recipe for recipe in formats_by_suffix.get(suffix, []) if ("NT-MDT" in recipe.maker) == (wanted == "nt-mdt")]
     if wanted and not recipes:
         raise BadInput(f"{path}: files of the format {wanted} end with {FORMATS[wanted]}")
@@ -35,7 +41,7 @@ def find_recipe(path, wanted):
                 return recipe
         except (Exception, *problems_of_afmformats()):
             continue
-    if suffix in formats_by_suffix and suffix not in (".txt", ".csv", ".tab"):
+    if suffix in formats_by_suffix and suffix not in TABLES:
         raise BadInput(f"{path}: no file of {', '.join(sorted({recipe.maker for recipe in formats_by_suffix[suffix]}))} "
                        "that afmformats can read")
     return None

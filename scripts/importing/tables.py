@@ -223,5 +223,5 @@ def raise_without_names(body, first, candidates, path):
         for separator, count in candidates:
             names = split_names(above, separator) if separator != " " else None
             if names and len(names) > 1 and not any(is_number(name, separator) for name in names):
-                raise BadTable("cells", f"{path}: line {number} has {count} cells, and line {above_number} {len(names)} names")
+                raise BadTable("names", f"{path}: line {number} has {count} cells, and line {above_number} {len(names)} names")
     raise BadTable("names", f"{path}: no line above the first row, line {number}, has a name for each of its columns")

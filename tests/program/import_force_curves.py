@@ -4,6 +4,8 @@
 # first, since it starts the file again with the Python that has afmformats
 from curve_imports import SENSITIVITY, SPRING, STIFFNESS, Curves, make_curve
 
+import sys
+import unittest.mock
 import zipfile
 
 import h5py
@@ -11,6 +13,8 @@ import numpy as np
 from runs import main
 
 from afmformats.mod_force_distance import AFMForceDistance
+from importing.curve_reading import options, read_stack
+from importing.curve_stack import array_of
 
 # text of nine digits keeps so much of a number, and 32-bit numbers of a table of afmformats eight
 DIGITS = 1e-7
@@ -96,6 +100,14 @@ class Tables(Reads):
                     self.assertLessEqual(np.count_nonzero(found["segment"] != segment), 0 if stated is not None else 3)
                     self.assertEqual("dwell/load" in found, dwell > 0)
                     self.assertEqual(len(found["retraction/load"]), np.count_nonzero(found["segment"] == 2))
+        # words, and a time in cycles, are left out
+        words = np.array(["approach", "dwell", "back"])[segment]
+        rows = "".join(f"{z * 1e9},{f * 1e9},{word},{i}\n" for i, (z, f, word) in enumerate(zip(position, load, words)))
+        self.write("z [nm],load [nN],segment,time (cycles)\n" + rows, "a.csv")
+        found, _, errors = self.read("a.csv", *LEVER, warns=True)
+        self.assertIn("the column segment is left out", errors)
+        self.assertIn("the column time (cycles) is left out", errors)
+        self.assertLessEqual(np.count_nonzero(found["segment"] != segment), 3)
         # an approach alone
         part = segment == 0
         self.table("a.csv", {key: values[part] for key, values in columns.items()})
@@ -190,6 +202,13 @@ class Tables(Reads):
         np.testing.assert_allclose(found["load"], 0.6 * load / SPRING * 5 / 4, atol=1e-15)
         np.testing.assert_allclose(found["position"] - found["deflection"], found["approach"], atol=1e-20)
         self.assertIn("spring constant  0.6 N/m, as --spring-constant says", output)
+        # volts become metres once
+        self.write("# sensitivity: 40 nm/V\nz [nm],deflection [V]\n" +
+                   "".join(f"{z * 1e9:.7f},{f / SPRING / SENSITIVITY:.9f}\n" for z, f in zip(position, load)), "a.csv")
+        for options, factor in (((), 1), (("--sensitivity", "5e-8"), 5 / 4)):
+            found, _, _ = self.read("a.csv", *LEVER, *options)
+            np.testing.assert_allclose(found["load"], factor * load, atol=1e-15)
+            self.assertAlmostEqual(found["sensitivity"] / SENSITIVITY, factor, places=12)
 
     def test_picture_and_history(self):
         position, load, _ = make_curve()
@@ -337,6 +356,28 @@ class Formats(Reads):
         part = found["segment"] == 0
         self.check({name: found[name][part][-half + 2:] for name in ("load", "position", "approach", "deflection")},
                    self.position[2:half], self.load[2:half])
+
+
+class Library(Reads):
+    """What other programs call."""
+
+    def test_read_stack(self):
+        position, load, _ = make_curve()
+        self.table("a.csv", {"z [nm]": position * 1e9, "load [nN]": load * 1e9})
+        stack, sources, directions, remarks = read_stack(options(files=[self.folder / "a.csv"] * 2, spring_constant=SPRING))
+        self.assertEqual((stack.shape, len(sources), directions, remarks), ((2,), 2, [1, 1], []))
+        np.testing.assert_allclose(array_of(stack, "load")[1], load, rtol=DIGITS, atol=1e-15)
+
+    def test_without_afmformats(self):
+        """Tables need no package; files of instruments are refused with its name."""
+        hidden = {name: None for name in sys.modules if name.split(".")[0] == "afmformats"}
+        position, load, _ = make_curve()
+        self.table("a.csv", {"z [nm]": position * 1e9, "load [nN]": load * 1e9})
+        with unittest.mock.patch.dict(sys.modules, hidden):
+            found, _, _ = self.read("a.csv", *LEVER)
+            self.check(found, position, load)
+            self.write("", "a.ibw")
+            self.refuse("files of instruments need the package afmformats", "a.ibw")
 
 
 class Fitted(Reads):
