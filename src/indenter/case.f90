@@ -354,8 +354,8 @@ contains
       has_plain_base = self%base_displacement < 10.0_dp**largest_number
    end function has_plain_base
 
-   !> Is there such a contact? Without adhesion a contact of given radius is not smaller than a face, and none is larger than a sphere; and
-   !> all has to be within the numbers.
+   !> Is there such a contact? Without adhesion a contact of given radius is not smaller than a face, and none is larger than a
+   !> sphere; and all has to be within the numbers.
    pure logical function is_possible(values, self)
       !> Values of the variables.
       real(dp), intent(in) :: values(:)

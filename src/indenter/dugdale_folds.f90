@@ -28,8 +28,9 @@
 !> **Within a flat face R rises.** There g' = 0 and N = (pi/2) f'(c), which does not fall with c, and -c dth = N + 2 S k. What D loses
 !> as th falls outweighs what it gains from Y, for N since dD/dth > Y th^2 sin(th)/cos(th)^2, and for S since also 2 k >= th^2 cos(th).
 !>
-!> **Contacts whose zone ends within the face, too, are unstable.** There c k(th) = pi h/(4 S), so P = -2 S c^2 (th + sin(th) cos(th)) and
-!> delta = -2 S c sin(th) grow in size as th falls, for cos(th) k < th^2 and k < th sin(th), and with th falling a and c rise.
+!> **Contacts whose zone ends within the face, too, are unstable.** There c k(th) = pi h/(4 S), so P = -2 S c^2 (th + sin(th)
+!> cos(th)) and delta = -2 S c sin(th) grow in size as th falls, for cos(th) k < th^2 and k < th sin(th), and with th falling a
+!> and c rise.
 !>
 !> **Beyond the corner of `flat_cone`, `flat_paraboloid` and `rounded_cone` R falls, and then it rises; in the tip of `rounded_cone` it
 !> rises, and may then fall** (a zone that ends in the tip meets a g' that rises). The direction of the curve is linear in 2 S, so for
@@ -186,8 +187,8 @@ contains
       call get_logarithm(margins, inner%low, .false., inner%at_low, is_converged)
    end subroutine lay_inner
 
-   !> The contact of a flat face whose zone ends at the corner, a little larger, for c to be beyond; 0 if all zones end beyond. Its u,
-   !> a/sqrt(b^2 - a^2), is the cotangent of the angle of a flat punch.
+   !> The contact of a flat face whose zone ends at the corner, a little larger, for c to be beyond; 0 if all zones end beyond.
+   !> Its u, a/sqrt(b^2 - a^2), is the cotangent of the angle of a flat punch.
    pure real(dp) function contact_at_edge(stress, range) result(u)
       !> Stress and range of adhesion, reduced.
       real(dp), intent(in) :: stress, range

@@ -69,8 +69,8 @@ contains
       if (is_reached) call settle(contact, curve, stiffness, extension, spot, piece, place)
    end subroutine find_driven_place
 
-   !> Relative error of the force on a driven spring: in stick-slip round-off of the displacement of the base is as much for a short way as for
-   !> a long one, and each jump before adds what its own period is off.
+   !> Relative error of the force on a driven spring: in stick-slip round-off of the displacement of the base is as much for a
+   !> short way as for a long one, and each jump before adds what its own period is off.
    pure real(dp) function driven_error(jump, stiffness, base, force) result(error)
       !> What happens on the spring.
       type(stick_slip_t), intent(in) :: jump

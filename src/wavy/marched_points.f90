@@ -41,8 +41,8 @@ module adfric_wavy_marched_points
    real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
    !> Round-off of load and friction, over the sizes of their terms and the pressure with which a glassy column answers to lengths.
    real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
-   !> Round-off of the lengths of slow dashpots in a contact, over that of one length: they are differences from those of endless contact,
-   !> found anew where each part of the contact begins.
+   !> Round-off of the lengths of slow dashpots in a contact, over that of one length: they are differences from those of
+   !> endless contact, found anew where each part of the contact begins.
    real(dp), parameter :: share_of_places = 8
    !> Chords through half the samples err four times as much as through all, splines sixteen times: the change is 3 and 15 times the
    !> error, if all goes well, so that of chords counts this often.

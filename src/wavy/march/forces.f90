@@ -28,8 +28,8 @@ module adfric_wavy_march_forces
       real(dp) :: load_mismatch = 0, energy_mismatch = 0
       !> Sizes of the terms of load and friction.
       real(dp) :: load_scale = 0, friction_scale = 0
-      !> By how much the heights change from the beginning to the end of contacts, whatever its sign; a pressure that is off by a constant
-      !> changes friction by that, and not more.
+      !> By how much the heights change from the beginning to the end of contacts, whatever its sign; a pressure that is off by
+      !> a constant changes friction by that, and not more.
       real(dp) :: contact_rise = 0
       !> Numbers of contacts, adhesion zones, free zones, and of edges where the surface snaps off.
       integer :: n_contacts = 0, n_adhesions = 0, n_free = 0, n_snaps = 0

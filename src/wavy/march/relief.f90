@@ -112,8 +112,8 @@ contains
       end do
    end subroutine reduce
 
-   !> Where a piece is highest, 0 to 1. Of a crest between two pieces round-off decides which one it belongs to, so the end counts as well
-   !> as the beginning.
+   !> Where a piece is highest, 0 to 1. Of a crest between two pieces round-off decides which one it belongs to, so the end
+   !> counts as well as the beginning.
    pure real(dp) function highest_place(c) result(place)
       !> Coefficients of the piece, in units of the height; shape `(0:degree)`.
       real(dp), intent(in) :: c(0:)

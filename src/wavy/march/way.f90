@@ -64,13 +64,14 @@ module adfric_wavy_march_way
       real(dp), allocatable :: forcing(:, :)
       !> m times the moments m - 1 of the decay in a piece, times stiffness; shape `(n_arms, degree)`.
       real(dp), allocatable :: moments(:, :)
-      !> The same for what goes into `work`: of slow arms, minus the integral of what the dashpot grows by; shape `(n_arms, degree)`.
+      !> The same for what goes into `work`: of slow arms, minus the integral of what the dashpot grows by; shape `(n_arms,
+      !> degree)`.
       real(dp), allocatable :: work_moments(:, :)
-      !> Integrals of the endless pressure over time up to each place, with what their rounding left: contact of a few pieces is a small
-      !> difference of large sums. Shape `(0:n)`.
+      !> Integrals of the endless pressure over time up to each place, with what their rounding left: contact of a few pieces is
+      !> a small difference of large sums. Shape `(0:n)`.
       real(dp), allocatable :: pressure_sum(:), pressure_rest(:)
-      !> Integrals over the heights of each piece, of what fast arms push and of minus what the growths of slow ones do. The rest is a
-      !> function of the heights alone, see `work_of_heights`. Shape `(n)`.
+      !> Integrals over the heights of each piece, of what fast arms push and of minus what the growths of slow ones do. The
+      !> rest is a function of the heights alone, see `work_of_heights`. Shape `(n)`.
       real(dp), allocatable :: work(:)
       !> Bounds over blocks of each level; shape `(n_levels)`.
       type(block_bounds_t), allocatable :: bounds(:)
