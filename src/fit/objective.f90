@@ -154,6 +154,9 @@ contains
       do k = 1, size(self%spheres)
          n_beyond = n_beyond + count(self%spheres(k)%is_beyond)
       end do
+      do k = 1, size(self%others)
+         n_beyond = n_beyond + count(self%others(k)%is_beyond)
+      end do
    end function n_beyond
 
    !> Relative error of the derivatives at the last evaluation; 0 where they are exact.
