@@ -248,6 +248,7 @@ contains
       end do
       call add_events(self, slopes, n_rows, r, j, cost, is_valid)
       if (is_valid) call add_priors(self, q, n_rows, r, j, cost)
+      is_valid = is_valid .and. cost <= huge(cost)
    end subroutine evaluate
 
    !> Turn rows into those of their loss, and add their cost.

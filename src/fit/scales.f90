@@ -152,7 +152,8 @@ contains
             if (is_unknown) reason = 'errors of the abscissa need those of the ordinate'
             if (is_set(fit%data_sets(k)%nuisance(nuisance_spring_stiffness)) .or. any(fit%frees%nuisance == &
                & nuisance_spring_stiffness)) reason = 'errors of the abscissa are not those of the base of a spring'
-         else if (.not. is_sphere .and. is_set(fit%data_sets(k)%nuisance(nuisance_spring_stiffness))) then
+         else if (.not. is_sphere .and. (is_set(fit%data_sets(k)%nuisance(nuisance_spring_stiffness)) .or. &
+            & any(fit%frees%nuisance == nuisance_spring_stiffness .and. fit%frees%data_set == k))) then
             reason = 'a spring_stiffness is for a sphere only, an indenter has a machine_stiffness with the abscissa base_approach'
          end if
          if (is_sphere .and. fit%data_sets(k)%abscissa == v_load &
