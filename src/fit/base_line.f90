@@ -22,7 +22,7 @@ module adfric_fit_base_line
    !> A jump is larger than so many times the noise, and so many points behind it have left the line.
    real(dp), parameter :: least_jump = 6.0_dp
    integer, parameter :: n_behind = 2
-   !> A base line has a noise of at most so many times that of second differences.
+   !> A base line has a noise of at most so many times that of second differences, of few points some more.
    real(dp), parameter :: most_noise = 1.6_dp
 
 contains
@@ -145,7 +145,7 @@ contains
          slope = (sums(1)*sums(5) - sums(2)*sums(4))/of_line
          mean = (sums(4) - slope*sums(2))/sums(1)
          left = norm2(y(:k) - y(1) - mean - slope*(x(:k) - middle)/size_of)/sqrt(k - 2.0_dp)
-         if (left > most_noise*noise) exit
+         if (left > most_noise*(1 + 2/sqrt(real(k, dp)))*noise) cycle
          spread = minval(abs(y(k + 1:k + n_behind) - y(1) - mean - slope*(x(k + 1:k + n_behind) - middle)/size_of))
          if (spread > least_jump*max(noise, left) .and. all(y(k + 1:k + n_behind) < y(1) + mean + slope*(x(k + 1:k + n_behind) &
             & - middle)/size_of)) then
