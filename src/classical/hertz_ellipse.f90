@@ -136,15 +136,17 @@ contains
       self%approach = 3*load/(2*pi*modulus*self%major)*shape%f
    end subroutine ellipse_of_load
 
-   !> Contact with an approach delta >= 0. The sum of the equations of A and B, and that of delta, without P:
+   !> Contact with an approach delta. The sum of the equations of A and B, and that of delta, without P:
    !>
    !>     3 R_F(0, 1, k^2) (A + B) a^2 = (R_D(0, k^2, 1) + R_D(0, 1, k^2)) delta
+   !>
+   !> Bodies with delta < 0 are apart: half-axes and load are 0.
    pure subroutine ellipse_of_approach(a, b, modulus, approach, shape, self)
       !> Curvatures A <= B of the gap [1/m].
       real(dp), intent(in) :: a, b
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
-      !> Approach delta of distant points [m], >= 0.
+      !> Approach delta of distant points [m]; the distance between the bodies is negative.
       real(dp), intent(in) :: approach
       !> Shape of the ellipse that belongs to A/B.
       type(ellipse_shape_t), intent(in) :: shape
@@ -153,7 +155,7 @@ contains
 
       self%shape = shape
       self%approach = approach
-      if (.not. shape%is_converged) return
+      if (.not. (shape%is_converged .and. approach > 0)) return
       ! the roots one by one: approach over curvature may be beyond all numbers
       self%major = sqrt(approach)/sqrt(a + b)*sqrt((shape%d_along + shape%d_across)/(3*shape%f))
       self%minor = shape%axis_ratio*self%major

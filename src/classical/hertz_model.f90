@@ -337,7 +337,7 @@ contains
                else
                   profiles(:, j, 1) = ellipse_pressure(s, x, y(j))
                   profiles(:, j, 2) = ellipse_gap(s, modulus_of(values), x, y(j))
-                  if (.not. s%minor > 0) profiles(:, j, 2) = state%a*x**2 + state%b*y(j)**2
+                  if (.not. s%minor > 0) profiles(:, j, 2) = state%a*x**2 + state%b*y(j)**2 - s%approach
                end if
                if (size(profiles, 3) == p_shear_stress) call fill_tractions(state, x, y(j), nint(values(v_kind)) == kind_line, &
                   & profiles(:, j, p_shear_stress))

@@ -9,6 +9,7 @@ module adfric_fit_fold
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_fit_curve, only: curve_t
+   use adfric_fit_model_points, only: fold_t
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_order, only: order_of
    use adfric_fit_path, only: path_t
@@ -17,15 +18,22 @@ module adfric_fit_fold
    use adfric_sphere_variables, only: r_load, r_approach, r_contact_radius, r_contact_area, r_adhesion_radius, r_friction_radius
    implicit none (type, external)
    private
-   public :: fold_t, choose_fold, find_fold, spread_below
+   public :: curve_fold_t, choose_fold, find_fold, fold_slopes, fold_slope, last_slopes, spread_below
+
+   !> No kink: the slope does not jump.
+   real(dp), parameter :: largest_power = 1.0_dp
+   !> Where the power is looked at, as a part of the range of the abscissas; and a step of the numbers that are fitted.
+   real(dp), parameter :: beside = 1.0e-6_dp, of_step = 3.0e-5_dp
 
    !> The fold of one curve, beside the points that it may pass.
-   type :: fold_t
+   type :: curve_fold_t
       !> Number of the data set; 0: no curve has a fold that moves.
       integer :: data_set = 0
       !> Abscissas of the points in contact that have no errors of the abscissa, rising, ordinates and their standard errors.
       real(dp), allocatable :: x(:), y(:), sigma(:)
-   end type fold_t
+      !> The power p.
+      real(dp) :: power = 0.5_dp
+   end type curve_fold_t
 
 contains
 
@@ -38,54 +46,180 @@ contains
       !> Which of them stay as they are.
       logical, intent(in) :: is_held(:)
       !> Receives the fold.
-      type(fold_t), intent(out) :: fold
-      type(fold_t) :: one
-      real(dp) :: at, power, by_free(size(q)), distance, least
+      type(curve_fold_t), intent(out) :: fold
+      type(curve_fold_t) :: one
+      real(dp) :: at, distance, least
+      logical :: is_known
       integer :: k
 
       least = huge(least)
-      do k = 1, size(self%spheres)
-         call take_contact(self%spheres(k), one)
+      do k = 1, size(self%number)
+         if (self%is_sphere(k)) then
+            call take_contact(self%spheres(self%number(k)), one)
+         else
+            call take_contact(self%others(self%number(k)), one)
+         end if
          if (size(one%x) < 2) cycle
-         call find_fold(self, q, one, at, by_free, power)
-         if (.not. any(abs(by_free) > 0 .and. .not. is_held) .or. power > 1) cycle
+         call find_fold(self, q, one, at, is_known)
+         if (.not. is_known) cycle
          distance = max(0.0_dp, one%x(1) - at)/max(one%x(size(one%x)) - one%x(1), tiny(at))
          if (distance >= least) cycle
+         if (.not. any(abs(fold_slopes(self, q, one)) > 0 .and. .not. is_held)) cycle
+         call find_power(self, q, at, one)
+         if (one%power > largest_power) cycle
          least = distance
          fold = one
       end do
    end subroutine choose_fold
 
-   !> The abscissa of the fold, how it moves, and the power by which the ordinate leaves it.
-   subroutine find_fold(self, q, fold, at, by_free, power)
+   !> The abscissa of the fold.
+   subroutine find_fold(self, q, fold, at, is_known)
       !> The sum of squares; it receives the values of the variables.
       type(objective_t), intent(inout) :: self
       !> The numbers that are fitted.
       real(dp), intent(in) :: q(:)
       !> The curve.
-      type(fold_t), intent(in) :: fold
+      type(curve_fold_t), intent(in) :: fold
       !> Receives the abscissa.
       real(dp), intent(out) :: at
-      !> Receives its derivatives by the numbers that are fitted.
-      real(dp), intent(out) :: by_free(:)
-      !> Receives the power.
-      real(dp), intent(out) :: power
-      real(dp) :: v(size(q)), slopes(size(q)), prescribed_l
+      !> Does the model know it?
+      logical, intent(out) :: is_known
+      real(dp) :: v(size(q)), slopes(size(q))
+      type(fold_t) :: of_model
 
       call take_estimate(self, q, v, slopes)
       call self%set_values(v)
-      associate (curve => self%spheres(self%number(fold%data_set)))
-         call take_values(curve, self%values, self%nuisance(:, fold%data_set), slopes)
-         associate (c => curve%common, path => curve%path)
-            at = c%x_unit*path%held_at_fold + c%x_zero
-            prescribed_l = path%fold%p_l
-            if (path%is_base) prescribed_l = path%fold%d_l + path%ks*path%fold%p_l
-            by_free = c%x_unit*(path%held_at_fold*c%x_unit_by + prescribed_l*c%lambda_by) + c%x_zero_by
-            if (path%is_base) by_free = by_free + c%x_unit*path%fold%p*c%ks_by
-         end associate
-         power = power_of(curve)
+      associate (number => self%number(fold%data_set), nuisance => self%nuisance(:, fold%data_set))
+         if (self%is_sphere(fold%data_set)) then
+            call take_values(self%spheres(number), self%values, nuisance, slopes)
+            associate (c => self%spheres(number)%common, path => self%spheres(number)%path)
+               at = c%x_unit*path%held_at_fold + c%x_zero
+            end associate
+            is_known = .true.
+         else
+            associate (curve => self%others(number))
+               call curve%points%find_fold(self%values, of_model)
+               is_known = of_model%is_known
+               at = of_model%x
+               if (curve%x_nuisance > 0) at = at + nuisance(curve%x_nuisance)
+            end associate
+         end if
       end associate
    end subroutine find_fold
+
+   !> How the abscissa of the fold changes with the numbers that are fitted.
+   function fold_slopes(self, q, fold) result(by_free)
+      !> The sum of squares; it receives the values of the variables.
+      type(objective_t), intent(inout) :: self
+      !> The numbers that are fitted.
+      real(dp), intent(in) :: q(:)
+      !> The curve.
+      type(curve_fold_t), intent(in) :: fold
+      real(dp) :: by_free(size(q))
+      real(dp) :: at
+      logical :: is_known
+      integer :: k
+
+      if (self%is_sphere(fold%data_set)) then
+         call find_fold(self, q, fold, at, is_known)
+         by_free = last_slopes(self, fold)
+         return
+      end if
+      do k = 1, size(q)
+         by_free(k) = fold_slope(self, q, fold, k)
+      end do
+   end function fold_slopes
+
+   !> The same with one of these numbers.
+   real(dp) function fold_slope(self, q, fold, k) result(slope)
+      !> The sum of squares; it receives the values of the variables.
+      type(objective_t), intent(inout) :: self
+      !> The numbers that are fitted.
+      real(dp), intent(in) :: q(:)
+      !> The curve.
+      type(curve_fold_t), intent(in) :: fold
+      !> Which one.
+      integer, intent(in) :: k
+      real(dp) :: moved(size(q)), below, above, by_free(size(q))
+      logical :: is_known
+
+      slope = 0
+      if (self%is_sphere(fold%data_set)) then
+         by_free = fold_slopes(self, q, fold)
+         slope = by_free(k)
+         return
+      end if
+      if (self%frees(k)%variable == 0) then
+         if (self%frees(k)%data_set /= fold%data_set) return
+         if (self%frees(k)%nuisance == self%others(self%number(fold%data_set))%x_nuisance) slope = self%unit(k)
+         return
+      end if
+      moved = q
+      moved(k) = q(k) - of_step
+      call find_fold(self, moved, fold, below, is_known)
+      if (.not. is_known) return
+      moved(k) = q(k) + of_step
+      call find_fold(self, moved, fold, above, is_known)
+      if (is_known) slope = (above - below)/(2*of_step)
+   end function fold_slope
+
+   !> The same with all of them as the last evaluation of the sum of squares has found it.
+   pure function last_slopes(self, fold) result(by_free)
+      !> The sum of squares.
+      type(objective_t), intent(in) :: self
+      !> The curve.
+      type(curve_fold_t), intent(in) :: fold
+      real(dp) :: by_free(self%n_free)
+      real(dp) :: prescribed_l
+
+      if (.not. self%is_sphere(fold%data_set)) then
+         by_free = self%others(self%number(fold%data_set))%fold_by
+         return
+      end if
+      associate (c => self%spheres(self%number(fold%data_set))%common, path => self%spheres(self%number(fold%data_set))%path)
+         prescribed_l = path%fold%p_l
+         if (path%is_base) prescribed_l = path%fold%d_l + path%ks*path%fold%p_l
+         by_free = c%x_unit*(path%held_at_fold*c%x_unit_by + prescribed_l*c%lambda_by) + c%x_zero_by
+         if (path%is_base) by_free = by_free + c%x_unit*path%fold%p*c%ks_by
+      end associate
+   end function last_slopes
+
+   !> The power by which the ordinate leaves the fold. Any model is asked at two distances from it.
+   subroutine find_power(self, q, at, fold)
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: self
+      !> The numbers that are fitted.
+      real(dp), intent(in) :: q(:)
+      !> The abscissa of the fold.
+      real(dp), intent(in) :: at
+      !> The curve; it receives the power.
+      type(curve_fold_t), intent(inout) :: fold
+      real(dp) :: v(size(q)), slopes(size(q)), x(2), y(2), error, zero
+      type(fold_t) :: of_model
+      integer :: regimes(2)
+
+      call take_estimate(self, q, v, slopes)
+      call self%set_values(v)
+      associate (number => self%number(fold%data_set))
+         if (self%is_sphere(fold%data_set)) then
+            fold%power = power_of(self%spheres(number))
+            return
+         end if
+         associate (curve => self%others(number))
+            zero = 0
+            if (curve%x_nuisance > 0) zero = self%nuisance(curve%x_nuisance, fold%data_set)
+            call curve%points%find_fold(self%values, of_model)
+            x = at - zero + beside*(fold%x(size(fold%x)) - fold%x(1))*[1, 4]
+            y = of_model%y
+            fold%power = 2
+            call curve%points%ask(self%values, x, y, regimes, error, of_model)
+            call curve%points%find_fold(self%values, of_model)
+            if (any(regimes < 0) .or. .not. all(abs(y - of_model%y) > 0)) return
+            fold%power = log(abs((y(2) - of_model%y)/(y(1) - of_model%y)))/log(4.0_dp)
+            fold%power = max(nint(12*fold%power), 1)/12.0_dp
+         end associate
+      end associate
+   end subroutine find_power
 
    !> The power by which the ordinate leaves the fold.
    pure real(dp) function power_of(curve) result(power)
@@ -119,7 +253,7 @@ contains
       !> The curve.
       class(curve_t), intent(in) :: curve
       !> Receives the points.
-      type(fold_t), intent(inout) :: fold
+      type(curve_fold_t), intent(inout) :: fold
       integer, allocatable :: kept(:)
       integer :: i
 
@@ -135,7 +269,7 @@ contains
    !> number. No place of the fold beyond so many points has a lesser S.
    pure subroutine spread_below(fold, least)
       !> The curve.
-      type(fold_t), intent(in) :: fold
+      type(curve_fold_t), intent(in) :: fold
       !> Receives the sum for the fold beyond 1, 2, ... points; shape `(size(fold%x))`.
       real(dp), intent(out) :: least(:)
       real(dp) :: weight, weights, mean, step, total

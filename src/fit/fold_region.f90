@@ -11,7 +11,7 @@
 !> Newton's method for X_f: at once where it is a zero. With g the derivatives of X_f, dq_p = -(sum of g_j dq_j + H s^(1/p-1)/p ds)/g_p.
 module adfric_fit_fold_region
    use adfric_base_kinds, only: dp
-   use adfric_fit_fold, only: fold_t, find_fold
+   use adfric_fit_fold, only: curve_fold_t, find_fold, fold_slope, fold_slopes, last_slopes
    use adfric_fit_objective, only: objective_t
    use adfric_numerics_bounded_least_squares, only: least_squares_t
    implicit none (type, external)
@@ -29,7 +29,7 @@ module adfric_fit_fold_region
       !> The sum of squares.
       type(objective_t), pointer :: objective => null()
       !> The curve whose fold it is.
-      type(fold_t) :: fold
+      type(curve_fold_t) :: fold
       !> Which variable gives way to s, and how many points lie beyond the fold.
       integer :: pivot = 0, n_beyond = 0
       !> The power p, H, the nearest distance of the fold to a point, and X_(k+1).
@@ -51,7 +51,7 @@ contains
       !> The sum of squares.
       type(objective_t), intent(inout), target :: objective
       !> The curve whose fold it is.
-      type(fold_t), intent(in) :: fold
+      type(curve_fold_t), intent(in) :: fold
       !> Bounds of the numbers that are fitted.
       real(dp), intent(in) :: lower(:), upper(:)
       !> Which of them stay as they are.
@@ -60,7 +60,7 @@ contains
       real(dp), intent(in) :: q(:)
       !> Is there a variable that moves the fold?
       logical, intent(out) :: is_there
-      real(dp) :: at, by_free(size(q))
+      real(dp) :: by_free(size(q))
       integer :: n
 
       self%objective => objective
@@ -73,7 +73,8 @@ contains
       n = size(fold%x)
       self%unit = (fold%x(n) - fold%x(1))/(n - 1)
       self%gap = nearest*maxval(abs(fold%x))
-      call find_fold(objective, q, fold, at, by_free, self%power)
+      by_free = fold_slopes(objective, q, fold)
+      self%power = fold%power
       where (is_held .or. q <= lower .or. q >= upper) by_free = 0
       is_there = any(abs(by_free) > 0) .and. self%unit > 0
       if (.not. is_there) return
@@ -95,7 +96,7 @@ contains
       real(dp), intent(out) :: u(:)
       !> Is there room between the neighbouring points?
       logical, intent(out) :: is_there
-      real(dp) :: at, by_free(size(q)), unused, width
+      real(dp) :: at, width
 
       self%n_beyond = n_beyond
       self%next = self%fold%x(n_beyond + 1)
@@ -109,7 +110,8 @@ contains
          self%upper(p) = 1.0e90_dp
          if (n_beyond > 0) self%upper(p) = s_of(self, width)
          self%q = q
-         call find_fold(self%objective, q, self%fold, at, by_free, unused)
+         call find_fold(self%objective, q, self%fold, at, is_there)
+         if (.not. is_there) return
          u(p) = min(max(s_of(self, max(self%next - at, 0.0_dp)), self%lower(p)), self%upper(p))
       end associate
    end subroutine enter_region
@@ -124,19 +126,18 @@ contains
       s_of = (distance/self%unit)**self%power
    end function s_of
 
-   !> The numbers that are fitted at a place, and how the fold moves there.
-   subroutine leave_region(self, u, q, by_free, is_valid)
+   !> The numbers that are fitted at a place.
+   subroutine leave_region(self, u, q, is_valid)
       !> The region.
       type(region_t), intent(inout) :: self
       !> The place, with s.
       real(dp), intent(in) :: u(:)
       !> Receives the numbers that are fitted.
       real(dp), intent(out) :: q(:)
-      !> Receives the derivatives of the abscissa of the fold.
-      real(dp), intent(out) :: by_free(:)
       !> Is there such a place within the bounds?
       logical, intent(out) :: is_valid
-      real(dp) :: wanted, at, step, unused
+      real(dp) :: wanted, at, step, slope
+      logical :: is_known
       integer :: k
 
       associate (p => self%pivot)
@@ -145,13 +146,15 @@ contains
          wanted = self%next - self%unit*u(p)**(1/self%power)
          is_valid = .false.
          do k = 1, most_steps
-            call find_fold(self%objective, q, self%fold, at, by_free, unused)
-            if (.not. abs(by_free(p)) > 0) return
-            step = (wanted - at)/by_free(p)
+            call find_fold(self%objective, q, self%fold, at, is_known)
+            if (.not. is_known) return
+            slope = fold_slope(self%objective, q, self%fold, p)
+            if (.not. abs(slope) > 0) return
+            step = (wanted - at)/slope
             if (self%objective%frees(p)%is_log) step = min(max(step, -longest_step), longest_step)
             if (.not. abs(step) <= huge(step)) return
             q(p) = q(p) + step
-            is_valid = abs(step*by_free(p)) <= self%gap/1000
+            is_valid = abs(step*slope) <= self%gap/1000
             if (is_valid) exit
          end do
          is_valid = is_valid .and. q(p) >= self%lower_q(p) .and. q(p) <= self%upper_q(p)
@@ -180,10 +183,11 @@ contains
 
       n_rows = 0
       cost = 0
-      call leave_region(self, q, plain, by_free, is_valid)
+      call leave_region(self, q, plain, is_valid)
       if (.not. is_valid) return
       call self%objective%evaluate(plain, n_rows, r, j, cost, is_valid)
       if (.not. is_valid) return
+      by_free = last_slopes(self%objective, self%fold)
       associate (p => self%pivot, e => 1/self%power)
          j(:n_rows, p) = j(:n_rows, p)/by_free(p)
          do k = 1, size(q)

@@ -7,7 +7,7 @@
 !> lower S, so that none is gone twice.
 module adfric_fit_fold_search
    use adfric_base_kinds, only: dp
-   use adfric_fit_fold, only: fold_t, choose_fold, find_fold
+   use adfric_fit_fold, only: curve_fold_t, choose_fold, find_fold
    use adfric_fit_fold_region, only: region_t, new_region, enter_region, leave_region
    use adfric_fit_objective, only: objective_t
    use adfric_fit_scales, only: scales_t
@@ -40,7 +40,7 @@ contains
       type(squares_outcome_t), intent(out) :: outcome
       !> Are the derivatives at the end those with s instead of the pivot?
       logical, intent(out) :: is_unfolded
-      type(fold_t) :: fold
+      type(curve_fold_t) :: fold
 
       is_unfolded = .false.
       call find_least_squares(self, scales%lower, scales%upper, is_held, limits, work, q, outcome)
@@ -55,7 +55,7 @@ contains
       !> The sum of squares.
       type(objective_t), intent(inout), target :: self
       !> The curve whose fold it is.
-      type(fold_t), intent(in) :: fold
+      type(curve_fold_t), intent(in) :: fold
       !> Units and bounds.
       type(scales_t), intent(in) :: scales
       !> Which variables stay as they are.
@@ -72,7 +72,7 @@ contains
       logical, intent(out) :: is_unfolded
       type(region_t) :: region
       type(squares_outcome_t) :: one
-      real(dp) :: at, by_free(size(q)), unused, u(size(q)), last
+      real(dp) :: at, u(size(q)), last
       integer :: k, n, move, side, kink, from
       logical :: is_there
 
@@ -80,7 +80,8 @@ contains
       call new_region(region, self, fold, scales%lower, scales%upper, is_held, q, is_there)
       if (.not. is_there) return
       n = size(fold%x)
-      call find_fold(self, q, fold, at, by_free, unused)
+      call find_fold(self, q, fold, at, is_there)
+      if (.not. is_there) return
       k = min(count(fold%x <= at), n - 1)
       from = -1
       side = -1
@@ -93,7 +94,7 @@ contains
             outcome%evaluations = outcome%evaluations + one%evaluations
             if (one%status == squares_no_value) return
             is_unfolded = .true.
-            call leave_region(region, u, q, by_free, is_there)
+            call leave_region(region, u, q, is_there)
             outcome%cost = one%cost
             outcome%status = one%status
             side = 0

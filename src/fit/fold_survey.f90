@@ -7,7 +7,7 @@
 module adfric_fit_fold_survey
    use adfric_base_kinds, only: dp
    use adfric_fit_covariance, only: find_covariance
-   use adfric_fit_fold, only: fold_t, choose_fold, find_fold, spread_below
+   use adfric_fit_fold, only: curve_fold_t, choose_fold, find_fold, fold_slopes, spread_below
    use adfric_fit_fold_region, only: region_t, new_region, enter_region, leave_region
    use adfric_fit_minima, only: minima_t, add_search
    use adfric_fit_objective, only: objective_t
@@ -34,9 +34,9 @@ contains
       type(squares_work_t), intent(inout) :: work
       !> The minima; those found are added.
       type(minima_t), intent(inout) :: minima
-      type(fold_t) :: fold
+      type(curve_fold_t) :: fold
       type(region_t) :: region
-      real(dp) :: best(self%n_free), q(self%n_free), u(self%n_free), by_free(self%n_free)
+      real(dp) :: best(self%n_free), q(self%n_free), u(self%n_free)
       real(dp), allocatable :: least(:)
       logical :: is_held(self%n_free), is_there
       integer :: k
@@ -60,7 +60,7 @@ contains
          end if
          call enter_region(region, k, best, u, is_there)
          if (.not. is_there) cycle
-         call leave_region(region, u, q, by_free, is_there)
+         call leave_region(region, u, q, is_there)
          if (is_there) call add_search(self, scales, limits, work, q, minima, fold)
       end do
    end subroutine survey_folds
@@ -70,20 +70,22 @@ contains
       !> The sum of squares.
       type(objective_t), intent(inout) :: self
       !> The curve.
-      type(fold_t), intent(in) :: fold
+      type(curve_fold_t), intent(in) :: fold
       !> The minimum, and S there.
       real(dp), intent(in) :: q(:), cost
       !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
       !> Room to work in.
       type(squares_work_t), intent(inout) :: work
-      real(dp) :: covariance(size(q), size(q)), null_vector(size(q)), at, by_free(size(q)), power, variance
-      logical :: is_identifiable, is_valid
+      real(dp) :: covariance(size(q), size(q)), null_vector(size(q)), at, by_free(size(q)), variance
+      logical :: is_identifiable, is_valid, is_known
 
       is_far = .true.
       call find_covariance(self, q, work, covariance, null_vector, is_identifiable, is_valid)
       if (.not. is_identifiable) return
-      call find_fold(self, q, fold, at, by_free, power)
+      call find_fold(self, q, fold, at, is_known)
+      if (.not. is_known) return
+      by_free = fold_slopes(self, q, fold)
       variance = 1
       if (limits%freedom > 0) variance = cost/limits%freedom
       is_far = fold%x(1) - at > far*sqrt(variance*dot_product(by_free, matmul(covariance, by_free)))

@@ -2,7 +2,7 @@
 !> The minima of a sum of squares, as searches find them one after the other.
 module adfric_fit_minima
    use adfric_base_kinds, only: dp
-   use adfric_fit_fold, only: fold_t
+   use adfric_fit_fold, only: curve_fold_t
    use adfric_fit_fold_search, only: find_minimum, cross_regions
    use adfric_fit_objective, only: objective_t
    use adfric_fit_scales, only: scales_t
@@ -60,7 +60,7 @@ contains
       !> The minima.
       type(minima_t), intent(inout) :: minima
       !> The curve to whose fold the start is near, so that the search begins in a region. If absent, it begins as if S were smooth.
-      type(fold_t), intent(in), optional :: fold
+      type(curve_fold_t), intent(in), optional :: fold
       type(squares_outcome_t) :: outcome
       logical :: is_held(size(q)), is_unfolded, is_valid
       real(dp) :: variance

@@ -154,6 +154,9 @@ contains
       do k = 1, size(self%spheres)
          n_beyond = n_beyond + count(self%spheres(k)%is_beyond)
       end do
+      do k = 1, size(self%others)
+         n_beyond = n_beyond + count(self%others(k)%is_beyond)
+      end do
    end function n_beyond
 
    !> Relative error of the derivatives at the last evaluation; 0 where they are exact.
@@ -245,6 +248,7 @@ contains
       end do
       call add_events(self, slopes, n_rows, r, j, cost, is_valid)
       if (is_valid) call add_priors(self, q, n_rows, r, j, cost)
+      is_valid = is_valid .and. cost <= huge(cost)
    end subroutine evaluate
 
    !> Turn rows into those of their loss, and add their cost.

@@ -7,7 +7,7 @@ module adfric_indenter_model
    use adfric_base_unset, only: is_set
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_indenter_check, only: check_indenter_values
-   use adfric_indenter_contact, only: find_contact
+   use adfric_indenter_contact, only: branch_stable, find_contact, part_bodies
    use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_survey, only: ends_t, survey_t, survey_curve
    use adfric_indenter_curve, only: stability_control
@@ -166,6 +166,8 @@ contains
          if (case%radius > 0) contact%spot%radius = case%radius
          ends = found%survey%ends
          if (nint(values(v_state)) == state_static) call peel_contact(values, case, contact, peeled, ends, results)
+         if (.not. contact%is_found .and. contact%is_converged .and. may_part(values)) &
+            & call part_bodies(case%curve, case%control, case%given, contact)
          call store_ends(case, ends, results)
          if (.not. (contact%is_converged .and. ends%is_converged .and. found%survey%ends%is_converged &
             & .and. found%loop%is_converged .and. peeled%is_converged)) status = status_not_converged
@@ -189,6 +191,15 @@ contains
       associate (unused => self, unused_counts => counts)
       end associate
    end subroutine solve_point
+
+   !> May the state be one of bodies apart, which bears no tangential force? The other branches are those of contacts.
+   pure logical function may_part(values)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      may_part = nint(values(v_branch)) == branch_stable .and. .not. is_set(values(v_base_displacement))
+      if (is_set(values(v_tangential_force))) may_part = may_part .and. .not. abs(values(v_tangential_force)) > 0
+   end function may_part
 
    !> Add the results of friction.
    subroutine store_friction(values, found, results, status)

@@ -248,7 +248,7 @@ contains
 
       stress = 0
       call set_resistance(resistance, contact, sums)
-      if (r > sums%b) return
+      if (r > sums%b .or. .not. sums%b > 0) return
       if (slip%displacement > 0 .and. .not. slip%energy > 0 .and. shape%n_pieces == 0 .and. slip%ratio >= 1) then
          ! a face that sticks as a whole
          if (r < sums%a) stress = slip%displacement/(pi*sqrt((sums%a - r)*(sums%a + r)))

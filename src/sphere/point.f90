@@ -6,7 +6,8 @@ module adfric_sphere_point
    use adfric_base_not_a_number, only: not_a_number
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_sphere_case, only: sphere_case_t, theory_auto
-   use adfric_sphere_contact, only: contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, friction_radius
+   use adfric_sphere_contact, only: contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, friction_radius, &
+      & part_bodies
    use adfric_material_interaction, only: adhesion_ratio
    use adfric_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
       & find_friction_events, forget_events, given_force, given_displacement
@@ -30,6 +31,8 @@ module adfric_sphere_point
       real(dp) :: ratio = 1
       !> Proved error of the theory, and the error estimate of the point, which contains it.
       real(dp) :: theory_error = 0, error_estimate = 0
+      !> Do the bodies neither touch nor attract each other?
+      logical :: is_apart = .false.
       !> Radius b of friction, and the load at which the contact separates.
       real(dp) :: friction_radius = 0, pull_off_load = 0
       !> gamma = e/b, tangential force and displacement, slip at the edge: mean and largest.
@@ -106,6 +109,8 @@ contains
             point%contact = memory%contact
             call find_contact(memory%theory, case%control, case%value, case%branch, point%contact)
          end if
+         if (.not. (point%contact%is_found .or. point%theory == theory_dmt .or. case%tangential > 0)) &
+            & call part_bodies(case%control, case%value, case%branch, point%contact, point%is_apart)
       end if
       memory%theory%ratio = point%ratio
       call finish_contact(case, memory, point)
@@ -260,6 +265,7 @@ contains
          point%status = merge(status_no_equilibrium, status_not_converged, point%contact%is_converged)
          return
       end if
+      if (point%is_apart) return
       point%error_estimate = point%theory_error + get_mismatch_of(memory, point, case%control)
       if (.not. point%contact%is_converged .or. .not. point%error_estimate < 1) then
          point%status = status_not_converged
