@@ -15,10 +15,10 @@ module adfric_fit_solve
    use adfric_fit_problem, only: fit_t, intervals_covariance, intervals_profile, intervals_bootstrap
    use adfric_fit_residuals, only: look_at_residuals, take_curve
    use adfric_fit_scales, only: find_refusal
-   use adfric_fit_search, only: find_minima
    use adfric_fit_solution, only: solution_t, fit_solved, fit_too_few_points, fit_not_converged, fit_not_identifiable
    use adfric_fit_starts, only: get_start, lambda_free
    use adfric_fit_theories, only: make_theory, theory_name
+   use adfric_fit_thinning, only: search_minima
    use adfric_numerics_bounded_least_squares, only: squares_converged, squares_stuck
    use adfric_numerics_distributions, only: chi_squared_above
    implicit none (type, external)
@@ -67,7 +67,7 @@ contains
          solution%reason = 'there are fewer points than free variables'
          return
       end if
-      call find_minima(course%objective, fit, course%scales, course%limits, course%work, course%minima)
+      call search_minima(course, fit)
       call refine_minima(course)
       if (course%minima%n < 1) then
          solution%reason = 'the model has no value at any start'
