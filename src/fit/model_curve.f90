@@ -38,6 +38,8 @@ module adfric_fit_model_curve
       type(feet_t) :: feet
       !> Error of the derivatives of the last evaluation, relative.
       real(dp) :: error = 0
+      !> Of the last evaluation: derivatives of the abscissa of the fold by the numbers that are fitted; shape `(n_free)`.
+      real(dp), allocatable :: fold_by(:)
    contains
       procedure :: evaluate
       procedure :: find_event
@@ -135,6 +137,7 @@ contains
       end do
       self%residual = -r(:self%n)
       self%error = of%derivative_error
+      self%fold_by = of%fold_x_by + x_zero_by
    end subroutine evaluate
 
    !> What all points have, and free points have alone: the zero and the slope of the base line. `fitted` is that part of the ordinate.

@@ -8,6 +8,7 @@
 module adfric_fit_search
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
+   use adfric_fit_fold_survey, only: survey_folds
    use adfric_fit_lambda_scan, only: scan_lambda, fewest_nodes
    use adfric_fit_minima, only: minima_t, new_minima, add_search, sort_minima
    use adfric_fit_objective, only: objective_t
@@ -60,6 +61,7 @@ contains
          minima%steps = minima%steps + plain%steps
       end if
       call search_all(self, fit, scales, limits, work, minima)
+      call survey_folds(self, scales, limits, work, minima)
       call sort_minima(minima, self%n_free)
    end subroutine find_minima
 

@@ -30,7 +30,7 @@ module adfric_fit_sphere_curve
       & v_tangential_displacement, v_base_displacement, v_lateral_stiffness, v_pressure_factor, r_load, r_friction_force, units_si
    implicit none (type, external)
    private
-   public :: sphere_curve_t, new_sphere_curve, is_sphere_curve, is_plain_sphere
+   public :: sphere_curve_t, new_sphere_curve, is_sphere_curve, is_plain_sphere, take_values
 
    !> A measured curve of a sphere.
    type, extends(curve_t) :: sphere_curve_t
