@@ -31,6 +31,8 @@ module adfric_fit_fold
       integer :: data_set = 0
       !> Abscissas of the points in contact that have no errors of the abscissa, rising, ordinates and their standard errors.
       real(dp), allocatable :: x(:), y(:), sigma(:)
+      !> Rows of the residuals of these points.
+      integer, allocatable :: row(:)
       !> The power p.
       real(dp) :: power = 0.5_dp
    end type curve_fold_t
@@ -263,6 +265,7 @@ contains
       fold%x = curve%x(kept)
       fold%y = curve%y(kept)
       fold%sigma = curve%sigma(kept)
+      fold%row = kept
    end subroutine take_contact
 
    !> The least sum of squares that the first points of a curve leave if all have one ordinate, whichever that is. It rises with their
