@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Starts of a whole curve, load against approach, of any indenter: where contact begins, how stiff it is, and what adheres.
+!> Starts of a whole curve, load against approach, of a sphere or any indenter: where contact begins, how stiff it is, and what adheres.
 !>
 !> Load is E* p(delta, w/E*) with a function p of lengths alone. So only the contact point and the length w/E* are looked for, at places
 !> that fill their box evenly (Halton), the contact point within the data and somewhat beyond, w/E* over the decades up to their range.
@@ -8,11 +8,13 @@
 module adfric_fit_curve_starts
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_fit_model_points, only: fold_t
+   use adfric_fit_curve, only: curve_t
+   use adfric_fit_model_points, only: fold_t, model_points_t, new_model_points
    use adfric_fit_objective, only: objective_t
    use adfric_fit_order, only: order_of
    use adfric_fit_problem, only: fit_t, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
-      & nuisance_lateral_gain, nuisance_tilt
+      & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt
+   use adfric_fit_sphere_curve, only: is_plain_sphere
    use adfric_numerics_column_factors, only: factor_columns, solve_triangle
    implicit none (type, external)
    private
@@ -30,24 +32,30 @@ module adfric_fit_curve_starts
       integer :: modulus = 0, work = 0, contact_point = 0, offset = 0, tilt = 0
       !> Does anything adhere?
       logical :: adheres = .false.
-      !> Points that are looked at.
-      integer, allocatable :: kept(:)
+      !> What is asked of the model.
+      type(model_points_t) :: points
+      !> Points that are looked at: abscissas, ordinates, standard errors, and whether they are in contact.
+      real(dp), allocatable :: x(:), y(:), sigma(:)
+      !> Which of them are in contact.
+      logical, allocatable :: is_contact(:)
       !> Ends of the contact point, and the range of the data.
       real(dp) :: low = 0, high = 0, range = 1
    end type scan_t
 
 contains
 
-   !> Is a fit one of a load against an approach, and is there something to be looked for?
-   pure logical function has_curve_starts(self)
-      !> The sum of squares.
-      class(objective_t), intent(in) :: self
+   !> Is a fit one of a load against an approach that is not that of the base of a spring beside the model?
+   logical function has_curve_starts(fit)
+      !> The fit.
+      type(fit_t), intent(in) :: fit
 
-      has_curve_starts = size(self%others) == 1 .and. size(self%spheres) == 0
+      has_curve_starts = size(fit%data_sets) == 1
       if (.not. has_curve_starts) return
-      associate (curve => self%others(1))
-         has_curve_starts = curve%points%is_load .and. curve%x_nuisance == nuisance_contact_point .and. &
-            & curve%points%pull_off_load > 0 .and. count(curve%is_contact) > 2
+      associate (data => fit%data_sets(1))
+         has_curve_starts = fit%model%results(data%ordinate)%name == 'load' .and. index(fit%model%variables(data%abscissa)%name, &
+            & 'approach') > 0 .and. .not. is_set(data%nuisance(nuisance_spring_stiffness)) &
+            & .and. .not. any(fit%frees%nuisance == nuisance_spring_stiffness) &
+            & .and. (fit%model%name == 'indenter' .or. is_plain_sphere(fit, data))
       end associate
    end function has_curve_starts
 
@@ -67,7 +75,7 @@ contains
 
       call new_scan(self, fit, scan)
       allocate (starts(size(v), 0))
-      if (scan%modulus + scan%work + scan%contact_point == 0) return
+      if (scan%modulus + scan%work + scan%contact_point == 0 .or. count(scan%is_contact) < 3) return
       do k = 1, n_places
          place(:, k) = [radical_inverse(k, 2), radical_inverse(k, 3)]
          call look_at(self, fit, scan, place(:, k), v, all_starts(:, k), sums(k))
@@ -93,8 +101,7 @@ contains
       type(fit_t), intent(in) :: fit
       !> Receives what is looked for.
       type(scan_t), intent(out) :: scan
-      integer, allocatable :: contacts(:)
-      integer :: k, n
+      integer :: k
 
       do k = 1, self%n_free
          associate (free => fit%frees(k))
@@ -120,18 +127,36 @@ contains
          if (fit%model%variables(k)%name /= 'work_of_adhesion' .or. any(fit%frees%variable == k)) cycle
          if (is_set(fit%base(k))) scan%adheres = fit%base(k) > 0
       end do
-      associate (curve => self%others(1))
-         contacts = pack([(k, k=1, curve%n)], .true.)
-         contacts = contacts(order_of(curve%x))
-         n = min(size(contacts), n_points)
-         scan%kept = [(contacts(1 + ((k - 1)*(size(contacts) - 1))/max(n - 1, 1)), k=1, n)]
+      if (size(self%others) > 0) then
+         call take_points(self%others(1))
+      else
+         call take_points(self%spheres(1))
+      end if
+
+   contains
+
+      !> Take some points of the curve, and their range.
+      subroutine take_points(curve)
+         !> The curve.
+         class(curve_t), intent(in) :: curve
+         integer :: places(curve%n), i, n
+
+         associate (data => fit%data_sets(1))
+            call new_model_points(scan%points, fit%model, fit%base, data%abscissa, data%ordinate, is_plain_sphere(fit, data))
+         end associate
+         places = order_of(curve%x)
+         n = min(size(places), n_points)
+         places(:n) = places([(1 + ((i - 1)*(size(places) - 1))/max(n - 1, 1), i=1, n)])
+         scan%x = curve%x(places(:n))
+         scan%y = curve%y(places(:n))
+         scan%sigma = curve%sigma(places(:n))
+         scan%is_contact = curve%is_contact(places(:n))
+         if (.not. any(curve%is_contact)) return
          scan%high = maxval(curve%x, curve%is_contact)
          scan%low = minval(curve%x, curve%is_contact)
          scan%range = scan%high - scan%low
          scan%low = scan%low - before_data*scan%range
-      end associate
-
-   contains
+      end subroutine take_points
 
       !> Does the user give a start or a prior?
       pure logical function is_known(free)
@@ -159,7 +184,8 @@ contains
       real(dp), intent(out) :: best(:)
       !> Receives the sum of squares; the largest number where there is none.
       real(dp), intent(out) :: total
-      real(dp) :: length, y(size(scan%kept)), a(size(scan%kept), 3), b(size(scan%kept)), linear(3), rest(size(scan%kept)), zero
+      real(dp), dimension(size(scan%x)) :: y, b, rest
+      real(dp) :: length, a(size(scan%x), 3), linear(3), zero
       logical :: is_valid
       integer :: n, amplitude
 
@@ -178,27 +204,27 @@ contains
       if (scan%offset > 0) best(scan%offset) = 0
       if (scan%tilt > 0) best(scan%tilt) = 0
       call self%set_values(best)
-      associate (curve => self%others(1), nuisance => self%nuisance(:, self%others(1)%data_set), kept => scan%kept)
-         call model_at(self, kept, y, is_valid)
+      associate (nuisance => self%nuisance(:, 1))
+         call model_at(self, scan, y, is_valid)
          if (.not. is_valid) return
          zero = nuisance(nuisance_load_offset) + nuisance(nuisance_friction_offset)
-         rest = curve%y(kept) - zero - nuisance(nuisance_tilt)*curve%x(kept)
+         rest = scan%y - zero - nuisance(nuisance_tilt)*scan%x
          n = 0
          if (amplitude > 0) then
             n = 1
-            a(:, 1) = y/curve%sigma(kept)
+            a(:, 1) = y/scan%sigma
          else
             rest = rest - y
          end if
          if (scan%offset > 0) then
             n = n + 1
-            a(:, n) = 1/curve%sigma(kept)
+            a(:, n) = 1/scan%sigma
          end if
          if (scan%tilt > 0) then
             n = n + 1
-            a(:, n) = curve%x(kept)/curve%sigma(kept)
+            a(:, n) = scan%x/scan%sigma
          end if
-         b = rest/curve%sigma(kept)
+         b = rest/scan%sigma
       end associate
       if (n > 0) call solve_linear(a(:, :n), b, linear(:n), is_valid)
       if (.not. is_valid) return
@@ -212,28 +238,25 @@ contains
       total = dot_product(b(n + 1:), b(n + 1:))
    end subroutine look_at
 
-   !> The model at some points; 0 at free ones.
-   subroutine model_at(self, kept, y, is_valid)
+   !> The model at the points; 0 at free ones.
+   subroutine model_at(self, scan, y, is_valid)
       !> The sum of squares with its values.
       type(objective_t), intent(in) :: self
       !> The points.
-      integer, intent(in) :: kept(:)
+      type(scan_t), intent(in) :: scan
       !> Receives the ordinates.
       real(dp), intent(out) :: y(:)
       !> Has the model a value at all of them?
       logical, intent(out) :: is_valid
-      integer :: contacts(count(self%others(1)%is_contact(kept))), regimes(count(self%others(1)%is_contact(kept))), k
-      real(dp) :: found(count(self%others(1)%is_contact(kept))), unused
+      integer :: contacts(count(scan%is_contact)), regimes(count(scan%is_contact)), k
+      real(dp) :: found(count(scan%is_contact)), unused
       type(fold_t) :: fold
 
-      associate (curve => self%others(1), nuisance => self%nuisance(:, self%others(1)%data_set))
-         contacts = pack([(k, k=1, size(kept))], curve%is_contact(kept))
-         y = 0
-         call curve%points%ask(self%values, curve%x(kept(contacts)) - nuisance(nuisance_contact_point), found, regimes, unused, &
-            & fold)
-         is_valid = all(regimes >= 0)
-         y(contacts) = nuisance(nuisance_lateral_gain)*found
-      end associate
+      contacts = pack([(k, k=1, size(y))], scan%is_contact)
+      y = 0
+      call scan%points%ask(self%values, scan%x(contacts) - self%nuisance(nuisance_contact_point, 1), found, regimes, unused, fold)
+      is_valid = all(regimes >= 0)
+      y(contacts) = self%nuisance(nuisance_lateral_gain, 1)*found
    end subroutine model_at
 
    !> Linear least squares.

@@ -3,8 +3,8 @@
 !>
 !> A foot is sought over a place s: x = x_f + s^2 where the curve ends at a loaded fold x_f, beside which the ordinate is smooth over s, else
 !> x = x_f + s. With u = (x - X_i)/sX and v = (y - Y_i)/sY the slope of half the squared distance is u u_s + v v_s. Its root lies between
-!> places with slopes of both signs, and steps of Gauss and Newton lead to it; one that leaves the bracket is halved. All points go
-!> together, for a model answers many points at once. The curve ends at a loaded fold, and so may the search.
+!> places with slopes of both signs. A step of Gauss and Newton is the first one, secants follow, and one that leaves the bracket is
+!> halved. All points go together, for a model answers many points at once. The curve ends at a loaded fold, and so may the search.
 module adfric_fit_model_foot
    use adfric_base_kinds, only: dp
    use adfric_fit_model_points, only: model_points_t, fold_t
@@ -12,22 +12,24 @@ module adfric_fit_model_foot
    private
    public :: feet_t, find_feet
 
-   !> Feet of the last search.
+   !> Feet.
    type :: feet_t
       !> Abscissas of the model at the feet.
       real(dp), allocatable :: x(:)
-      !> Places of the feet.
-      real(dp), allocatable :: s(:)
    end type feet_t
 
    !> Measured points that are left, with what is known of their feet.
    type :: search_t
       !> Places, and brackets of the feet.
       real(dp), allocatable :: s(:), low(:), high(:)
+      !> The places before, and the slopes there; 0 at first.
+      real(dp), allocatable :: last(:), last_slope(:)
       !> Which points have no foot yet.
       integer, allocatable :: open(:)
-      !> Is a place the root of the distance from the fold?
+      !> Is a place the root of the distance from the fold, and does the distance fall from the lower end of each bracket?
       logical :: is_root = .false.
+      !> Not known of the end of the curve until it has been looked at.
+      logical, allocatable :: is_end_known(:)
    end type search_t
 
    !> Most steps; a step that is shorter than this part of the place, or of the error of the abscissa, is the last.
@@ -50,7 +52,7 @@ contains
       real(dp), intent(in) :: x_sigma(:), sigma(:)
       !> Factor between the model and the ordinates.
       real(dp), intent(in) :: gain
-      !> In: feet of a search that is near, or none. Out: the feet.
+      !> Receives the feet.
       type(feet_t), intent(inout) :: feet
       !> Has the model a value at all places?
       logical, intent(out) :: is_valid
@@ -59,24 +61,22 @@ contains
       integer :: k, step
 
       is_valid = .true.
-      if (.not. allocated(feet%x)) feet%x = x
       call points%find_fold(values, fold)
       search%is_root = fold%is_known .and. abs(fold%y) > 0
       search%s = x - fold%x
       if (search%is_root) search%s = sqrt(max(search%s, 0.0_dp))
       search%low = spread(merge(0.0_dp, -huge(1.0_dp), search%is_root), 1, size(x))
       search%high = spread(huge(1.0_dp), 1, size(x))
+      allocate (search%is_end_known(size(x)), source=.not. search%is_root)
+      allocate (search%last(size(x)), search%last_slope(size(x)), source=0.0_dp)
       search%open = pack([(k, k=1, size(x))], x_sigma > 0)
-      if (allocated(feet%s)) search%s(search%open) = feet%s(search%open)
       do step = 1, max_steps
          if (size(search%open) == 0) exit
          call make_step(points, values, fold, x, y, x_sigma, sigma, gain, search, is_valid)
          if (.not. is_valid) exit
       end do
-      feet%s = search%s
       feet%x = fold%x + search%s
       if (search%is_root) feet%x = fold%x + search%s**2
-      if (.not. is_valid) deallocate (feet%s)
    end subroutine find_feet
 
    !> One step of all points that have no foot yet.
@@ -99,7 +99,7 @@ contains
       logical, intent(out) :: is_valid
       real(dp), dimension(size(search%open)) :: h, at, beside, u_s
       logical :: is_left(size(search%open))
-      real(dp) :: u, v, v_s, slope, step, size_of
+      real(dp) :: u, v, v_s, slope, step, size_of, bend
       integer :: i, k
 
       associate (open => search%open)
@@ -124,15 +124,16 @@ contains
                search%high(i) = search%s(i)
             else
                search%low(i) = search%s(i)
+               search%is_end_known(i) = .true.
             end if
             size_of = x_sigma(i)
             if (search%is_root) size_of = sqrt(x_sigma(i))
             step = -slope/(u_s(k)**2 + v_s**2)
-            ! a place of no slope at the end of the curve
-            if (search%is_root .and. .not. search%s(i) > 0 .and. slope >= 0) step = 0
-            if (.not. (search%s(i) + step >= search%low(i) .and. search%s(i) + step <= search%high(i))) &
-               & step = merge((search%low(i) + search%high(i))/2, search%s(i) + sign(size_of, step), &
-               & max(-search%low(i), search%high(i)) < huge(step)) - search%s(i)
+            bend = (slope - search%last_slope(i))*(search%s(i) - search%last(i))
+            if (bend > 0 .and. abs(search%last_slope(i)) > 0) step = -slope*(search%s(i) - search%last(i))**2/bend
+            search%last(i) = search%s(i)
+            search%last_slope(i) = slope
+            step = place_after(search, i, step, size_of) - search%s(i)
             search%s(i) = search%s(i) + step
             is_left(k) = abs(step) > last_step*max(abs(search%s(i)), size_of)
          end do
@@ -160,5 +161,30 @@ contains
       end subroutine ask_at
 
    end subroutine make_step
+
+   !> The place after a step, within what is known of where the foot is.
+   pure real(dp) function place_after(search, i, step, size_of) result(place)
+      !> The places and brackets.
+      type(search_t), intent(in) :: search
+      !> Number of the point.
+      integer, intent(in) :: i
+      !> The step that is wanted.
+      real(dp), intent(in) :: step
+      !> A step where one side of the bracket is not known.
+      real(dp), intent(in) :: size_of
+
+      associate (low => search%low(i), high => search%high(i), s => search%s(i))
+         place = s + step
+         if (place > low .and. place < high) return
+         if (place <= low .and. .not. search%is_end_known(i)) then
+            ! the end of the curve is the foot, unless the distance falls from there
+            place = low
+         else if (abs(low) < huge(low) .and. high < huge(high)) then
+            place = (low + high)/2
+         else
+            place = s + sign(size_of, step)
+         end if
+      end associate
+   end function place_after
 
 end module adfric_fit_model_foot

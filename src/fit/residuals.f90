@@ -43,6 +43,9 @@ contains
          data%points_used = curve%n
          data%fitted(curve%place) = curve%fitted
          data%residual(curve%place) = curve%residual/sigma
+         if (.not. allocated(data%is_apart)) allocate (data%is_apart(size(data%fitted)))
+         data%is_apart = .false.
+         data%is_apart(curve%place) = curve%is_apart
       end associate
    end subroutine take_curve
 

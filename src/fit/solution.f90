@@ -20,6 +20,10 @@ module adfric_fit_solution
       real(dp), allocatable :: curve_x(:), curve(:), band_low(:), band_high(:)
       !> The curve of the second minimum at the same abscissas; not allocated if there is none.
       real(dp), allocatable :: second_curve(:)
+      !> Which points were found to be in contact, where the data do not say it and some are not; else not allocated. Shape `(n_points)`.
+      logical, allocatable :: is_contact(:)
+      !> Which points of the best fit belong to the base line: free ones, and those before touch. Shape `(n_points)`.
+      logical, allocatable :: is_apart(:)
       !> Points that are used.
       integer :: points_used = 0
    end type data_solution_t

@@ -4,6 +4,7 @@ module adfric_fit_solve
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_unset, only: unset
+   use adfric_fit_base_line, only: mark_base_lines
    use adfric_fit_bootstrap, only: take_bootstrap
    use adfric_fit_course, only: course_t, begin_course, has_too_few_points, refine_minima, take_minima, evaluate_best
    use adfric_fit_covariance, only: find_covariance
@@ -37,6 +38,38 @@ contains
       !> Receives what is found.
       type(solution_t), intent(out) :: solution
       type(course_t) :: course
+      type(fit_t) :: marked
+
+      marked = fit
+      call mark_base_lines(marked)
+      call solve_marked(marked, course, solution)
+      call keep_marks(fit, marked, solution)
+   end subroutine solve_fit
+
+   !> Keep which points have been found to be in contact.
+   subroutine keep_marks(fit, marked, solution)
+      !> The fit as it was given.
+      type(fit_t), intent(in) :: fit
+      !> The fit with its base lines.
+      type(fit_t), intent(in) :: marked
+      !> Receives the marks.
+      type(solution_t), intent(inout) :: solution
+      integer :: k
+
+      do k = 1, size(fit%data_sets)
+         if (.not. allocated(fit%data_sets(k)%is_contact) .and. allocated(marked%data_sets(k)%is_contact)) &
+            & solution%data_sets(k)%is_contact = marked%data_sets(k)%is_contact
+      end do
+   end subroutine keep_marks
+
+   !> The same with the points of base lines known.
+   subroutine solve_marked(fit, course, solution)
+      !> What is to be fitted.
+      type(fit_t), intent(in) :: fit
+      !> Receives what the parts share.
+      type(course_t), intent(out) :: course
+      !> Receives what is found.
+      type(solution_t), intent(inout) :: solution
 
       call solve_best(fit, course, solution)
       if (solution%status /= fit_solved) return
@@ -45,7 +78,7 @@ contains
       call take_intervals(course, fit, solution)
       if (allocated(fit%theories)) call compare_theories(fit, solution)
       solution%evaluations = course%objective%evaluations
-   end subroutine solve_fit
+   end subroutine solve_marked
 
    !> Estimates and their statistics, without intervals.
    subroutine solve_best(fit, course, solution)
@@ -303,6 +336,7 @@ contains
       !> Receives why the fit is refused; empty if it is not.
       character(:), allocatable, intent(out) :: reason
       type(course_t) :: course
+      type(fit_t) :: marked
       real(dp) :: q(size(fit%frees)), slopes(size(fit%frees)), cost
       logical :: is_valid
 
@@ -310,8 +344,10 @@ contains
       chi2 = not_a_number()
       call find_refusal(fit, reason)
       if (len(reason) > 0) return
-      call begin_course(course, fit)
-      call get_start(course%objective, fit, unset, course%work, q)
+      marked = fit
+      call mark_base_lines(marked)
+      call begin_course(course, marked)
+      call get_start(course%objective, marked, unset, course%work, q)
       call take_estimate(course%objective, q, start, slopes)
       associate (work => course%work)
          call course%objective%evaluate(q, work%n_rows, work%r, work%j, cost, is_valid)

@@ -112,10 +112,11 @@ contains
       if (of_lambda > 0) then
          if (is_set(lambda)) v(of_lambda) = exp(place_of_lambda(self, of_lambda, value, v))
       end if
-      if (has_curve_starts(self)) then
-         call find_curve_starts(self, fit, v, starts)
-         if (size(starts, 2) > 0) v = starts(:, 1)
+      allocate (starts(size(v), 0))
+      if (size(self%others) > 0) then
+         if (has_curve_starts(fit)) call find_curve_starts(self, fit, v, starts)
       end if
+      if (size(starts, 2) > 0) v = starts(:, 1)
       call take_numbers(self, v, q)
       if (size(self%spheres) > 0) call look_at_sizes(self, fit, work, v, q)
    end subroutine get_start
@@ -135,13 +136,15 @@ contains
       integer :: k
 
       allocate (starts(size(first), 0))
-      if (.not. has_curve_starts(self)) return
+      if (.not. has_curve_starts(fit)) return
       call take_estimate(self, first, v, slopes)
       call find_curve_starts(self, fit, v, found)
-      if (size(found, 2) < 2) return
-      starts = found(:, 2:)
+      ! the first one is the best of them already, but for a sphere
+      if (size(self%others) > 0 .and. size(found, 2) > 0) found = found(:, 2:)
+      if (size(found, 2) == 0) return
+      starts = found
       do k = 1, size(starts, 2)
-         call take_numbers(self, found(:, k + 1), starts(:, k))
+         call take_numbers(self, found(:, k), starts(:, k))
       end do
    end subroutine get_more_starts
 
