@@ -34,6 +34,7 @@ contains
       logical, allocatable :: is_contact(:)
       integer :: k
 
+      if (.not. associated(fit%model)) return
       if (.not. adheres(fit)) return
       do k = 1, size(fit%data_sets)
          associate (data => fit%data_sets(k))

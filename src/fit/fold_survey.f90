@@ -11,14 +11,14 @@
 module adfric_fit_fold_survey
    use adfric_base_kinds, only: dp
    use adfric_fit_covariance, only: find_covariance
-   use adfric_fit_fold, only: curve_fold_t, choose_fold, find_fold, last_slopes, spread_below
+   use adfric_fit_fold, only: curve_fold_t, new_curve_fold, find_fold, last_slopes, spread_below
    use adfric_fit_fold_region, only: region_t, new_region, enter_region, leave_region
    use adfric_fit_fold_search, only: cross_regions
    use adfric_fit_minima, only: minima_t, add_search, minima_limit
    use adfric_fit_objective, only: objective_t
    use adfric_fit_scales, only: scales_t
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, squares_converged, &
-      & squares_no_value
+      & squares_not_converged, squares_no_value
    implicit none (type, external)
    private
    public :: survey_folds
@@ -33,36 +33,63 @@ module adfric_fit_fold_survey
 
 contains
 
-   !> Search from every region of the fold that can have a lesser S.
+   !> Search from every region of every fold that can have a lesser S.
    subroutine survey_folds(self, scales, limits, work, minima)
       !> The sum of squares.
-      type(objective_t), intent(inout), target :: self
+      type(objective_t), intent(inout) :: self
       !> Units and bounds.
       type(scales_t), intent(in) :: scales
       !> When a search ends.
       type(squares_limits_t), intent(in) :: limits
       !> Room to work in.
       type(squares_work_t), intent(inout) :: work
-      !> The minima; those found are added.
+      !> The minima; those found are added, and whether all places of a fold have been seen.
       type(minima_t), intent(inout) :: minima
       type(curve_fold_t) :: fold
+      real(dp) :: best(self%n_free), unused
+      real(dp), allocatable :: drop(:)
+      logical :: is_held(self%n_free), is_far
+      integer :: k, at
+
+      is_held = .false.
+      do k = 1, size(self%number)
+         if (minima%n < 1) return
+         at = minloc(minima%cost(:minima%n), 1)
+         best = minima%q(:, at)
+         call new_curve_fold(self, best, is_held, k, fold, unused)
+         if (fold%data_set == 0) cycle
+         allocate (drop(size(fold%x)))
+         call look_at_best(self, fold, best, minima%cost(at), limits, work, is_far, drop)
+         if (.not. is_far .or. minima%status(at) /= squares_converged) call survey_fold(self, fold, scales, limits, work, best, &
+            & drop, minima)
+         deallocate (drop)
+      end do
+   end subroutine survey_folds
+
+   !> Search from every region of one fold that can have a lesser S.
+   subroutine survey_fold(self, fold, scales, limits, work, best, drop, minima)
+      !> The sum of squares.
+      type(objective_t), intent(inout), target :: self
+      !> The curve.
+      type(curve_fold_t), intent(in) :: fold
+      !> Units and bounds.
+      type(scales_t), intent(in) :: scales
+      !> When a search ends.
+      type(squares_limits_t), intent(in) :: limits
+      !> Room to work in.
+      type(squares_work_t), intent(inout) :: work
+      !> The best minimum, and how much less S is without the first 1, 2, ... points.
+      real(dp), intent(in) :: best(:), drop(:)
+      !> The minima; those found are added.
+      type(minima_t), intent(inout) :: minima
       type(region_t) :: region
       type(squares_limits_t) :: coarse
       type(squares_outcome_t) :: outcome
-      real(dp) :: best(self%n_free), q(self%n_free), u(self%n_free), variance
-      real(dp), allocatable :: least(:), drop(:)
-      logical :: is_held(self%n_free), is_there, is_far, is_unfolded
+      real(dp) :: q(size(best)), u(size(best)), least(size(drop)), variance
+      logical :: is_held(size(best)), is_there, is_unfolded
       integer :: k
 
-      if (minima%n < 1) return
-      k = minloc(minima%cost(:minima%n), 1)
-      best = minima%q(:, k)
       is_held = .false.
-      call choose_fold(self, best, is_held, fold)
-      if (fold%data_set == 0) return
-      allocate (least(size(fold%x)), drop(size(fold%x)))
-      call look_at_best(self, fold, best, minima%cost(k), limits, work, is_far, drop)
-      if (is_far .and. minima%status(k) == squares_converged) return
       call new_region(region, self, fold, scales%lower, scales%upper, is_held, best, is_there)
       if (.not. is_there) return
       call spread_below(fold, least)
@@ -74,19 +101,23 @@ contains
       if (limits%freedom > 0) variance = minval(minima%cost(:minima%n))/limits%freedom
       do k = 0, size(fold%x) - 1
          if (k > 0) then
-            if (least(k) >= min(minval(minima%cost(:minima%n)), of_drop*drop(k) + minima_limit*variance)) return
+            if (least(max(k, 1)) >= min(minval(minima%cost(:minima%n)), of_drop*drop(max(k, 1)) + minima_limit*variance)) return
          end if
          call enter_region(region, k, best, u, is_there)
          if (.not. is_there) cycle
          call leave_region(region, u, q, is_there)
-         if (.not. is_there) cycle
          outcome = squares_outcome_t(status=squares_no_value)
-         call cross_regions(self, fold, scales, is_held, coarse, work, q, outcome, is_unfolded)
+         if (is_there) call cross_regions(self, fold, scales, is_held, coarse, work, q, outcome, is_unfolded)
          minima%steps = minima%steps + outcome%steps
-         if (.not. is_unfolded .or. outcome%cost > minval(minima%cost(:minima%n)) + minima_limit*variance) cycle
+         if (outcome%status == squares_no_value) then
+            minima%is_complete = minima%is_complete .and. region%is_outside
+            cycle
+         end if
+         if (outcome%status /= squares_not_converged .and. &
+            & outcome%cost > minval(minima%cost(:minima%n)) + minima_limit*variance) cycle
          call add_search(self, scales, limits, work, q, minima, fold)
       end do
-   end subroutine survey_folds
+   end subroutine survey_fold
 
    !> Is the fold of the best minimum far below all points, and how much is S less without the first 1, 2, ... points?
    subroutine look_at_best(self, fold, q, cost, limits, work, is_far, drop)
