@@ -5,6 +5,9 @@
 !> x = x_f + s. With u = (x - X_i)/sX and v = (y - Y_i)/sY the slope of half the squared distance is u u_s + v v_s. Its root lies between
 !> places with slopes of both signs. A step of Gauss and Newton is the first one, secants follow, and one that leaves the bracket is
 !> halved. All points go together, for a model answers many points at once. The curve ends at a loaded fold, and so may the search.
+!>
+!> No foot is farther from the point than the state with the measured abscissa, or the fold, is. So samples within that distance show which
+!> foot is the nearest where there are several, as beside a fold.
 module adfric_fit_model_foot
    use adfric_base_kinds, only: dp
    use adfric_fit_model_points, only: model_points_t, fold_t
@@ -35,6 +38,8 @@ module adfric_fit_model_foot
    !> Most steps; a step that is shorter than this part of the place, or of the error of the abscissa, is the last.
    integer, parameter :: max_steps = 80
    real(dp), parameter :: last_step = 1.0e-9_dp
+   !> Samples to each side of the measured abscissa.
+   integer, parameter :: n_samples = 4
    !> Relative step of the difference over a place.
    real(dp), parameter :: difference = 1.0e-6_dp
 
@@ -70,6 +75,8 @@ contains
       allocate (search%is_end_known(size(x)), source=.not. search%is_root)
       allocate (search%last(size(x)), search%last_slope(size(x)), source=0.0_dp)
       search%open = pack([(k, k=1, size(x))], x_sigma > 0)
+      call look_around(points, values, fold, x, y, x_sigma, sigma, gain, search, is_valid)
+      if (.not. is_valid) return
       do step = 1, max_steps
          if (size(search%open) == 0) exit
          call make_step(points, values, fold, x, y, x_sigma, sigma, gain, search, is_valid)
@@ -78,6 +85,62 @@ contains
       feet%x = fold%x + search%s
       if (search%is_root) feet%x = fold%x + search%s**2
    end subroutine find_feet
+
+   !> Start at the nearest of some samples, between its neighbours.
+   subroutine look_around(points, values, fold, x, y, x_sigma, sigma, gain, search, is_valid)
+      !> What is asked of the model.
+      type(model_points_t), intent(in) :: points
+      !> Values of all variables of the model.
+      real(dp), intent(in) :: values(:)
+      !> The fold, or the origin of places.
+      type(fold_t), intent(in) :: fold
+      !> Measured abscissas and ordinates, less their zeros.
+      real(dp), intent(in) :: x(:), y(:)
+      !> Their standard errors.
+      real(dp), intent(in) :: x_sigma(:), sigma(:)
+      !> Factor between the model and the ordinates.
+      real(dp), intent(in) :: gain
+      !> The places and brackets.
+      type(search_t), intent(inout) :: search
+      !> Has the model a value at all places?
+      logical, intent(out) :: is_valid
+      real(dp), dimension(size(search%open)) :: at, first, distance, least, places, nearest
+      integer :: regimes(size(search%open)), k
+      real(dp) :: unused
+      type(fold_t) :: other
+
+      associate (open => search%open)
+         do k = 0, 2*n_samples
+            ! the measured abscissa, then to both sides of it
+            if (k == 0) then
+               places = x(open)
+            else
+               places = x(open) + x_sigma(open)*first*(-1)**k*((k + 1)/2)/n_samples
+            end if
+            if (search%is_root) places = max(places, fold%x)
+            call points%ask(values, places, at, regimes, unused, other)
+            is_valid = all(regimes >= 0)
+            if (.not. is_valid) return
+            distance = hypot((places - x(open))/x_sigma(open), (gain*at - y(open))/sigma(open))
+            if (k == 0) then
+               first = distance
+               least = distance
+               nearest = places
+            else
+               where (distance < least) nearest = places
+               least = min(distance, least)
+            end if
+         end do
+         search%s(open) = nearest - fold%x
+         search%low(open) = nearest - fold%x - x_sigma(open)*first/n_samples
+         search%high(open) = nearest - fold%x + x_sigma(open)*first/n_samples
+         if (.not. search%is_root) return
+         search%s(open) = sqrt(search%s(open))
+         search%is_end_known(open) = search%low(open) > 0
+         search%low(open) = sqrt(max(search%low(open), 0.0_dp))
+         search%high(open) = sqrt(search%high(open))
+      end associate
+   end subroutine look_around
 
    !> One step of all points that have no foot yet.
    subroutine make_step(points, values, fold, x, y, x_sigma, sigma, gain, search, is_valid)
