@@ -18,7 +18,7 @@ module adfric_fit_fold
    use adfric_sphere_variables, only: r_load, r_approach, r_contact_radius, r_contact_area, r_adhesion_radius, r_friction_radius
    implicit none (type, external)
    private
-   public :: curve_fold_t, choose_fold, find_fold, fold_slopes, fold_slope, last_slopes, spread_below
+   public :: curve_fold_t, choose_fold, new_curve_fold, find_fold, fold_slopes, fold_slope, last_slopes, spread_below
 
    !> No kink: the slope does not jump.
    real(dp), parameter :: largest_power = 1.0_dp
@@ -31,6 +31,8 @@ module adfric_fit_fold
       integer :: data_set = 0
       !> Abscissas of the points in contact that have no errors of the abscissa, rising, ordinates and their standard errors.
       real(dp), allocatable :: x(:), y(:), sigma(:)
+      !> Rows of the residuals of these points.
+      integer, allocatable :: row(:)
       !> The power p.
       real(dp) :: power = 0.5_dp
    end type curve_fold_t
@@ -45,32 +47,54 @@ contains
       real(dp), intent(in) :: q(:)
       !> Which of them stay as they are.
       logical, intent(in) :: is_held(:)
-      !> Receives the fold.
+      !> Receives the fold; its data set is 0 if there is none.
       type(curve_fold_t), intent(out) :: fold
       type(curve_fold_t) :: one
-      real(dp) :: at, distance, least
-      logical :: is_known
+      real(dp) :: distance, least
       integer :: k
 
       least = huge(least)
       do k = 1, size(self%number)
-         if (self%is_sphere(k)) then
-            call take_contact(self%spheres(self%number(k)), one)
-         else
-            call take_contact(self%others(self%number(k)), one)
-         end if
-         if (size(one%x) < 2) cycle
-         call find_fold(self, q, one, at, is_known)
-         if (.not. is_known) cycle
-         distance = max(0.0_dp, one%x(1) - at)/max(one%x(size(one%x)) - one%x(1), tiny(at))
-         if (distance >= least) cycle
-         if (.not. any(abs(fold_slopes(self, q, one)) > 0 .and. .not. is_held)) cycle
-         call find_power(self, q, at, one)
-         if (one%power > largest_power) cycle
+         call new_curve_fold(self, q, is_held, k, one, distance)
+         if (one%data_set == 0 .or. distance >= least) cycle
          least = distance
          fold = one
       end do
    end subroutine choose_fold
+
+   !> The fold of a data set, if it has one that moves and where S has a kink.
+   subroutine new_curve_fold(self, q, is_held, data_set, fold, distance)
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: self
+      !> The numbers that are fitted.
+      real(dp), intent(in) :: q(:)
+      !> Which of them stay as they are.
+      logical, intent(in) :: is_held(:)
+      !> Number of the data set.
+      integer, intent(in) :: data_set
+      !> Receives the fold; its data set is 0 if there is none.
+      type(curve_fold_t), intent(out) :: fold
+      !> Receives how far it is below all points, as a part of their range.
+      real(dp), intent(out) :: distance
+      type(curve_fold_t) :: one
+      real(dp) :: at
+      logical :: is_known
+
+      distance = 0
+      if (self%is_sphere(data_set)) then
+         call take_contact(self%spheres(self%number(data_set)), one)
+      else
+         call take_contact(self%others(self%number(data_set)), one)
+      end if
+      if (size(one%x) < 2) return
+      call find_fold(self, q, one, at, is_known)
+      if (.not. is_known) return
+      if (.not. any(abs(fold_slopes(self, q, one)) > 0 .and. .not. is_held)) return
+      call find_power(self, q, at, one)
+      if (one%power > largest_power) return
+      distance = max(0.0_dp, one%x(1) - at)/max(one%x(size(one%x)) - one%x(1), tiny(at))
+      fold = one
+   end subroutine new_curve_fold
 
    !> The abscissa of the fold.
    subroutine find_fold(self, q, fold, at, is_known)
@@ -263,6 +287,7 @@ contains
       fold%x = curve%x(kept)
       fold%y = curve%y(kept)
       fold%sigma = curve%sigma(kept)
+      fold%row = kept
    end subroutine take_contact
 
    !> The least sum of squares that the first points of a curve leave if all have one ordinate, whichever that is. It rises with their

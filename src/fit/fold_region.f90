@@ -38,6 +38,8 @@ module adfric_fit_fold_region
       real(dp), allocatable :: lower_q(:), upper_q(:), lower(:), upper(:)
       !> The numbers that are fitted at the last evaluation.
       real(dp), allocatable :: q(:)
+      !> Was the pivot beyond its bounds at the last place?
+      logical :: is_outside = .false.
    contains
       procedure :: evaluate
    end type region_t
@@ -145,6 +147,7 @@ contains
          q(p) = self%q(p)
          wanted = self%next - self%unit*u(p)**(1/self%power)
          is_valid = .false.
+         self%is_outside = .false.
          do k = 1, most_steps
             call find_fold(self%objective, q, self%fold, at, is_known)
             if (.not. is_known) return
@@ -157,7 +160,8 @@ contains
             is_valid = abs(step*slope) <= self%gap/1000
             if (is_valid) exit
          end do
-         is_valid = is_valid .and. q(p) >= self%lower_q(p) .and. q(p) <= self%upper_q(p)
+         self%is_outside = is_valid .and. (q(p) < self%lower_q(p) .or. q(p) > self%upper_q(p))
+         is_valid = is_valid .and. .not. self%is_outside
          if (is_valid) self%q = q
       end associate
    end subroutine leave_region

@@ -28,6 +28,8 @@ module adfric_fit_minima
       real(dp), allocatable :: cost(:)
       !> How often each was found, and how its search ended.
       integer, allocatable :: times(:), status(:)
+      !> Has every place of a fold been seen that may have a lesser cost?
+      logical :: is_complete = .true.
       !> Searches, steps.
       integer :: searches = 0, steps = 0
    end type minima_t

@@ -49,6 +49,8 @@ module adfric_fit_objective
       logical :: is_plain = .false., is_exact = .false.
       !> Rows as they are without a loss, and psi' of each, of the last evaluation.
       real(dp), allocatable :: psi(:), psi_r(:)
+      !> Rows before those of each data set at the last evaluation.
+      integer, allocatable :: rows_before(:)
       !> Evaluations so far.
       integer :: evaluations = 0
    contains
@@ -106,6 +108,7 @@ contains
       end if
       n = most_rows_of(self)
       allocate (self%psi(n), self%psi_r(n), source=0.0_dp)
+      allocate (self%rows_before(size(self%number)), source=0)
    end subroutine new_objective
 
    !> Most rows of an evaluation.
@@ -233,6 +236,7 @@ contains
       n_rows = 0
       cost = 0
       do k = 1, size(self%number)
+         self%rows_before(k) = n_rows
          associate (at => self%number(k))
             if (self%is_sphere(k)) then
                call self%spheres(at)%evaluate(self%values, self%nuisance(:, k), slopes, self%is_exact, n, r(n_rows + 1:), &

@@ -253,6 +253,9 @@ contains
          if (course%minima%status(1) == squares_stuck) solution%reason = 'the least sum of squares lies at a kink'
          if (solution%points_beyond_fold > 0) solution%reason = solution%reason// &
             & ', where a point meets the fold: give errors of the load'
+      else if (.not. course%minima%is_complete) then
+         solution%status = fit_not_converged
+         solution%reason = 'the search has not seen every place that the fold can have among the points'
       else if (.not. is_identifiable) then
          solution%status = fit_not_identifiable
          solution%reason = 'the data do not see a combination of the free variables'

@@ -6,6 +6,7 @@
 module adfric_fit_thinning
    use adfric_base_kinds, only: dp
    use adfric_fit_course, only: course_t, begin_course, has_too_few_points
+   use adfric_fit_fold_survey, only: survey_folds
    use adfric_fit_minima, only: new_minima, add_search, sort_minima, minima_limit
    use adfric_fit_problem, only: fit_t
    use adfric_fit_search, only: find_minima
@@ -45,6 +46,7 @@ contains
             end do
             course%minima%searches = course%minima%searches + other%minima%searches
             course%minima%steps = course%minima%steps + other%minima%steps
+            call survey_folds(course%objective, course%scales, course%limits, course%work, course%minima)
             call sort_minima(course%minima, size(q))
             if (course%minima%n > 0) return
          end if
