@@ -354,8 +354,8 @@ contains
       has_plain_base = self%base_displacement < 10.0_dp**largest_number
    end function has_plain_base
 
-   !> Is there such a contact? A contact of given radius is not smaller than a face, and smaller than a sphere; and all has to be
-   !> within the numbers.
+   !> Is there such a contact? Without adhesion a contact of given radius is not smaller than a face, and none is larger than a
+   !> sphere; and all has to be within the numbers.
    pure logical function is_possible(values, self)
       !> Values of the variables.
       real(dp), intent(in) :: values(:)
@@ -380,7 +380,7 @@ contains
       if (.not. is_possible .or. .not. is_set(values(v_contact_radius))) return
       is_possible = has_depth(self) .and. is_inside(self, self%radius) &
          & .and. (self%is_beyond .or. .not. self%curve%shape%has_face &
-         & .or. self%theory == theory_maugis_dugdale)
+         & .or. self%theory /= theory_none)
    end function is_possible
 
    !> m, the ratio of the tangential to the normal compliance: 1 + (E*/4) sum of nu/G.

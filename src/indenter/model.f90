@@ -195,7 +195,7 @@ contains
             & .and. found%loop%is_converged .and. peeled%is_converged)) status = status_not_converged
          if (contact%is_found .and. status /= status_not_converged) then
             status = status_solved
-            error_estimate = estimate_error(case, contact, found%survey%ends) + peeled%error
+            error_estimate = min(1.0_dp, estimate_error(case, contact, found%survey%ends) + peeled%error + peeled%spring_error)
             call store_contact(case, contact, values, results)
             if (is_set(values(v_position_z))) call store_stress(case, contact, values, results)
             if (peeled%driven%is_found) then
