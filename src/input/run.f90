@@ -146,7 +146,7 @@ contains
       call move_alloc(input%values, run%plan%base)
       call move_alloc(input%is_given, run%is_given)
       call move_alloc(input%datasets, run%datasets)
-      if (problems%count() == 0) call run%apply_variation()
+      if (problems%count() == 0) call run%complete_model()
    end subroutine read_case
 
    !> The name of the input, without folder and with `.h5` for its extension.
