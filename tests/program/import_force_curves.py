@@ -186,6 +186,12 @@ class Tables(Reads):
         self.refuse("2 curves show heights that rise towards the surface, 1 away from it: give --sign", "a.csv", *LEVER)
         _, _, errors = self.read("a.csv", *LEVER, "--sign", "towards", warns=True)
         self.assertIn("1 of 3 curves look as if heights rose away from the surface", errors)
+        # a contact that is a small part of the range, with a pull beside it
+        position, load, _ = make_curve(depth=3e-8, free=1e-6, samples=2000)
+        self.table("a.csv", {"z [nm]": -position * 1e9, "load [nN]": load * 1e9})
+        found, output, _ = self.read("a.csv", *LEVER)
+        self.assertIn("rise away from the surface", output)
+        self.assertEqual(found["curve_status"], 0)
         flat = {"z [nm]": position * 1e9, "load [nN]": np.random.default_rng(1).normal(size=load.size)}
         self.table("a.csv", flat)
         self.refuse("which end of the heights is in contact is not clear", "a.csv", *LEVER)
