@@ -13,7 +13,7 @@ import numpy as np
 
 from . import library as _library
 from .errors import InputError, StoppedError
-from .library import library, text_for, text_of
+from .library import library, path_for, text_for, text_of
 from .results import dataset_of
 from .tables import models
 from .values import (in_unit, is_logical, is_number, is_whole_number, number_of, numbers_of, single_of, whole_number_of)
@@ -109,7 +109,7 @@ class Case:
     @classmethod
     def read(cls, path):
         """Open a case as an input describes it, with its sweeps and its datasets."""
-        return cls._opened(library.adfric_read, os.fsencode(path))
+        return cls._opened(library.adfric_read, path_for(os.fspath(path)))
 
     @classmethod
     def read_text(cls, text):

@@ -129,6 +129,14 @@ def text_for(text, what):
     return text.encode("utf-8", "surrogateescape")
 
 
+def path_for(path):
+    """The name of a file for the library, where a 0 is its end: no other file than the one that is named may be opened."""
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise InputError(f"path: given {path!r}, allowed: a name without characters that are 0")
+    return name
+
+
 def text_of(text):
     """A text of the library."""
     return text.decode("utf-8", "replace") if text else ""

@@ -84,8 +84,8 @@ contains
       along = d1 + d2*cos(2*angle)
       across = d2*sin(2*angle)
       b = (sum(first) + sum(second) + hypot(along, across))/4
-      determinant = product(first) + product(second) + (first(1)*second(2) + first(2)*second(1))*cos(angle)**2 &
-         & + (first(1)*second(1) + first(2)*second(2))*sin(angle)**2
+      determinant = product(first) + product(second) + (first(1)*second(2) + first(2)*second(1))*square_of(cos(angle), angle) &
+         & + (first(1)*second(1) + first(2)*second(2))*square_of(sin(angle), angle)
       a = 0
       if (b > 0) a = min(b, determinant/4/b)
       direction = 0
@@ -95,6 +95,18 @@ contains
       direction = direction - sign(pi/2, direction)
       if (.not. direction > -pi/2) direction = direction + pi
    end subroutine find_curvatures
+
+   !> Square of the cosine or sine of an angle; of what is round-off of the angle nothing is left, so that cylinders turned by a right
+   !> angle are parallel.
+   pure real(dp) function square_of(value, angle)
+      !> The cosine or sine.
+      real(dp), intent(in) :: value
+      !> The angle [rad].
+      real(dp), intent(in) :: angle
+
+      square_of = value**2
+      if (abs(value) < 2*epsilon(1.0_dp)*max(1.0_dp, abs(angle))) square_of = 0
+   end function square_of
 
    !> The shape of a ratio A/B of curvatures in (0, 1].
    pure subroutine find_shape(ratio, self)

@@ -3,11 +3,11 @@
 module adfric_command_check
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: pad
-   use adfric_base_text, only: newline, show_count, show_number
+   use adfric_base_text, only: newline, show_count, show_number, show_text
    use adfric_command_case, only: open_input, run_or_fit
    use adfric_command_fit_check, only: describe_fit
    use adfric_command_line, only: command_t
-   use adfric_command_doubts, only: describe_doubts_of
+   use adfric_command_doubts, only: describe_bounds_of, describe_doubts_of, describe_trials
    use adfric_command_durations, only: show_duration
    use adfric_command_outcome, only: outcome_t, exit_success
    use adfric_command_plausibility, only: warn_of_values
@@ -17,6 +17,7 @@ module adfric_command_check
    use adfric_input_run, only: run_input_t
    use adfric_model_model, only: derived_t
    use adfric_model_table, only: kind_dataset
+   use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: axis_t
    use adfric_output_resources, only: file_size_of, show_bytes
    use adfric_run_time_estimate, only: time_estimate_t, estimate_time
@@ -39,6 +40,7 @@ contains
       type(outcome_t), intent(inout) :: outcome
       type(run_input_t) :: run
       type(fit_input_t), allocatable :: details
+      type(time_estimate_t) :: estimate
       character(:), allocatable :: text
 
       call open_input(command%subject, run_or_fit, run, details, outcome)
@@ -46,7 +48,7 @@ contains
       if (outcome%exit_status /= exit_success .or. command%is_quiet .or. command%names_output) return
       if (len(run%title) > 0) call outcome%say(run%title//newline)
       call outcome%say(pad('model', name_width)//run%model%name//newline)
-      call outcome%say(describe_values(run))
+      call outcome%say(describe_values(run)//describe_tables(run%datasets))
       select type (model => run%model)
       type is (stack_model_t)
          call check_fit(model, details, run, outcome)
@@ -61,7 +63,9 @@ contains
       call outcome%say(describe_doubts_of(run))
       call outcome%say(describe_sweep(run))
       call outcome%say(describe_points(run))
-      call outcome%say(pad('estimated time', name_width)//describe_time(run)//newline)
+      call estimate_time(run, estimate)
+      call outcome%say(pad('estimated time', name_width)//describe_time(estimate)//newline)
+      call outcome%say(describe_bounds_of(run)//describe_trials(estimate))
       call run%model%release()
       call outcome%say(warn_of_values(run))
       call outcome%say(pad('results file', name_width)//run%output//', ' &
@@ -78,11 +82,13 @@ contains
       type(run_input_t), intent(in) :: run
       !> Receives what the command has to say.
       type(outcome_t), intent(inout) :: outcome
+      type(time_estimate_t) :: estimate
 
       call outcome%say(describe_fit(model, details))
       if (.not. model%is_single()) call outcome%say(describe_sweep(run))
       call outcome%say(pad('fits', name_width)//show_count(run%plan%n_points())//newline)
-      call outcome%say(pad('estimated time', name_width)//describe_time(run)//newline)
+      call estimate_time(run, estimate)
+      call outcome%say(pad('estimated time', name_width)//describe_time(estimate)//newline)
       call outcome%say(warn_of_values(run))
       call outcome%say(pad('results file', name_width)//run%output//newline)
    end subroutine check_fit
@@ -131,6 +137,30 @@ contains
       end do
    end function describe_values
 
+   !> How the tables of text were read, each once.
+   function describe_tables(datasets) result(lines)
+      !> The datasets, some of which are columns of tables.
+      type(dataset_t), intent(in) :: datasets(:)
+      character(:), allocatable :: lines
+      integer :: i, k
+      logical :: is_said(size(datasets))
+
+      lines = ''
+      is_said = .false.
+      do i = 1, size(datasets)
+         if (is_said(i) .or. .not. allocated(datasets(i)%form)) cycle
+         lines = lines//pad('table', name_width)//datasets(i)%file//': '//datasets(i)%form
+         do k = i, size(datasets)
+            if (.not. allocated(datasets(k)%form)) cycle
+            if (datasets(k)%file /= datasets(i)%file .or. len(datasets(k)%path) == 0) cycle
+            lines = lines//trim(merge('; ', ', ', k == i))//' '//show_text(datasets(k)%path)
+            if (len(datasets(k)%units) > 0) lines = lines//' in '//show_text(datasets(k)%units)
+            is_said(k) = .true.
+         end do
+         lines = lines//newline
+      end do
+   end function describe_tables
+
    !> The point of a sweep that what follows is said of.
    function describe_first_point(run) result(line)
       !> The run that the input describes.
@@ -152,13 +182,11 @@ contains
    end function describe_first_point
 
    !> How long the run will take.
-   function describe_time(run) result(text)
-      !> The run that the input describes.
-      type(run_input_t), intent(in) :: run
+   function describe_time(estimate) result(text)
+      !> What is known of the time.
+      type(time_estimate_t), intent(in) :: estimate
       character(:), allocatable :: text
-      type(time_estimate_t) :: estimate
 
-      call estimate_time(run, estimate)
       if (.not. estimate%is_known) then
          text = 'not known, no trial point could be solved'
          return

@@ -49,9 +49,8 @@ contains
       type(contact_t), intent(out) :: contact
       integer :: k, place
 
-      if (curve%shape%n_pieces == 0) then
-         ! no state is unstable
-         if (branch /= branch_unstable) call find_face_contact(curve, control, given, contact)
+      if (curve%shape%n_pieces == 0 .and. branch /= branch_unstable) then
+         call find_face_contact(curve, control, given, contact)
       else if (control == control_radius) then
          call set_contact(curve, control, given, is_beyond, contact)
          contact%is_found = .true.

@@ -62,7 +62,8 @@ contains
       real(dp), intent(in) :: outer_pull
       !> Receives b.
       real(dp), intent(out) :: radius
-      !> Receives tau0 pi b^2 + alpha times the load that r < b carries; 0 without contact, and never below.
+      !> Receives tau0 pi b^2 + alpha times the load that r < b carries; 0 without contact, below 0 where there is no friction
+      !> of this kind.
       real(dp), intent(out) :: force
       type(shear_sums_t) :: sums
 

@@ -8,6 +8,7 @@ module adfric_sphere_point
    use adfric_sphere_case, only: sphere_case_t, theory_auto
    use adfric_sphere_contact, only: contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, friction_radius, &
       & part_bodies
+   use adfric_material_driven_contact, only: driven_error
    use adfric_material_interaction, only: adhesion_ratio
    use adfric_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
       & find_friction_events, forget_events, given_force, given_displacement
@@ -86,7 +87,9 @@ contains
       !> Receives what is found of the point, reduced.
       type(sphere_point_t), intent(out) :: point
       type(friction_state_t) :: state
+      real(dp) :: spring_error
 
+      spring_error = 0
       call forget_events(point%events)
       if (case%has_friction .and. case%is_sliding) point%ratio = adhesion_ratio(case%slip_energy_ratio, case%interaction)
       point%theory = case%theory
@@ -96,6 +99,7 @@ contains
          call take_drive(case, memory)
          call find_driven_state(memory%drive, case%tangential, state)
          call take_state(state, point)
+         spring_error = driven_error(memory%drive%jump, case%stiffness, case%tangential, state%force)
       else if (is_peeling(case)) then
          call find_static_state(memory%theory, new_friction(case), case%control, case%value, case%branch, &
             & merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
@@ -114,6 +118,7 @@ contains
       end if
       memory%theory%ratio = point%ratio
       call finish_contact(case, memory, point)
+      if (point%status == status_solved) point%error_estimate = min(1.0_dp, point%error_estimate + spring_error)
       if (point%status == status_solved .and. case%pressure_factor > 0 .and. point%friction_radius > 0) then
          call add_sheared(case, memory, needs_events, point)
       else if (point%status == status_solved .and. case%has_friction .and. .not. (is_peeling(case) .or. case%is_base_given)) then
@@ -308,6 +313,10 @@ contains
       call new_sheared_sphere(point%sheared, memory%theory, point%contact, case%strength, case%pressure_factor, &
          & case%edge_fraction, case%poisson)
       associate (sphere => point%sheared)
+         if (.not. sphere%has_force) then
+            point%status = status_no_equilibrium
+            return
+         end if
          if (needs_events) then
             point%events%peak_force = sphere%largest_force
             point%events%peak_displacement = sphere%largest_displacement
