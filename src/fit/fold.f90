@@ -154,7 +154,7 @@ contains
       end do
    end function fold_slopes
 
-   !> The same with one of these numbers.
+   !> The same with one of these numbers, where `find_fold` has just been asked.
    real(dp) function fold_slope(self, q, fold, k) result(slope)
       !> The sum of squares; it receives the values of the variables.
       type(objective_t), intent(inout) :: self
@@ -169,7 +169,7 @@ contains
 
       slope = 0
       if (self%is_sphere(fold%data_set)) then
-         by_free = fold_slopes(self, q, fold)
+         by_free = last_slopes(self, fold)
          slope = by_free(k)
          return
       end if

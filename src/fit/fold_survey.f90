@@ -13,18 +13,17 @@ module adfric_fit_fold_survey
    use adfric_fit_covariance, only: find_covariance
    use adfric_fit_fold, only: curve_fold_t, new_curve_fold, find_fold, last_slopes, spread_below
    use adfric_fit_fold_region, only: region_t, new_region, enter_region, leave_region
-   use adfric_fit_fold_search, only: cross_regions
    use adfric_fit_minima, only: minima_t, add_search, minima_limit
    use adfric_fit_objective, only: objective_t
    use adfric_fit_scales, only: scales_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, squares_converged, &
-      & squares_not_converged, squares_no_value
+   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, find_least_squares, &
+      & squares_converged, squares_not_converged, squares_no_value
    implicit none (type, external)
    private
    public :: survey_folds
 
    !> A fold so many standard errors away from the nearest point is far from it.
-   real(dp), parameter :: far = 10.0_dp
+   real(dp), parameter :: far = 7.0_dp
    !> How much more than a linear model says may be gained by leaving out points.
    real(dp), parameter :: of_drop = 2.0_dp
    !> The few steps that tell how far S falls.
@@ -61,13 +60,13 @@ contains
          allocate (drop(size(fold%x)))
          call look_at_best(self, fold, best, minima%cost(at), limits, work, is_far, drop)
          if (.not. is_far .or. minima%status(at) /= squares_converged) call survey_fold(self, fold, scales, limits, work, best, &
-            & drop, minima)
+            & drop, minima%status(at) == squares_converged, minima)
          deallocate (drop)
       end do
    end subroutine survey_folds
 
    !> Search from every region of one fold that can have a lesser S.
-   subroutine survey_fold(self, fold, scales, limits, work, best, drop, minima)
+   subroutine survey_fold(self, fold, scales, limits, work, best, drop, is_converged, minima)
       !> The sum of squares.
       type(objective_t), intent(inout), target :: self
       !> The curve.
@@ -80,14 +79,16 @@ contains
       type(squares_work_t), intent(inout) :: work
       !> The best minimum, and how much less S is without the first 1, 2, ... points.
       real(dp), intent(in) :: best(:), drop(:)
+      !> Is the best one a minimum, so that its region has been searched?
+      logical, intent(in) :: is_converged
       !> The minima; those found are added.
       type(minima_t), intent(inout) :: minima
       type(region_t) :: region
       type(squares_limits_t) :: coarse
       type(squares_outcome_t) :: outcome
-      real(dp) :: q(size(best)), u(size(best)), least(size(drop)), variance
-      logical :: is_held(size(best)), is_there, is_unfolded
-      integer :: k
+      real(dp) :: q(size(best)), u(size(best)), least(size(drop)), variance, at, least_so_far
+      logical :: is_held(size(best)), is_there, is_wanted
+      integer :: k, own, ends_above
 
       is_held = .false.
       call new_region(region, self, fold, scales%lower, scales%upper, is_held, best, is_there)
@@ -99,23 +100,34 @@ contains
       coarse%most_steps = coarse_steps
       variance = 1
       if (limits%freedom > 0) variance = minval(minima%cost(:minima%n))/limits%freedom
+      own = -1
+      ends_above = -1
+      call find_fold(self, best, fold, at, is_there)
+      if (is_there .and. is_converged) own = count(fold%x <= at)
       do k = 0, size(fold%x) - 1
+         if (k == own) cycle
          if (k > 0) then
             if (least(max(k, 1)) >= min(minval(minima%cost(:minima%n)), of_drop*drop(max(k, 1)) + minima_limit*variance)) return
          end if
          call enter_region(region, k, best, u, is_there)
          if (.not. is_there) cycle
-         call leave_region(region, u, q, is_there)
-         outcome = squares_outcome_t(status=squares_no_value)
-         if (is_there) call cross_regions(self, fold, scales, is_held, coarse, work, q, outcome, is_unfolded)
+         call find_least_squares(region, region%lower, region%upper, is_held, coarse, work, u, outcome)
          minima%steps = minima%steps + outcome%steps
          if (outcome%status == squares_no_value) then
             minima%is_complete = minima%is_complete .and. region%is_outside
             cycle
          end if
-         if (outcome%status /= squares_not_converged .and. &
-            & outcome%cost > minval(minima%cost(:minima%n)) + minima_limit*variance) cycle
-         call add_search(self, scales, limits, work, q, minima, fold)
+         associate (s => u(region%pivot), low => region%lower(region%pivot), high => region%upper(region%pivot))
+            ! a way out of the region belongs to the neighbour, but where the way out of the neighbour leads here
+            is_wanted = s > low .and. s < high .or. s >= high .and. ends_above == k
+            ends_above = merge(k + 1, -1, s <= low)
+         end associate
+         least_so_far = minval(minima%cost(:minima%n))
+         is_wanted = is_wanted .and. (outcome%cost <= least_so_far + minima_limit*variance .or. &
+            & outcome%status == squares_not_converged) .or. outcome%cost < least_so_far
+         if (.not. is_wanted) cycle
+         call leave_region(region, u, q, is_there)
+         if (is_there) call add_search(self, scales, limits, work, q, minima, fold)
       end do
    end subroutine survey_fold
 
