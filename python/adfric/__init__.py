@@ -11,6 +11,7 @@ run       an input, as `adfric run` does -> xarray.Dataset
 open      a results file -> xarray.Dataset
 plot      figures of results
 models    the models, their variables and results
+fit       a model to measured curves -> Fit
 read_surface  a measured surface -> xarray.DataArray
 Case      a model that is solved several times
 contacts  many single contacts, microseconds each
@@ -21,11 +22,12 @@ from .cases import Case, run, solve
 from .errors import Error, FailedError, InputError, StoppedError
 from .figures import plot
 from .files import open_file as open  # noqa: A004
+from .fits import Fit, fit
 from .library import library as _library
 from .surfaces import read_surface
 from .tables import Model, Result, Variable, models
 
 __version__ = _library.adfric_version().decode().split()[0]
 # but for open, which would take the place of Python's own
-__all__ = ["Case", "Error", "FailedError", "InputError", "Model", "Result", "StoppedError", "Variable", "contacts", "models", "plot",
+__all__ = ["Case", "Error", "FailedError", "Fit", "InputError", "Model", "Result", "StoppedError", "Variable", "contacts", "fit", "models", "plot",
            "read_surface", "run", "solve"]

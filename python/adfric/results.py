@@ -39,7 +39,7 @@ def dataset_of(handle):
     info = _library.Array()
     for place in range(n.value):
         library.adfric_array_at(handle, place, info)
-        is_coordinate = info.role in (_library.COORDINATE, _library.PARAMETER)
+        is_coordinate = info.role in (_library.COORDINATE, _library.PARAMETER, _library.WORDS)
         (coordinates if is_coordinate else variables)[text_of(info.name)] = variable_of(owner, info)
     return xr.Dataset(variables, coordinates, attributes_of(handle))
 
@@ -51,6 +51,8 @@ def variable_of(owner, info):
     dimensions = tuple(text_of(name) for name in info.dimensions[:info.rank])
     attributes = {"units": text_of(info.unit), "long_name": text_of(info.long_name)}
     meanings = words_of(info.flag_meanings)
+    if info.role == _library.WORDS:
+        return xr.Variable(dimensions, np.array(meanings, dtype=object), attributes)
     if meanings:
         attributes["flag_values"] = np.arange(info.first_flag, info.first_flag + len(meanings), dtype=BYTE)
         attributes["flag_meanings"] = " ".join(meanings)

@@ -5,7 +5,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from .printable import printable
+from .printable import literal, printable
 from .results import BadFile, NothingToDraw, Results
 
 FORMATS = (".png", ".pdf", ".svg")
@@ -73,7 +73,7 @@ def make_figure(runs, x=None, y=None, data=None):
             figure, title = choose_figure(runs[0])(runs[0]), runs[0].title
         # a run without a title has that of its model
         if title and title != runs[0].model:
-            figure.suptitle(title, fontsize="medium")
+            figure.suptitle(literal(title), fontsize="medium")
     return figure
 
 

@@ -11,11 +11,11 @@ module adfric_api_results
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_vocabulary, only: full_name
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_choice, profile_t, profile_axis_t, result_t, results_of_every_run
+   use adfric_model_table, only: extra_t, kind_choice, profile_t, profile_axis_t, result_t, results_of_every_run
    use adfric_run_memory_sink, only: memory_sink_t
    implicit none (type, external)
    private
-   public :: find_result, find_axis, find_profile, describe_name, list_of, refuse
+   public :: find_result, find_axis, find_extra, find_profile, describe_name, list_of, refuse
 
    !> `call find_result(model, found, name, values, error)`, by the type of the values.
    interface find_result
@@ -24,7 +24,7 @@ module adfric_api_results
    end interface find_result
 
    !> What there are lists of.
-   character(*), parameter :: lists = 'variables results profiles axes'
+   character(*), parameter :: lists = 'variables results profiles axes extras'
 
 contains
 
@@ -97,7 +97,7 @@ contains
    end subroutine find_states
 
    !> Place of an axis of the profiles; 0 if there is none of that name.
-   pure integer function find_axis(model, name) result(axis)
+   integer function find_axis(model, name) result(axis)
       !> The model, whose axes are searched.
       class(model_t), intent(in) :: model
       !> Name of the axis.
@@ -105,6 +105,28 @@ contains
 
       axis = place_in(names_of(model, 'axes'), name)
    end function find_axis
+
+   !> What a solved fit has beside its results; words are numbered from 1.
+   subroutine find_extra(model, name, values)
+      !> The model, solved.
+      class(model_t), intent(in) :: model
+      !> Name of what is wanted.
+      character(*), intent(in) :: name
+      !> Receives its values, the last dimension fastest; not allocated if there is nothing of that name.
+      real(dp), allocatable, intent(out) :: values(:)
+      type(extra_t), allocatable :: extras(:)
+      integer :: i, k
+
+      call model%get_extras(extras)
+      do i = 1, size(extras)
+         if (extras(i)%name /= plain(name)) cycle
+         if (allocated(extras(i)%words)) then
+            values = [(real(k, dp), k=1, count_words(extras(i)%words))]
+         else
+            values = extras(i)%values
+         end if
+      end do
+   end subroutine find_extra
 
    !> A profile of a point.
    subroutine find_profile(model, found, name, point, values, error)
@@ -240,6 +262,7 @@ contains
       long_name = 'coordinate '//get_word(model%profile_axes, axis)//' of the profiles'
       if (.not. is_complete) return
       call model%get_profile_axes(input%values, axes)
+      if (axis > size(axes)) return
       unit = axes(axis)%unit
       long_name = axes(axis)%long_name
    end subroutine describe_axis
@@ -272,12 +295,13 @@ contains
    end subroutine list_of
 
    !> Names of what a model has, separated by a blank.
-   pure function names_of(model, what) result(words)
+   function names_of(model, what) result(words)
       !> The model, whose tables have the names.
       class(model_t), intent(in) :: model
       !> One of `lists`.
       character(*), intent(in) :: what
       character(:), allocatable :: words
+      type(extra_t), allocatable :: extras(:)
       integer :: i
 
       words = ''
@@ -294,6 +318,11 @@ contains
       case ('profiles')
          do i = 1, size(model%profiles)
             words = words//' '//model%profiles(i)%name
+         end do
+      case ('extras')
+         call model%get_extras(extras)
+         do i = 1, size(extras)
+            words = words//' '//extras(i)%name
          end do
       case default
          words = model%profile_axes

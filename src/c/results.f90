@@ -82,6 +82,7 @@ contains
          call state%check_case(error)
       end if
       !$omp end critical (adfric_api)
+      state%is_spent = state%is_fit
       if (.not. allocated(error)) call solve_by_threads(state%run, sink, error, merge(n_threads, omp_get_max_threads(), &
          & n_threads > 0), listener, summary)
       if (.not. allocated(error)) call keep_results(state, sink, summary, found, error)

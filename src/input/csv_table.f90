@@ -19,7 +19,7 @@ module adfric_input_csv_table
    use adfric_input_whole_file, only: read_whole_file
    implicit none (type, external)
    private
-   public :: csv_table_t, csv_column_t, open_csv_table, new_csv_table
+   public :: csv_table_t, csv_column_t, open_csv_table, new_csv_table, new_table_of_numbers
 
    !> More than anybody has in one table of text: something else was given by mistake [bytes].
    integer, parameter :: largest_table = 1000*1024**2
@@ -38,6 +38,8 @@ module adfric_input_csv_table
       character(:), allocatable, private :: text
       !> Position in the text of the first character of each row.
       integer, allocatable, private :: rows(:)
+      !> The numbers of a table that has no text; shape `(n_rows, n_columns)`.
+      real(dp), allocatable, private :: numbers(:, :)
    contains
       procedure :: n_rows
       procedure :: index_of => index_of_column
@@ -101,6 +103,43 @@ contains
       end if
    end subroutine new_csv_table
 
+   !> A table of numbers that somebody has.
+   subroutine new_table_of_numbers(self, name, columns, units, numbers, error)
+      !> Receives the table; only to be used if there is no error.
+      type(csv_table_t), intent(out) :: self
+      !> Its name, by which an input knows it.
+      character(*), intent(in) :: name
+      !> Names of its columns; blanks at their ends do not count.
+      character(*), intent(in) :: columns(:)
+      !> Their units, empty for SI units.
+      character(*), intent(in) :: units(:)
+      !> The numbers, NaN where there is none; shape `(n_rows, n_columns)`.
+      real(dp), intent(in) :: numbers(:, :)
+      !> Allocated if the shapes do not go together, a name is missing or there twice, or there is no row.
+      type(error_t), allocatable, intent(out) :: error
+      integer :: k
+
+      self%path = name
+      if (size(columns) /= size(numbers, 2) .or. size(units) /= size(columns) .or. size(numbers) == 0) then
+         call set_error(error, input_failure, name//': given numbers of shape ('//show_count(size(numbers, 1))//', '// &
+            show_count(size(numbers, 2))//') with '//show_count(size(columns))//' names and '//show_count(size(units))// &
+            ' units of columns, needed: at least one row, and one name and unit of each column')
+         return
+      end if
+      allocate (self%columns(size(columns)))
+      do k = 1, size(columns)
+         self%columns(k) = csv_column_t(name=trim(columns(k)), unit=trim(units(k)))
+         if (len_trim(columns(k)) == 0) then
+            call set_error(error, input_failure, name//': column '//show_count(k)//' has no name')
+         else if (find_column(self%columns(:k - 1), trim(columns(k))) > 0) then
+            call set_error(error, input_failure, name//': two columns have the name '//show_text(trim(columns(k)))// &
+               ', allowed: one')
+         end if
+         if (allocated(error)) return
+      end do
+      allocate (self%numbers, source=numbers)
+   end subroutine new_table_of_numbers
+
    !> Find where each row begins. All of them have as many cells as the header.
    subroutine find_rows(self, start, error)
       !> The table, which receives its rows.
@@ -143,7 +182,11 @@ contains
       !> The table.
       class(csv_table_t), intent(in) :: self
 
-      n_rows = size(self%rows)
+      if (allocated(self%numbers)) then
+         n_rows = size(self%numbers, 1)
+      else
+         n_rows = size(self%rows)
+      end if
    end function n_rows
 
    !> Place of a column, from 1; 0 if there is none of this name.
@@ -206,6 +249,10 @@ contains
          return
       end if
       allocate (values(self%n_rows()))
+      if (allocated(self%numbers)) then
+         call take_numbers(self, k, values, error)
+         return
+      end if
       do i = 1, size(values)
          call find_cell(self%text, self%rows(i), k, first, last)
          call convert_cell(self%text(first:last), values(i), flaw)
@@ -215,6 +262,29 @@ contains
          return
       end do
    end subroutine get_numbers
+
+   !> Take a column of a table that has no text, by the bounds of those that have one.
+   subroutine take_numbers(self, column, values, error)
+      !> The table.
+      type(csv_table_t), intent(in) :: self
+      !> Place of the column, from 1.
+      integer, intent(in) :: column
+      !> Receives the numbers; shape `(n_rows)`.
+      real(dp), intent(out) :: values(:)
+      !> Allocated if a number is out of range.
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i
+
+      values(:) = self%numbers(:, column)
+      do i = 1, size(values)
+         if (ieee_is_nan(values(i))) cycle
+         if (abs(values(i)) <= largest) cycle
+         call set_error(error, input_failure, self%path//': column '//show_text(self%columns(column)%name)// &
+            ': out of range, given '//show_number(values(i))//' in row '//show_count(i)//', allowed: a number, or nan where ' &
+            //'there is none')
+         return
+      end do
+   end subroutine take_numbers
 
    !> A number from a cell.
    pure subroutine convert_cell(cell, value, flaw)
