@@ -220,6 +220,14 @@ typedef int (*adfric_progress)(void *context, int64_t n_done, int64_t n_points);
     @param found      receives the results, which are to be closed */
 int adfric_solve(adfric_case self, int32_t n_threads, adfric_progress progress, void *context, adfric_results *found);
 
+/** Solve a case of one point, and give some of its results as numbers alone: for loops, where adfric_results would take longer than
+    the point.
+    @param n_names  number of results
+    @param names    their names, among them "status" and "error_estimate"; of a result that is one of several states the number of
+                    the state is given
+    @param values   receives them, NaN where there is no value */
+int adfric_solve_point(adfric_case self, int32_t n_names, const char *const *names, double *values);
+
 /** Stop the call of adfric_solve that another thread makes with this case at the moment; it gives back ADFRIC_STOPPED as soon as
     the points that are being solved are done, or the iterations of points that take long. Where there is none, nothing happens. A handler of signals may call it: it waits
     for nothing, and leaves adfric_message as it is. */

@@ -3,6 +3,7 @@
 
 import contextlib
 import ctypes
+import functools
 import hashlib
 import keyword
 import os
@@ -265,6 +266,24 @@ class Case:
         """Check all values together, as `solve` does before it solves."""
         library.adfric_check(self._open_handle())
 
+    def find(self, *names, **variables):
+        """Set variables, solve the case, which has one point, and give back results as numbers alone: for loops, where a dataset would
+        take longer than the point.
+
+        >>> for load in loads:
+        ...     radius, status = tip.find("contact_radius", "status", load=load)
+
+        A result without a value is NaN; of one that is one of several states, as `status` is, the number of the state is given. A single
+        name gives its number, several a list of theirs. Ctrl-C is heard when the point is solved.
+        """
+        if variables:
+            self.set(**variables)
+        if not names:
+            raise InputError("names: given none, allowed: names of results")
+        values = (ctypes.c_double*len(names))()
+        library.adfric_solve_point(self._open_handle(), len(names), names_for(names), values)
+        return values[0] if len(names) == 1 else values[:]
+
     def solve(self, *, threads=0, progress=None):
         """Solve all points; see `adfric.solve`. Ctrl-C ends it as soon as the points that are being solved are done."""
         if not is_whole_number(threads) or not 0 <= threads < 2**31:
@@ -313,6 +332,12 @@ def digest_of(path):
             return hashlib.sha256(file.read()).hexdigest()
     except OSError as problem:
         raise FailedError(f"{path}: cannot be read: {problem.strerror}") from None
+
+
+@functools.lru_cache(maxsize=256)
+def names_for(names):
+    """Names as the library takes them."""
+    return (ctypes.c_char_p*len(names))(*(text_for(name, "name of a result") for name in names))
 
 
 @contextlib.contextmanager

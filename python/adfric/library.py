@@ -88,6 +88,7 @@ ARGUMENTS = {
     "adfric_point_count": (CASE, POINTER(c_int64)),
     "adfric_check": (CASE,),
     "adfric_solve": (CASE, c_int32, Progress, c_void_p, POINTER(RESULTS)),
+    "adfric_solve_point": (CASE, c_int32, POINTER(c_char_p), POINTER(c_double)),
     "adfric_array_count": (RESULTS, POINTER(c_int32)),
     "adfric_array_at": (RESULTS, c_int32, POINTER(Array)),
     "adfric_attribute_count": (RESULTS, POINTER(c_int32)),

@@ -41,7 +41,17 @@ def dataset_of(handle):
         library.adfric_array_at(handle, place, info)
         is_coordinate = info.role in (_library.COORDINATE, _library.PARAMETER, _library.WORDS)
         (coordinates if is_coordinate else variables)[text_of(info.name)] = variable_of(owner, info)
+    if all(not variable.dims for variable in (*variables.values(), *coordinates.values())):
+        return single_point(variables, coordinates, attributes_of(handle))
     return xr.Dataset(variables, coordinates, attributes_of(handle))
+
+
+def single_point(variables, coordinates, attributes):
+    """A dataset without dimensions. There is nothing to be aligned, and what xarray does to find that takes as long as many points."""
+    try:
+        return xr.Dataset._construct_direct({**coordinates, **variables}, set(coordinates), dims={}, attrs=attributes, indexes={})
+    except (AttributeError, TypeError):
+        return xr.Dataset(variables, coordinates, attributes)
 
 
 def variable_of(owner, info):

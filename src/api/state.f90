@@ -12,7 +12,7 @@ module adfric_api_state
    use adfric_input_csv_table, only: csv_table_t
    use adfric_input_consistency, only: check_consistency
    use adfric_input_fit, only: fit_input_t, has_fit_groups, read_fit
-   use adfric_input_namelist_file, only: namelist_file_t, new_namelist_file
+   use adfric_input_namelist_file, only: namelist_file_t, no_namelist_file
    use adfric_input_run, only: read_case, read_job, read_job_of_text, run_input_t, say_unknown_model
    use adfric_input_sweep, only: find_size_problem
    use adfric_model_model, only: model_t
@@ -267,7 +267,7 @@ contains
       !> Says what is missing, contradictory or impossible, a line each.
       type(error_t), allocatable, intent(out) :: error
       type(namelist_file_t) :: nothing
-      type(problems_t) :: problems, unused
+      type(problems_t) :: problems
       type(dataset_t) :: none
       character(:), allocatable :: text
       integer :: i
@@ -282,7 +282,7 @@ contains
          self%run%datasets(i) = none
          if (self%input%is_given(i)) self%run%datasets(i) = self%input%datasets(i)
       end do
-      call new_namelist_file(nothing, '', '', unused)
+      call no_namelist_file(nothing)
       call check_consistency(nothing, self%run%model, self%input, self%run%plan%axes, problems)
       text = find_size_problem(self%run%plan)
       if (len(text) > 0) call problems%add('', '', text)

@@ -12,7 +12,7 @@ module adfric_input_namelist_file
    use adfric_input_whole_file, only: read_whole_file
    implicit none (type, external)
    private
-   public :: namelist_file_t, open_namelist_file, open_namelist_text, new_namelist_file
+   public :: namelist_file_t, open_namelist_file, open_namelist_text, new_namelist_file, no_namelist_file
 
    !> A namelist file.
    type :: namelist_file_t
@@ -101,6 +101,17 @@ contains
       call report_repeated_groups(self, problems)
       call report_repeated_variables(self, problems)
    end subroutine new_namelist_file
+
+   !> What stands for the file of a case that is from none.
+   subroutine no_namelist_file(self)
+      !> Receives a file without a name, a text and groups.
+      type(namelist_file_t), intent(out) :: self
+
+      self%path = ''
+      self%text = ''
+      call new_source(self%source, '')
+      allocate (self%groups(0), self%assignments(0))
+   end subroutine no_namelist_file
 
    !> Report groups that stand twice.
    subroutine report_repeated_groups(self, problems)

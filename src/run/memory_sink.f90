@@ -8,7 +8,7 @@ module adfric_run_memory_sink
    use adfric_run_blocks, only: blocks_t
    use adfric_run_run, only: run_t
    use adfric_run_sink, only: sink_t
-   use adfric_system_memory, only: free_memory
+   use adfric_system_memory, only: has_free
    implicit none (type, external)
    private
    public :: memory_sink_t, new_memory_sink, status_not_put
@@ -60,7 +60,7 @@ contains
       n_points = self%blocks%n_points()
       shape = run%profile_shape()
       n_bytes = real_bytes*real(n_points, dp)*(size(run%model%results) + 2 + product(real(shape, dp)))
-      failure = merge(1, 0, n_bytes > free_memory())
+      failure = merge(0, 1, has_free(n_bytes))
       if (failure == 0) allocate (self%results(n_points, size(run%model%results)), self%error_estimate(n_points), &
          self%status(n_points), self%counts(self%blocks%n_blocks(), size(run%model%counts)), &
          self%profiles(shape(1), shape(2), shape(3), n_points), stat=failure)
