@@ -114,7 +114,9 @@ class Case:
     def read(cls, path):
         """Open a case as an input describes it, with its sweeps and its datasets."""
         name = name_of(path, "path")
-        return cls._opened(library.adfric_read, os.fsencode(name), ("input", os.path.abspath(name)))
+        self = cls._opened(library.adfric_read, os.fsencode(name), ("input", os.path.abspath(name)))
+        self._digest = digest_of(name)
+        return self
 
     @classmethod
     def read_text(cls, text):
@@ -138,6 +140,7 @@ class Case:
         self._units = {}
         # where it is from, and what was set since then
         self._origin = origin
+        self._digest = None
         self._journal = Journal()
 
     def __reduce__(self):
@@ -146,7 +149,7 @@ class Case:
         kind, source = self._origin
         if kind == "tables":
             raise TypeError("a fit of tables in memory cannot be pickled: call adfric.fit there")
-        return restored, (kind, source, digest_of(source) if kind == "input" else None, self._journal.entries())
+        return restored, (kind, source, self._digest, self._journal.entries())
 
     def __enter__(self):
         return self

@@ -105,7 +105,7 @@ def solved(case, threads, progress):
 class Fit:
     """What a fit has found.
 
-    status      what has become of it: 'solved', 'too_few_points', 'not_converged' or 'not_identifiable'; of a stack an array of these
+    status      what has become of it: 'fitted', 'too_few_points', 'not_converged' or 'not_identifiable'; of a stack an array of these
     estimates   best values in SI units by the name of the free variable; of a stack arrays, NaN where there is no answer
     errors      their standard errors, NaN for a variable at its bound
     units       their units
@@ -205,9 +205,9 @@ class Fit:
 
     def __repr__(self):
         if not self.is_single:
-            solved_ones = int(np.sum(np.asarray(self.results.status) == 0))
-            return f"<adfric fit of {self.results.status.size} curves, {solved_ones} of them solved: {', '.join(self._names)}>"
-        if self.status != "solved":
+            n_fitted = int(np.sum(np.asarray(self.results.status) == 0))
+            return f"<adfric fit of {self.results.status.size} curves, {n_fitted} of them fitted: {', '.join(self._names)}>"
+        if self.status != "fitted":
             return f"<adfric fit without an answer: {self.status}>"
         lines = [f"{name} = {self.estimates[name]:.6g} +- {self.errors[name]:.2g} {self.units[name] if self.units[name] != '1' else ''}".rstrip()
                  for name in self._names]

@@ -62,7 +62,7 @@ def variable_of(owner, info):
     attributes = {"units": text_of(info.unit), "long_name": text_of(info.long_name)}
     meanings = words_of(info.flag_meanings)
     if info.role == _library.WORDS:
-        return xr.Variable(dimensions, np.array(meanings, dtype=object), attributes)
+        return xr.Variable(dimensions, np.array(meanings), attributes)
     if meanings:
         attributes["flag_values"] = np.arange(info.first_flag, info.first_flag + len(meanings), dtype=BYTE)
         attributes["flag_meanings"] = " ".join(meanings)

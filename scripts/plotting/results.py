@@ -41,6 +41,7 @@ class Field:
 class Results:
     """What a results file holds.
 
+    source    what is read: the file, or its image in memory
     axes      swept variables, the slowest first
     fields    results by name, of the shape of the sweep
     states    the same for enumerated results, as words; None where there is no value
@@ -55,6 +56,7 @@ class Results:
     def __init__(self, path, image=None):
         """Read a file; or its image in memory, which messages call by the path."""
         self.path = path
+        self.source = path if image is None else image
         if image is None and not path.is_file():
             raise BadFile(f"{path}: no such file")
         try:
