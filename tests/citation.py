@@ -95,6 +95,12 @@ class Citation(unittest.TestCase):
             self.assertEqual(named, job["strategy"]["matrix"]["preset"])
             self.assertIn("scripts/test ${{ matrix.preset }}", [step.get("run") for step in job["steps"]])
 
+    def test_command(self):
+        """What the submission of a change runs is the test command of README, with a limit of time before it."""
+        command = re.search(r"^ +(scripts/test)\b(?: {2,}.*)?$", (ROOT / "README.md").read_text(), re.MULTILINE)[1]
+        last = (ROOT / ".ci/run").read_text().splitlines()[-1]
+        self.assertRegex(last, rf"^timeout --kill-after=\d+ \d+ {re.escape(command)}$")
+
     def test_templates(self):
         """Templates of issues have a name and say what they are for."""
         files = sorted((ROOT / ".github/ISSUE_TEMPLATE").glob("*.md"))

@@ -76,7 +76,8 @@ contains
       type(contact_t), intent(in) :: contact
 
       self%law = law
-      self%is_weakened = law%interaction > 0
+      ! without adhesion there is nothing that friction could take
+      self%is_weakened = law%interaction > 0 .and. work_of(curve) > 0
       self%slip_energy_ratio = law%slip_energy_ratio
       self%limit = largest_slip_energy(law%interaction)
       self%force_scale = pi*law%strength

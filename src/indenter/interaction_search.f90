@@ -8,7 +8,7 @@ module adfric_indenter_interaction_search
    use adfric_indenter_weak_contact, only: find_last
    use adfric_material_interaction, only: slip_energy_of_ratio
    use adfric_material_largest_force, only: find_largest_force
-   use adfric_material_shrinking_way, only: find_first, first_force, force_of, slip_state_t, turn
+   use adfric_material_shrinking_way, only: demand_up_to, find_first, first_force, force_of, slip_state_t, turn
    use adfric_material_slip_annulus, only: largest_slip_core
    implicit none (type, external)
    private
@@ -77,7 +77,7 @@ contains
          return
       end if
       ! g of sliding if the contact did not shrink
-      call get_waypoint(path, min(cap, largest_slip_core*path%demand*path%start%radius), finish)
+      call get_waypoint(path, demand_up_to(path, path%start%radius, largest_slip_core, cap), finish)
       if (.not. finish%is_found) then
          ending = end_snap_off
          call find_last(path%way, finish%ratio, ratio, finish%contact, is_converged)

@@ -20,7 +20,8 @@ module adfric_material_shrinking_way
    use adfric_material_slip_annulus, only: angle_of_force, force_of_angle, largest_slip_core, slip_of_angle
    implicit none (type, external)
    private
-   public :: shrinking_way_t, slip_state_t, find_first, turn, force_of, displacement_of, first_force, first_displacement
+   public :: shrinking_way_t, slip_state_t, demand_up_to, find_first, turn, force_of, displacement_of
+   public :: first_force, first_displacement
 
    !> A state on a way.
    type :: slip_state_t
@@ -149,6 +150,22 @@ contains
       if (state%is_found) excess = log(way%demand*state%radius*state%core/slip_energy)
    end subroutine get_demand
 
+   !> The demand K b core, or a limit if that is smaller; without adhesion the demand is beyond all numbers.
+   pure real(dp) function demand_up_to(way, radius, core, limit) result(slip_energy)
+      !> The way.
+      class(shrinking_way_t), intent(in) :: way
+      !> b, and the slip core, from 0 to twice its largest value.
+      real(dp), intent(in) :: radius, core
+      !> The largest g to be looked at.
+      real(dp), intent(in) :: limit
+
+      slip_energy = limit
+      if (way%demand > 1) then
+         if (radius*core >= limit/way%demand) return
+      end if
+      slip_energy = min(way%demand*radius*core, limit)
+   end function demand_up_to
+
    !> The first state with a force or a displacement; not found if that is not reached before sliding.
    pure subroutine find_first(way, quantity, value, start, state, is_converged)
       !> The way.
@@ -174,8 +191,8 @@ contains
       call turn_to(way, quantity, value, state)
       if (.not. state%is_found) return
       cap = min(way%slip_energy_ratio, way%limit)
-      state%slip_energy = min(way%demand*state%radius*state%core, way%slip_energy_ratio)
-      g = min(way%demand*state%radius*state%core, cap)
+      state%slip_energy = demand_up_to(way, state%radius, state%core, way%slip_energy_ratio)
+      g = demand_up_to(way, state%radius, state%core, cap)
       ! a slip energy below all numbers takes nothing from adhesion
       if (.not. (way%is_weakened .and. g > 0)) return
       before = 0
