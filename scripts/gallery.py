@@ -26,7 +26,7 @@ INPUTS, PAGE, FIGURES, WORK = ROOT / "inputs", ROOT / "docs/gallery.md", ROOT / 
 WIDTH, COLOURS = 760, 64
 MOST_LETTERS = 420
 KEY = "made-from"
-COMMAND = re.compile(r"scripts/((?:make_\w+|import_surface)\b[^\n]*)")
+COMMAND = re.compile(r"scripts/((?:make_\w+|import_surface|import_curve)\b[^\n]*)")
 # an input whose results another one fits, and what tells a fit from a run
 RUN_BEFORE = re.compile(r"adfric run inputs/(\w+)\.nml")
 FIT = re.compile(r"^\s*&free\b", re.MULTILINE | re.IGNORECASE)
@@ -69,7 +69,7 @@ AREAS = {
         one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr"),
         one("sphere_pull_off_edge"), one("sphere_sample"), one("sphere_uncertain")),
     "Fits of measured data": (
-        one("fit_friction"), one("fit_johnson1997_fig5"), one("fit_force_distance"), one("fit_velocity"), one("fit_map")),
+        one("fit_friction"), one("fit_johnson1997_fig5"), one("fit_force_distance"), one("fit_velocity"), one("fit_map"), one("force_map")),
     "Indenters": (
         one("indenter_cone"), one("indenter_sphere"), one("indenter_flat"), one("indenter_power"), one("indenter_flat_cone"),
         one("indenter_rounded_cone"), one("indenter_rounded_punch"), one("indenter_polynomial"), one("indenter_slip"), one("indenter_friction"), one("indenter_interaction", options="--y contact_radius adhesion_ratio"), one("indenter_peeling", options="--y contact_radius tangential_displacement"), one("indenter_hysteresis"), one("indenter_fretting"), one("indenter_spring"), one("indenter_pull_off"),

@@ -5,10 +5,11 @@ The line is rough like asphalt, with a tilt and a few samples missing. The maste
 inputs/rubber_velocity.nml, with a scatter. scripts/import_surface reads both files.
 """
 
-import argparse
-from pathlib import Path
+import sys
 
 import numpy as np
+
+from make_options.measurement import read_command_line
 
 # of the rubber: relaxed and glassy modulus [Pa], exponent, time [s], temperature [K]
 RELAXED, GLASSY, EXPONENT, TIME, TEMPERATURE = 2.1e6, 2.0e9, 0.55, 1.0e-7, 298.15
@@ -58,20 +59,7 @@ def write_curve(path, lowest, highest, per_decade, scatter, seed):
 
 def main():
     """Read the options and write the files."""
-    parser = argparse.ArgumentParser(prog="scripts/make_measurement", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?", type=Path, default=Path(), help="for line_scan.csv and dma.csv (default: the current one)")
-    parser.add_argument("--samples", type=int, default=4000, help="of the line (default: %(default)s)")
-    parser.add_argument("--spacing", type=float, default=2.0e-6, help="of the samples [m] (default: %(default)s)")
-    parser.add_argument("--hurst", type=float, default=0.8, help="Hurst exponent (default: %(default)s)")
-    parser.add_argument("--longest", type=float, default=2.0e-3, help="longest wave [m] (default: %(default)s)")
-    parser.add_argument("--shortest", type=float, default=1.0e-4, help="shortest wave [m] (default: %(default)s)")
-    parser.add_argument("--rms", type=float, default=4.0e-5, help="root mean square of the heights [m] (default: %(default)s)")
-    parser.add_argument("--tilt", type=float, default=0.02, help="slope of the line as it lies (default: %(default)s)")
-    parser.add_argument("--missing", type=float, default=0.005, help="share of the samples that are missing (default: %(default)s)")
-    parser.add_argument("--scatter", type=float, default=0.01, help="of the moduli, relative (default: %(default)s)")
-    parser.add_argument("--seed", type=int, default=1, help="of the random numbers (default: %(default)s)")
-    given = parser.parse_args()
+    given = read_command_line(sys.argv[1:])
     heights = make_line(given.samples, given.spacing, given.hurst, given.longest, given.shortest, given.rms, given.seed)
     write_line(given.folder / "line_scan.csv", given.spacing, heights, given.tilt, given.missing, given.seed + 1)
     write_curve(given.folder / "dma.csv", 1.0e-4, 1.0e10, 4, given.scatter, given.seed + 2)

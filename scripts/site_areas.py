@@ -9,10 +9,12 @@ AREAS = {
     "Use": {
         "Overview": "README.md",
         "Tutorial": "docs/tutorial.md",
+        "Tutorial: a force map": "docs/force_map.md",
         "Gallery": "docs/gallery.md",
         "The input": "docs/namelist.md",
+        "Tables of text": "docs/tables.md",
         "The results file": "docs/file_format.md",
-        "Measured surfaces": "docs/import.md",
+        "Measured surfaces and force curves": "docs/import.md",
         "Fits of measured data": "docs/fit.md",
         "Big scans": "docs/clusters.md",
     },

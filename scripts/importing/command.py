@@ -13,18 +13,26 @@ from .problems import BadInput, FileFailure
 
 
 def main(arguments):
-    """Import one file; return the exit status: 0, 2 for bad input or options, 3 for files that cannot be read or written."""
+    """Import a surface or a master curve; return the exit status."""
+    return run("import_surface", arguments, read_command_line, import_file)
+
+
+def run(program, arguments, read_options, read):
+    """Import files; return the exit status: 0, 2 for bad input or options, 3 for files that cannot be read or written.
+
+    `read` gives the lines to show, remarks, and the bytes of the file and of the picture.
+    """
     try:
-        given = read_command_line(arguments)
+        given = read_options(arguments)
         with warnings.catch_warnings():
             # what they would say of the libraries; numbers that are none are refused
             warnings.simplefilter("ignore")
-            import_file(given, arguments)
+            write(program, given, *read_checked(given, arguments, read))
     except (BadInput, FileFailure) as problem:
-        print(printable(f"import_surface: {problem}"), file=sys.stderr)
+        print(printable(f"{program}: {problem}"), file=sys.stderr)
         return problem.status
     except MemoryError:
-        print(printable(f"import_surface: {given.file}: there is not enough memory for it"), file=sys.stderr)
+        print(printable(f"{program}: {files_of(given)[0]}: there is not enough memory for it"), file=sys.stderr)
         return FileFailure.status
     except BrokenPipeError:
         # nobody reads what is shown; the files are written
@@ -33,19 +41,36 @@ def main(arguments):
     return 0
 
 
-def import_file(given, arguments):
-    """Read, treat, write and show."""
-    from .writing import check_target, write_files
+def files_of(given):
+    """The files to read."""
+    return getattr(given, "files", None) or [given.file]
+
+
+def read_checked(given, arguments, read):
+    """Read, once the files to write may be written."""
+    from .writing import check_target
+
+    for target in filter(None, (given.output, given.picture)):
+        for file in files_of(given):
+            check_target(target, file, given.force)
+    return read(given, arguments)
+
+
+def write(program, given, lines, remarks, contents):
+    """Write the files, and show what was read."""
+    from .writing import write_files
 
     targets = [target for target in (given.output, given.picture) if target]
-    for target in targets:
-        check_target(target, given.file, given.force)
-    lines, remarks, contents = import_curve(given, arguments) if given.master_curve else import_heights(given, arguments)
     write_files(dict(zip(targets, contents)), given.force)
     for text in remarks:
-        print(printable(f"import_surface: warning: {given.file}: {text}"), file=sys.stderr)
+        print(printable(f"{program}: warning: {text}"), file=sys.stderr)
     for line in [*lines, *(f"  {name:<17}{target}" for name, target in zip(("file", "picture"), targets))]:
         print(printable(line))
+
+
+def import_file(given, arguments):
+    """A surface or a master curve."""
+    return import_curve(given, arguments) if given.master_curve else import_heights(given, arguments)
 
 
 def import_heights(given, arguments):
@@ -64,7 +89,8 @@ def import_heights(given, arguments):
         contents.append(draw_surface(surface, results, given.file.name))
     if surface.is_periodic and analysis.is_open(results.seams):
         source.remarks.append("the opposite edges do not meet: this is hardly one period")
-    return report.surface_lines(given, source, surface, read, results), source.remarks, contents
+    return (report.surface_lines(given, source, surface, read, results), [f"{given.file}: {remark}" for remark in source.remarks],
+            contents)
 
 
 def import_curve(given, arguments):
@@ -73,7 +99,7 @@ def import_curve(given, arguments):
     from .master_curve import image_of_curve, read_master_curve
 
     curve = read_master_curve(given.file, given)
-    contents = [image_of_curve(curve, report.file_attributes(given, arguments, "text"))]
+    contents = [image_of_curve(curve, report.file_attributes("import_surface", [given.file], arguments, "text"))]
     if given.picture:
         from .picture import draw_master_curve
 

@@ -6,20 +6,26 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .heads import plain, split_head
 from .problems import BadInput
 from .tables import read_table
-from .units import CYCLES, check_unit, settle, to_si, unit_in
+from .units import CYCLES, check_unit, settle, to_si
 from .writing import add_axis, add_dataset, hdf5_image
 
 # heads of columns, without their units, in small letters
-FREQUENCY = {"frequency", "freq", "freq.", "f", "omega", "w", "\u03c9", "angular frequency", "angular_frequency",
+FREQUENCY = {"frequency", "freq", "freq.", "f", "omega", "w", "\u03c9", "angular frequency",
              "reduced frequency", "reduced angular frequency"}
-ANGULAR = {"omega", "w", "\u03c9", "angular frequency", "angular_frequency", "reduced angular frequency"}
-STORAGE = {"storage", "storage modulus", "storage_modulus"}
-LOSS = {"loss", "loss modulus", "loss_modulus"}
+ANGULAR = {"omega", "w", "\u03c9", "angular frequency", "reduced angular frequency"}
+STORAGE = {"storage", "storage modulus"}
+LOSS = {"loss", "loss modulus"}
 # E' and E'', G' and G'', with straight, curly and prime marks
 MARKS = str.maketrans({"\u2032": "'", "\u2019": "'", "\u00b4": "'", "\u2033": "''", "\u201d": "''", '"': "''"})
 TEMPERATURE = re.compile(r"reference[ _]temperature\s*[:=]?\s*(-?[0-9.]+(?:[eE][-+]?\d+)?)\s*(\S+)?", re.IGNORECASE)
+# what the columns are called in messages, and the loss tangent and logarithms in heads
+COLUMNS = {"frequency": "frequency", "storage": "storage modulus", "loss": "loss modulus", "tan delta": "loss tangent"}
+TANGENT = re.compile(r"tan ?\(?(?:delta|d|\u03b4)\)?|loss (?:factor|tangent)|damping factor")
+LOGARITHM = re.compile(r"(?:log(?: ?10)?|lg)(?: |(?=\())(.*)")
+LOGARITHM_OF = re.compile(r"(?:log(?:_?10)?|lg)\s*\((.*)\)", re.IGNORECASE)
 CELSIUS, ZERO_CELSIUS = {"C", "\u00b0C", "degC", "Celsius"}, 273.15
 FEWEST_ROWS = 2
 
@@ -36,17 +42,38 @@ class MasterCurve:
     poisson_ratio: float | None
 
 
+@dataclass
+class Column:
+    """A column by its head: name, unit, and whether its numbers are decimal logarithms."""
+
+    place: int
+    name: str
+    unit: str
+    is_log: bool
+
+
 def read_master_curve(path, given):
     """Read a master curve from a table with heads."""
     table = read_table(path)
-    names, units = zip(*(unit_in(head) for head in table.heads)) if table.heads else ((), ())
-    names = [name.translate(MARKS).lower() for name in names]
-    places, is_shear = find_columns(names, path)
-    frequency_unit = unit_of_frequency(names[places[0]], units[places[0]], given.frequency_unit, path)
-    omega = to_si(table.values[:, places[0]], frequency_unit, "frequency")
-    moduli = [to_si(table.values[:, place], settle(units[place] or None, given.modulus_unit, "--modulus-unit", "modulus", path),
-                    "modulus") for place in places[1:]]
-    check_values(omega, *moduli, path)
+    columns, is_shear = find_columns(table, given, path)
+    logs = getattr(given, "log10", None) or []
+    values = {}
+    for what, column in columns.items():
+        unit = None
+        if what == "frequency":
+            unit = unit_of_frequency(column.name, column.unit, given.frequency_unit, path)
+        elif what != "tan delta":
+            unit = settle(column.unit or None, given.modulus_unit, "--modulus-unit", "modulus", path)
+        numbers = table.column(column.place)
+        if column.is_log or what in logs:
+            with np.errstate(over="ignore"):
+                numbers = 10.0**numbers
+        values[what] = numbers if unit is None else to_si(numbers, unit, "frequency" if what == "frequency" else "modulus")
+    if "tan delta" in values:
+        check_values(path, {"loss tangent": (values["tan delta"], 0)})
+        values["loss"] = values.pop("tan delta") * values["storage"]
+    omega, moduli = values["frequency"], [values["storage"], values["loss"]]
+    check_values(path, {"frequency": (omega, None), "storage modulus": (moduli[0], None), "loss modulus": (moduli[1], 0)})
     order = np.argsort(omega)
     if not (np.diff(omega[order]) > 0).all():
         raise BadInput(f"{path}: a frequency occurs twice")
@@ -55,22 +82,54 @@ def read_master_curve(path, given):
                        temperature_of(table.comments, given.reference_temperature, path), poisson_ratio)
 
 
-def find_columns(names, path):
-    """Numbers of the columns of frequency, storage and loss, and whether the moduli are those of shear."""
-    shear = {"g'", "g''"} & set(names)
-    if shear and {"e'", "e''"} & set(names):
+def columns_of(table):
+    """All columns by their heads."""
+    columns = []
+    for place, head in enumerate(table.heads):
+        text = plain(head.text.translate(MARKS))
+        if TANGENT.fullmatch(text):
+            columns.append(Column(place, "tan delta", "", False))
+            continue
+        whole = LOGARITHM_OF.fullmatch(head.text)
+        inner = split_head(whole[1]) if whole else head
+        name = plain(inner.name.translate(MARKS))
+        found = LOGARITHM.fullmatch(name)
+        unit = inner.unit if whole and inner.unit else "" if whole and head.unit == whole[1].strip() else head.unit
+        columns.append(Column(place, (found[1] if found else name).strip("() "), unit, bool(whole or found)))
+    return columns
+
+
+def find_columns(table, given, path):
+    """The columns of frequency, storage, and loss or tan delta, and whether the moduli are those of shear."""
+    columns = columns_of(table)
+    named = {what: getattr(given, f"{what.replace(' ', '_')}_column", None) for what in COLUMNS}
+    named = {what: columns[table.find(name)] for what, name in named.items() if name is not None}
+    names = {column.name for column in named.values()} or {column.name for column in columns}
+    shear = {"g'", "g''"} & names
+    if shear and {"e'", "e''"} & names:
         raise BadInput(f"{path}: the table has both E and G moduli")
     letter = "g" if shear or any("shear" in name for name in names) else "e"
-    wanted = (("frequency", FREQUENCY), ("storage modulus", {letter + "'"} | STORAGE | {"shear " + name for name in STORAGE}),
-              ("loss modulus", {letter + "''"} | LOSS | {"shear " + name for name in LOSS}))
-    places = []
-    for what, known in wanted:
-        found = [place for place, name in enumerate(names) if name in known]
-        if len(found) != 1:
-            raise BadInput(f"{path}: {'no' if not found else 'more than one'} column of the {what}; heads such as "
-                           "frequency [Hz], E' [MPa], E'' [MPa] name the columns")
-        places += found
-    return places, letter == "g"
+    known = {"frequency": FREQUENCY, "storage": {letter + "'"} | STORAGE | {"shear " + name for name in STORAGE},
+             "loss": {letter + "''"} | LOSS | {"shear " + name for name in LOSS}, "tan delta": {"tan delta"}}
+    found = {}
+    for what, words in known.items():
+        fits = [named[what]] if what in named else [column for column in columns if column.name in words]
+        if len(fits) > 1:
+            raise BadInput(f"{path}: more than one column of the {COLUMNS[what]}; "
+                           f"--{what.replace(' ', '-')}-column chooses one: {', '.join(table.heads[one.place].text for one in fits)}")
+        if fits:
+            found[what] = fits[0]
+            if what != "tan delta" and table.heads[fits[0].place].flaw:
+                table.unit(fits[0].place)
+    if "loss" in found and "tan delta" not in named:
+        found.pop("tan delta", None)
+    elif "tan delta" in found:
+        found.pop("loss", None)
+    for what in ("frequency", "storage", "loss"):
+        if what not in found and not (what == "loss" and "tan delta" in found):
+            raise BadInput(f"{path}: no column of the {COLUMNS[what]}; heads such as frequency [Hz], E' [MPa], E'' [MPa] or tan delta "
+                           f"name the columns, or --{what}-column does")
+    return found, letter == "g"
 
 
 def unit_of_frequency(name, stated, given, path):
@@ -82,19 +141,16 @@ def unit_of_frequency(name, stated, given, path):
     return settle(stated or None, given, "--frequency-unit", "frequency", path)
 
 
-def check_values(omega, storage, loss, path):
-    """Is this a curve of a solid?"""
-    for what, values, is_allowed, allowed in (
-        ("frequency", omega, omega > 0, "above 0"), ("storage modulus", storage, storage > 0, "above 0"),
-        ("loss modulus", loss, loss >= 0, "0 or more"),
-    ):
-        is_bad = ~(np.isfinite(values) & is_allowed)
+def check_values(path, values):
+    """Is this a curve of a solid? A number beside the values is the least one allowed; without it they are above 0."""
+    for what, (numbers, least) in values.items():
+        is_bad = ~(np.isfinite(numbers) & (numbers > 0 if least is None else numbers >= least))
         if is_bad.any():
             row = int(np.flatnonzero(is_bad)[0])
-            shown = "missing" if np.isnan(values[row]) else f"{values[row]:g} in SI units"
-            raise BadInput(f"{path}: the {what} in row {row + 1} is {shown}, allowed: {allowed}")
-    if len(omega) < FEWEST_ROWS:
-        raise BadInput(f"{path}: {len(omega)} row is no curve, allowed: at least {FEWEST_ROWS}")
+            shown = "missing" if np.isnan(numbers[row]) else f"{numbers[row]:g}" + (" in SI units" if what != "loss tangent" else "")
+            raise BadInput(f"{path}: the {what} in row {row + 1} is {shown}, allowed: {'above 0' if least is None else '0 or more'}")
+        if len(numbers) < FEWEST_ROWS:
+            raise BadInput(f"{path}: {len(numbers)} row is no curve, allowed: at least {FEWEST_ROWS}")
 
 
 def young_of_shear(is_shear, poisson_ratio, path):

@@ -2,24 +2,18 @@
 """The options of the command line."""
 
 import argparse
+import sys
 from pathlib import Path
 
-from plotting.command import Parser as PlainParser
-
+from .parser import Parser
 from .problems import BadInput
 from .reading import check_values
 
 # options of surfaces alone, and of master curves alone, with the value that says that they are not given
 OF_SURFACES = {"unit": None, "height_unit": None, "spacing": None, "channel": None, "transpose": False, "periodic": None,
                "detrend": None, "region": None, "average": 1, "most_missing": 0.05}
-OF_CURVES = {"frequency_unit": None, "modulus_unit": None, "reference_temperature": None, "poisson_ratio": None}
-
-
-class Parser(PlainParser):
-    """A parser that reports a bad option in one line."""
-
-    def error(self, message):
-        raise BadInput(message)
+OF_CURVES = {"frequency_unit": None, "modulus_unit": None, "reference_temperature": None, "poisson_ratio": None,
+             "frequency_column": None, "storage_column": None, "loss_column": None, "tan_delta_column": None, "log10": None}
 
 
 def read_command_line(arguments):
@@ -55,6 +49,10 @@ def read_command_line(arguments):
     curve("--modulus-unit", metavar="U", help="Pa, kPa, MPa or GPa, where the file states none")
     curve("--reference-temperature", metavar="T", type=float, help="[K], where the file states none")
     curve("--poisson-ratio", metavar="NU", type=float, help="by which shear moduli become Young's moduli")
+    for name in ("frequency", "storage", "loss", "tan-delta"):
+        curve(f"--{name}-column", metavar="NAME", help=f"column of the {name.replace('-', ' ')}, where its head is not known or several are")
+    curve("--log10", metavar="WHAT", nargs="+", choices=("frequency", "storage", "loss", "tan delta"),
+          help="columns with decimal logarithms whose heads do not say so: frequency, storage, loss, 'tan delta'")
     given = parser.parse_args(arguments)
     check_options(given)
     return given
@@ -84,3 +82,7 @@ def check_options(given):
     given.picture = None if given.no_picture else given.output.with_suffix(".png")
     if given.picture == given.output:
         raise BadInput(f"{given.output}: the picture has this name, --output needs another ending, such as .h5")
+
+
+if __name__ == "__main__":
+    read_command_line(sys.argv[1:])

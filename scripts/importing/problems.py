@@ -8,6 +8,14 @@ class BadInput(Exception):
     status = 2
 
 
+class BadTable(BadInput):
+    """A table that can be read in two ways or in none; says the reason, one of those of tests/reference/tables/README.md."""
+
+    def __init__(self, reason, text):
+        super().__init__(text)
+        self.reason = reason
+
+
 class FileFailure(Exception):
     """A file that cannot be read or written."""
 

@@ -22,7 +22,7 @@ def read_source(path, channel):
     from .arrays import read_numpy
     from .instrument_files import has_instrument_head, read_instrument_file
     from .tables import count_columns
-    from .text_surface import read_text_surface
+    from .text_surface import read_text_surface, states_size
 
     ending = path.suffix.lower()
     try:
@@ -31,7 +31,7 @@ def read_source(path, channel):
         if ending in TEXT and not has_instrument_head(path):
             columns = count_columns(path)
             # other texts with a head of their own are left to the reader that knows such heads
-            if columns in (2, 3) or ending in (".csv", ".xyz"):
+            if columns in (2, 3) or ending in (".csv", ".xyz") or columns and states_size(path):
                 return read_text_surface(path)
         return read_instrument_file(path, channel) or read_text_surface(path)
     except OSError as problem:

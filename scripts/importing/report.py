@@ -7,13 +7,14 @@ import importlib.metadata
 import shlex
 
 
-def file_attributes(given, arguments, form):
-    """Where the file comes from."""
+def file_attributes(program, files, arguments, form, software=None):
+    """Where a file comes from."""
     now = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
-    return {"title": given.file.name, "source_file": given.file.name, "source_format": form,
-            "source_sha256": hashlib.sha256(given.file.read_bytes()).hexdigest(), "created": now,
-            "history": f"{now} scripts/import_surface {shlex.join(map(str, arguments))}",
-            "software": f"SurfaceTopography {importlib.metadata.version('SurfaceTopography')}"}
+    names = [file.name for file in files]
+    return {"title": names[0] + (f" and {len(names) - 1} more" if len(names) > 1 else ""), "source_file": "\n".join(names),
+            "source_format": form, "source_sha256": "\n".join(hashlib.sha256(file.read_bytes()).hexdigest() for file in files),
+            "created": now, "history": f"{now} scripts/{program} {shlex.join(map(str, arguments))}",
+            "software": software or f"SurfaceTopography {importlib.metadata.version('SurfaceTopography')}"}
 
 
 def surface_attributes(given, arguments, source, surface, read):
@@ -23,7 +24,7 @@ def surface_attributes(given, arguments, source, surface, read):
     heights = {**steps, **lengths, "periodic": int(surface.is_periodic), "detrend": read.trend, "missing_samples": read.missing}
     if read.coefficients:
         heights["detrend_coefficients"] = read.coefficients
-    return {"file": file_attributes(given, arguments, source.format) | source.facts, "heights": heights}
+    return {"file": file_attributes("import_surface", [given.file], arguments, source.format) | source.facts, "heights": heights}
 
 
 def surface_lines(given, source, surface, read, results):

@@ -1,154 +1,227 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of numbers in text files: separators, heads of columns, comments.
-
-What could be read in two ways is refused: decimal commas are taken where semicolons separate, and nowhere else.
-"""
+"""Tables of numbers in text files, by the rules of docs/tables.md: what could be read in two ways is refused."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from .problems import BadInput, FileFailure, first_line
+from .cells import PARTED, blank_heads, numbers_in, refuse_mark, settle_mark, split, split_names, value_of
+from .heads import add_unit, is_unit, plain, split_head
+from .letters import UTF16, read_lines
+from .problems import BadTable
 
-# lines without numbers that may stand before the table
+# what separates, in the order in which it is tried, and what it is called; the last one is blanks
+SEPARATORS = {"\t": "tab", ";": "semicolon", ",": "comma", " ": "blanks"}
+COMMENT = ("#", "%")
+# lines without numbers that may stand before a table without names
 MOST_HEAD_LINES = 200
-# what stands in a field without a value
-MISSING = {"", "nan", "na", "n/a", "bad", "missing", "null", "none", "-", "--", "inf", "-inf", "+inf"}
-ENCODINGS = ("utf-8-sig", "latin-1")
 
 
 @dataclass
 class Table:
-    """Columns of numbers, not a number where the file has none, and the lines above them."""
+    """Columns of numbers, and how they were read."""
 
+    path: object
+    # shape (rows, columns), not a number where there is none
     values: np.ndarray
-    # heads of the columns; empty where there are none
+    # a `Head` of each column; empty where the table has no names
     heads: list
-    # what stands above the table, heads included
+    # why a column has a cell that is no number, by its index: (reason, text)
+    flaws: dict
+    # comments, and what stands above the rows, names included
     comments: list
+    # tab, semicolon, comma, blanks or none
+    separator: str
+    # point or comma
+    decimal: str
+    # lines, from 1, with the names and the units; None where there are none
+    names_line: int | None = None
+    units_line: int | None = None
+
+    def find(self, wanted):
+        """Index of the column that is asked for, by its name or by its whole head."""
+        for fits in (lambda head: wanted in (head.name, head.text), lambda head: plain(wanted) in (plain(head.name), plain(head.text))):
+            found = [place for place, head in enumerate(self.heads) if head.text and fits(head)]
+            if len(found) > 1:
+                raise BadTable("column", f"{self.path}: more than one column is '{wanted}': "
+                               f"{', '.join(self.heads[place].text for place in found)}")
+            if found:
+                return found[0]
+        names = ", ".join(head.text for head in self.heads if head.text)
+        raise BadTable("column", f"{self.path}: there is no column '{wanted}', there are {names or 'no names'}")
+
+    def unit(self, place):
+        """The unit that a column states, empty where it states none; a head that is not understood is refused."""
+        if not self.heads:
+            return ""
+        if self.heads[place].flaw:
+            raise BadTable("unit", f"{self.path}: the head of a column: {self.heads[place].flaw}")
+        return self.heads[place].unit
+
+    def column(self, place):
+        """The numbers of a column."""
+        if place in self.flaws:
+            raise BadTable(*self.flaws[place])
+        return self.values[:, place]
+
+    def all_values(self):
+        """All numbers; a cell that is none is refused."""
+        for place in range(self.values.shape[1]):
+            self.column(place)
+        return self.values
+
+    def summary(self):
+        """How the table was read, in words."""
+        marks = {"none": "one column", "blanks": "columns between blanks"}
+        words = [marks.get(self.separator, f"columns between {self.separator}s"), f"decimal {self.decimal}"]
+        words += [f"{what} in line {line}" for what, line in (("names", self.names_line), ("units", self.units_line)) if line]
+        return ", ".join(words)
 
 
-def read_table(path):
+@dataclass
+class Layout:
+    """Which lines of a table are what."""
+
+    separator: str
+    # lines (number, text) with the numbers
+    rows: list
+    # heads of the columns, as texts, and the units of the line of units
+    names: list = field(default_factory=list)
+    units: list = field(default_factory=list)
+    names_line: int | None = None
+    units_line: int | None = None
+
+
+def read_table(path, needs_names=False):
     """Read a table of numbers whose rows have the same number of columns."""
-    lines = read_text(path).splitlines()
-    start = next((i for i, line in enumerate(lines[:MOST_HEAD_LINES + 1]) if is_row(line)), None)
-    if start is None:
-        raise BadInput(f"{path}: there is no row of numbers in the first {MOST_HEAD_LINES} lines")
-    rows = [(number, line) for number, line in enumerate(lines[start:], start + 1)
-            if line.strip() and not line.lstrip().startswith(("#", "%"))]
-    separator = separator_of([line for _, line in rows], path)
-    values = read_numbers(rows, separator, path)
-    comments = [line.strip().lstrip("#%").strip() for line in lines[:start] if line.strip()]
-    return Table(values, heads_of(comments[-1], separator, values.shape[1]) if comments else [], comments)
-
-
-def read_text(path):
-    """Text of a file."""
-    try:
-        data = path.read_bytes()
-    except OSError as problem:
-        raise FileFailure(f"{path}: cannot read: {problem.strerror or problem}") from None
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        encodings = ("utf-16",)
-    elif b"\0" in data:
-        raise BadInput(f"{path}: this is no text")
-    else:
-        encodings = ENCODINGS
-    for encoding in encodings:
-        try:
-            return data.decode(encoding)
-        except UnicodeDecodeError:
-            continue
-    raise BadInput(f"{path}: this is no text")
+    lines = [(number, line) for number, line in enumerate(read_lines(path), 1) if line.strip()]
+    comments = [(number, line.strip().lstrip("#%").strip()) for number, line in lines if line.lstrip().startswith(COMMENT)]
+    body = [(number, line) for number, line in lines if not line.lstrip().startswith(COMMENT)]
+    layout = find_layout(body, comments, path, needs_names)
+    mark = settle_mark(layout.rows, layout.separator, path)
+    values, flaws = numbers_in(layout.rows, layout.separator, mark, len(layout.names), path)
+    heads = [split_head(name) for name in layout.names]
+    heads = [add_unit(head, unit) for head, unit in zip(heads, layout.units)] if layout.units else heads
+    first = layout.rows[0][0]
+    above = [text for _, text in sorted([(number, text.strip()) for number, text in body if number < first] + comments)]
+    separator = SEPARATORS[layout.separator] if values.shape[1] > 1 or layout.separator == "," else "none"
+    return Table(path, values, heads, flaws, above, separator, "comma" if mark == "," else "point",
+                 layout.names_line, layout.units_line)
 
 
 def count_columns(path):
     """Number of columns in the first row of numbers; 0 where there is no text with numbers."""
     with path.open("rb") as file:
         head = file.read(1 << 16)
-    if b"\0" in head:
+    text = head.decode("utf-16", "ignore") if head.startswith(UTF16) else head.decode("latin-1")
+    if "\0" in text:
         return 0
-    lines = head.decode("latin-1").splitlines()
-    return next((len(re.split(r"[\s,;]+", line.strip(" \t,;"))) for line in lines if is_row(line)), 0)
+    lines = (line for line in re.split(r"\r\n|\r|\n", text) if not line.lstrip().startswith(COMMENT))
+    found = next((candidates for candidates in map(fitting, lines) if candidates), [])
+    return max((count for _, count in found), default=0)
 
 
-def is_row(line):
-    """Does a line have numbers, and nothing else but fields without a value?"""
-    if line.lstrip().startswith(("#", "%")):
-        return False
-    fields = [field for field in re.split(r"[\s,;]+", line.strip()) if field]
-    found = [field for field in fields if field.lower() not in MISSING]
-    return bool(found) and all(is_number(field) for field in found)
+def find_layout(body, comments, path, needs_names):
+    """What separates the columns, and which lines are names, units and rows."""
+    first = next((i for i, (_, line) in enumerate(body) if fitting(line)), None)
+    if first is None:
+        return layout_of_texts(body, path)
+    candidates = fitting(body[first][1])
+    for separator, count in candidates:
+        for above, is_comment in ((body[:first], False), ([item for item in comments if item[0] < body[first][0]], True)):
+            layout = with_names(above[-MOST_HEAD_LINES:], separator, split(body[first][1], separator), is_comment)
+            if layout:
+                start = body.index((layout.last_line, dict(body)[layout.last_line])) + 1 if not is_comment else first
+                layout.rows = body[start:]
+                return layout
+    if needs_names or first > MOST_HEAD_LINES:
+        raise_without_names(body, first, candidates, path)
+    separator = next((separator for separator, count in candidates if count > 1), candidates[0][0])
+    return Layout(separator, body[first:])
 
 
-def is_number(field):
-    """Is this a number?"""
-    try:
-        float(field)
-    except ValueError:
-        return False
-    return True
+def fitting(line):
+    """Separators by which a line has numbers alone, each with the number of cells."""
+    found = []
+    for separator in SEPARATORS:
+        cells = split(line, separator)
+        if cells is None:
+            continue
+        values = [value_of(cell, separator) for cell in cells]
+        if all(value is not None for value in values) and not all(np.isnan(value) for value in values):
+            found.append((separator, len(cells)))
+    return found
 
 
-def separator_of(lines, path):
-    """What separates the columns: `;`, `,`, or white space, which is None."""
-    has = {mark: any(mark in line for line in lines) for mark in ";,\t "}
-    if has[";"]:
-        if has[","] and any("." in line for line in lines):
-            raise BadInput(f"{path}: semicolons, commas and points in one table: which of them are decimal is not clear")
-        return ";"
-    if not has[","]:
-        return None
-    # 1,5 2,5 may be two numbers or four
-    if any(re.search(r"\S[ \t]+[^\s,]", re.sub(r",\s*", ",", line.strip())) for line in lines):
-        raise BadInput(f"{path}: commas and white space both separate: decimal commas are read where semicolons separate")
-    return ","
+def with_names(above, separator, row, is_comment):
+    """The layout with the names in the nearest of the lines above that has a name for each column; None if there is none."""
+    units = units_line = None
+    spare = None
+    for number, line in reversed(above[-2:] if is_comment else above):
+        for names in name_cells(line, separator, row, is_comment):
+            if all(is_unit(name.strip("[]() ")) for name in names if name) and units is None:
+                units, units_line = [name.strip("[]() ") for name in names], number
+                spare = (names, number)
+                break
+            return make_layout(separator, names, number, units, units_line)
+    # what looks like units alone are the names, such as N
+    return make_layout(separator, *spare, None, None) if spare else None
 
 
-def split(line, separator):
-    """Fields of a line."""
-    return [unquoted(field.strip()) for field in (line.split(separator) if separator else line.split())]
+def make_layout(separator, names, number, units, units_line):
+    """A layout with names; the last of its lines is where the rows begin."""
+    units = None if units is None else [*units, *[""] * (len(names) - len(units))]
+    layout = Layout(separator, [], names, units or [], number, units_line)
+    layout.last_line = max(number, units_line or 0)
+    return layout
 
 
-def unquoted(field):
-    """A field without the quotes around it; E" keeps its mark."""
-    return field[1:-1] if len(field) > 1 and field[0] == field[-1] == '"' else field
+def name_cells(line, separator, row, is_comment):
+    """The names in a line, one for each of so many columns, in each of the ways in which it has so many."""
+    # names in a comment may be separated otherwise than numbers by blanks
+    ways = (separator, ";", ",", "\t") if is_comment and separator == " " else (separator,)
+    for way in ways:
+        for names in (blank_heads(line) if way == " " else [split_names(line, way)]):
+            if names is None or any(is_number(name, way) for name in names):
+                continue
+            while len(names) > 1 and not names[-1]:
+                names = names[:-1]
+            # empty cells behind the last name do not count
+            if any(names) and len(names) <= len(row) and not any(row[len(names):]):
+                yield names
 
 
-def heads_of(line, separator, columns):
-    """Heads of the columns in the line above them, as in `x [um], y [um], z [nm]`; none if these are not so many."""
-    line = re.sub(r"\s+(?=[\[(])", "", line)
-    for heads in ([unquoted(head) for head in re.split(r"\s*[,;\t]\s*", line)], split(line, separator)):
-        if len(heads) == columns:
-            return heads
-    return []
+def is_number(cell, separator):
+    """Is a cell a number, and not one without a value?"""
+    value = value_of(cell, separator)
+    return value is not None and not np.isnan(value)
 
 
-def read_numbers(rows, separator, path):
-    """Numbers of all rows."""
-    plain = [line.replace(",", ".") if separator == ";" else line for _, line in rows]
-    try:
-        # the quick way, for tables without gaps
-        values = np.loadtxt(plain, delimiter=separator, ndmin=2, comments=None)
-    except ValueError:
-        values = read_fields(zip([number for number, _ in rows], plain), separator, path)
-    values[~np.isfinite(values)] = np.nan
-    # a separator at the end of each line makes a column of nothing
-    if separator and values.shape[1] > 1 and all(line.rstrip().endswith(separator) for _, line in rows):
-        values = values[:, :-1]
-    return values
+def layout_of_texts(body, path):
+    """The layout where every row has a text: the first line has the names."""
+    if not body:
+        raise BadTable("names", f"{path}: there is no row of numbers, and there are no names of columns")
+    for separator in SEPARATORS:
+        names = next(iter(blank_heads(body[0][1])), None) if separator == " " else split_names(body[0][1], separator)
+        cells = split(body[1][1], separator) if len(body) > 1 else None
+        if len(body) == 1 and names and len(names) > 1:
+            raise BadTable("rows", f"{path}: there is no row of numbers below the names")
+        if names and cells and 1 < len(names) == len(cells) and any(is_number(cell, separator) for cell in cells):
+            return Layout(separator, body[1:], names, [], body[0][0])
+    for number, line in body:
+        for cell in re.split(r"[\t; ]+", line):
+            if PARTED.fullmatch(cell):
+                refuse_mark(number, cell, path, "parts of thousands are not read")
+    raise BadTable("names", f"{path}: there is no row of numbers")
 
 
-def read_fields(rows, separator, path):
-    """Numbers field by field, with what is missing as not a number."""
-    values = []
-    for number, line in rows:
-        fields = split(line, separator)
-        try:
-            values.append([np.nan if field.lower() in MISSING else float(field) for field in fields])
-        except ValueError as problem:
-            raise BadInput(f"{path}: line {number}: {first_line(problem)}") from None
-        if len(values[-1]) != len(values[0]):
-            raise BadInput(f"{path}: line {number} has {len(values[-1])} columns, those above have {len(values[0])}")
-    return np.array(values)
+def raise_without_names(body, first, candidates, path):
+    """Say why a table has no names."""
+    number, line = body[first]
+    for above_number, above in reversed(body[:first]):
+        for separator, count in candidates:
+            names = split_names(above, separator) if separator != " " else None
+            if names and len(names) > 1 and not any(is_number(name, separator) for name in names):
+                raise BadTable("names", f"{path}: line {number} has {count} cells, and line {above_number} {len(names)} names")
+    raise BadTable("names", f"{path}: no line above the first row, line {number}, has a name for each of its columns")

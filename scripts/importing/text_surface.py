@@ -5,10 +5,11 @@ import re
 
 import numpy as np
 
+from .letters import read_lines
 from .problems import BadInput
 from .source import Source, masked
-from .tables import read_table
-from .units import exponent_of, unit_in
+from .tables import MOST_HEAD_LINES, read_table
+from .units import exponent_of, number_with_unit
 
 # positions are on a grid where they miss it by less than this part of its step
 OFF_GRID = 0.05
@@ -19,30 +20,60 @@ NUMBERS = {"index", "no", "no.", "nr", "nr.", "number", "point", "row"}
 # headers that Gwyddion writes above positions
 LATERAL = re.compile(r"Lateral units:\s*(\S+)")
 VERTICAL = re.compile(r"Value units:\s*(\S+)")
+# words for width and height above a map of heights, in the languages of Gwyddion
+WIDTH = re.compile(r"(?:width|breite|largeur|ancho|anchura|larghezza|largura|\u0161\u00ed\u0159ka|\u0448\u0438\u0440\u0438\u043d\u0430)\s*:\s*(\S.*)",
+                   re.IGNORECASE)
+HEIGHT = re.compile(r"(?:height|h\u00f6he|hauteur|alto|altura|altezza|v\u00fd\u0161ka|\u0432\u044b\u0441\u043e\u0442\u0430)\s*:\s*(\S.*)", re.IGNORECASE)
 
 
 def read_text_surface(path):
     """Read a line or a map."""
     table = read_table(path)
-    if table.heads and table.heads[0].lower() in NUMBERS:
-        table.heads, table.values = table.heads[1:], table.values[:, 1:]
-    columns = table.values.shape[1]
-    units = units_of(table, path)
+    values, units, read = table.all_values(), units_of(table, path), table.summary()
+    size = size_of(table.comments)
+    if size:
+        return map_of_size(values, size, units[-1], read, path)
+    if table.heads and table.heads[0].name.lower() in NUMBERS:
+        values, units = values[:, 1:], units[1:]
+    columns = values.shape[1]
     if columns == 1:
-        return Source("text, heights of a line", masked(table.values[:, 0]), None, None, units[0])
+        return Source(f"text, heights of a line ({read})", masked(values[:, 0]), None, None, units[0])
     if columns > 3:
-        return Source("text, heights of a map", masked(table.values), None, None, None)
+        return Source(f"text, heights of a map ({read})", masked(values), None, None, None)
     if columns == 2:
-        return line_of(table.values[:, 0], table.values[:, 1], "text, x z", units, path)
-    x, y, z = table.values.T
+        return line_of(values[:, 0], values[:, 1], f"text, x z ({read})", units, path)
+    x, y, z = values.T
     if np.ptp(y) == 0:
-        return line_of(x, z, "text, x y z along a line", [units[0], units[2]], path)
-    return map_of(x, y, z, units, path)
+        return line_of(x, z, f"text, x y z along a line ({read})", [units[0], units[2]], path)
+    return map_of(x, y, z, units, read, path)
+
+
+def states_size(path):
+    """Does the head of a text state the size of a map?"""
+    return size_of([line.strip().lstrip("#").strip() for line in read_lines(path)[:MOST_HEAD_LINES]]) is not None
+
+
+def size_of(comments):
+    """Width and height that stand above a map of heights, as [(number, unit), ...], as Gwyddion writes them in any language."""
+    found = [next((number_with_unit(line[1], "length") for line in map(word.fullmatch, comments) if line), None)
+             for word in (WIDTH, HEIGHT)]
+    return None if None in found else found
+
+
+def map_of_size(heights, size, unit, read, path):
+    """A map whose head states its size."""
+    (width, lateral), (height, other) = size
+    if bool(lateral) != bool(other) or lateral and exponent_of(lateral, "length") != exponent_of(other, "length"):
+        raise BadInput(f"{path}: the head states a width in '{lateral}' and a height in '{other}'")
+    if not lateral and unit:
+        raise BadInput(f"{path}: the file states a size, and no unit of it")
+    return Source(f"text, heights of a map whose head states its size ({read})", masked(heights),
+                  (width / heights.shape[1], height / heights.shape[0]), lateral or None, unit)
 
 
 def units_of(table, path):
     """Units of the columns that heads or comments state, None where they do not."""
-    units = [unit_in(head)[1] or None for head in table.heads] or [None] * table.values.shape[1]
+    units = [table.unit(place) or None for place in range(table.values.shape[1])]
     units = [unit if unit is None or exponent_of(unit, "length") is not None else refuse_unit(unit, path) for unit in units]
     for pattern, places in ((LATERAL, range(len(units) - 1)), (VERTICAL, [len(units) - 1])):
         found = next((pattern.search(line)[1] for line in table.comments if pattern.search(line)), None)
@@ -96,7 +127,7 @@ def line_of(x, z, form, units, path):
     return source
 
 
-def map_of(x, y, z, units, path):
+def map_of(x, y, z, units, read, path):
     """A map, from positions on a grid in any order; samples that are not there are missing."""
     check_positions(path, x, y)
     steps = [grid_step(distinct(values)) for values in (x, y)]
@@ -112,7 +143,7 @@ def map_of(x, y, z, units, path):
         raise BadInput(f"{path}: a position occurs twice")
     heights = np.full(ny * nx, np.nan)
     heights[flat] = z
-    return Source("text, x y z", masked(heights.reshape(ny, nx)), tuple(steps), lateral_unit(units[:2], path), units[2])
+    return Source(f"text, x y z ({read})", masked(heights.reshape(ny, nx)), tuple(steps), lateral_unit(units[:2], path), units[2])
 
 
 def distinct(values):

@@ -9,33 +9,38 @@ import math
 import re
 
 from .problems import BadInput
+from .quantities import read_unit
 
-PREFIXES = {"p": -12, "n": -9, "u": -6, "m": -3, "c": -2, "d": -1, "": 0, "k": 3, "M": 6, "G": 9, "T": 12}
-# the micro sign and the Greek letter are two characters
 MICRO = str.maketrans({"\u00b5": "u", "\u03bc": "u"})
-# exponents of ten that make metres of a length
-LENGTHS = {prefix + "m": power for prefix, power in PREFIXES.items() if power <= 3} | {
-    "\u00c5": -10, "\u212b": -10, "A": -10, "angstrom": -10, "Angstrom": -10, "micron": -6, "microns": -6}
-# exponents of ten that make pascals of a modulus
-MODULI = {prefix + "Pa": power for prefix, power in PREFIXES.items() if power >= 0} | {
-    "N/m^2": 0, "N/mm^2": 6, "N/m2": 0, "N/mm2": 6, "N/m\u00b2": 0, "N/mm\u00b2": 6}
+# units of kinds that are told apart by more than their powers; what is there goes before the table of all units
+ANGSTROM = {"A": -10}
 # 1/s and s^-1 are of neither: both quantities have them
-CYCLES = {prefix + "Hz": PREFIXES[prefix] for prefix in ("u", "m", "", "k", "M", "G", "T")}
+CYCLES = {prefix + "Hz": power for prefix, power in (("u", -6), ("m", -3), ("", 0), ("k", 3), ("M", 6), ("G", 9), ("T", 12))}
 RADIANS = {"rad/s": 0, "krad/s": 3, "Mrad/s": 6, "rad s-1": 0, "rad s^-1": 0, "rad*s^-1": 0, "rad\u00b7s\u207b\u00b9": 0,
            "rad.s-1": 0}
-KINDS = {"length": LENGTHS, "modulus": MODULI, "frequency": CYCLES | RADIANS}
-EXAMPLES = {"length": "m, mm, um, nm or angstrom", "modulus": "Pa, kPa, MPa or GPa", "frequency": "Hz or rad/s"}
+# SI units of kinds of quantities, and units as examples
+KINDS = {"length": ("m", "m, mm, um, nm or angstrom"), "modulus": ("Pa", "Pa, kPa, MPa or GPa"),
+         "frequency": ("rad/s", "Hz or rad/s"), "force": ("N", "N, uN, nN or pN"), "voltage": ("V", "V or mV"),
+         "spring constant": ("N/m", "N/m, mN/m or nN/nm"), "sensitivity": ("m/V", "m/V or nm/V"), "time": ("s", "s or ms"),
+         "temperature": ("K", "K")}
+# a number and a unit behind it, in the head of a file
+QUANTITY = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(\S.*)?")
 
 
 def exponent_of(unit, kind):
     """The exponent of ten of a unit of this kind; None if it is none."""
-    return KINDS[kind].get(unit.strip().translate(MICRO))
+    if kind == "frequency":
+        return (CYCLES | RADIANS).get(unit.strip().translate(MICRO))
+    if kind == "length" and unit.strip() in ANGSTROM:
+        return ANGSTROM[unit.strip()]
+    found = read_unit(unit)
+    return found.exponent if found and found.powers == read_unit(KINDS[kind][0]).powers else None
 
 
 def check_unit(unit, kind, where):
     """The unit, if it is known."""
     if exponent_of(unit, kind) is None:
-        raise BadInput(f"{where}: the unit '{unit}' is not known for a {kind}; {EXAMPLES[kind]} are")
+        raise BadInput(f"{where}: the unit '{unit}' is not known for a {kind}; {KINDS[kind][1]} are")
     return unit.strip().translate(MICRO)
 
 
@@ -47,13 +52,12 @@ def to_si(values, unit, kind):
     return scaled * (2 * math.pi) if is_cyclic else scaled
 
 
-def unit_in(label):
-    """Name and unit of the head of a column, as in `x [um]`, `x (um)`, `x / um` or `x in um`; without one the unit is empty."""
-    found = re.fullmatch(r"\s*(.*?)\s*(?:\[([^\]]*)\]|\(([^)]*)\)|/\s*(\S+)|\s+in\s+(\S+))\s*", label)
-    if not found:
-        return label.strip(), ""
-    name, *units = found.groups()
-    return name, next(unit for unit in units if unit is not None).strip()
+def number_with_unit(text, kind):
+    """A number and its unit, empty where there is none, as in `2,0 um`; None where the text is no such."""
+    found = QUANTITY.fullmatch(text.strip())
+    if not found or found[2] and exponent_of(found[2], kind) is None:
+        return None
+    return float(found[1].replace(",", ".")), (found[2] or "").strip()
 
 
 def settle(stated, given, option, kind, path):
@@ -65,5 +69,5 @@ def settle(stated, given, option, kind, path):
         return stated
     if given is None:
         raise BadInput(f"{path}: the file does not state the unit of {'its lengths' if kind == 'length' else 'the ' + kind}: "
-                       f"give {option}, such as {EXAMPLES[kind]}")
+                       f"give {option}, such as {KINDS[kind][1]}")
     return check_unit(given, kind, option)

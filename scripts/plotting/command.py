@@ -1,21 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The command line."""
 
-import argparse
 import sys
-from pathlib import Path
 
+from .options import read_command_line
 from .printable import literal, printable
 from .results import BadFile, NothingToDraw, Results
 
 FORMATS = (".png", ".pdf", ".svg")
-
-
-class Parser(argparse.ArgumentParser):
-    """A parser whose messages show what a name has, instead of obeying it."""
-
-    def _print_message(self, message, file=None):
-        super()._print_message("\n".join(printable(line) for line in message.split("\n")), file)
 
 
 def main(arguments):
@@ -40,23 +32,6 @@ def main(arguments):
         return 2
     print(printable(f"figure {figure_file}"))
     return 0
-
-
-def read_command_line(arguments):
-    """What the user asks for."""
-    parser = Parser(
-        prog="scripts/plot",
-        description="Draw the figure of a results file, or several files in one figure. Without --x and --y what is drawn "
-        "follows from what was swept.",
-    )
-    parser.add_argument("files", metavar="FILE.h5", type=Path, nargs="+", help="results of adfric run")
-    parser.add_argument("--x", metavar="NAME", help="swept variable or result along the axis (default: the last one that is swept)")
-    parser.add_argument("--y", metavar="NAME", nargs="+", help="results to draw, a panel for each")
-    parser.add_argument("--data", metavar="TABLE", type=Path,
-                        help="points to draw as well: a CSV file whose header has the names of x and of results, in SI units")
-    parser.add_argument("-o", "--output", metavar="FIGURE", type=Path,
-                        help="figure, .png, .pdf or .svg (default: that of the first file, .png)")
-    return parser.parse_args(arguments)
 
 
 def make_figure(runs, x=None, y=None, data=None):

@@ -9,7 +9,7 @@ module adfric_api_state
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count
    use adfric_input_case, only: case_t, new_case
-   use adfric_input_csv_table, only: csv_table_t
+   use adfric_input_text_table, only: text_table_t
    use adfric_input_consistency, only: check_consistency
    use adfric_input_fit, only: fit_input_t, has_fit_groups, read_fit
    use adfric_input_namelist_file, only: namelist_file_t, no_namelist_file
@@ -78,7 +78,7 @@ contains
       !> Says what is wrong with the input, a line each.
       type(error_t), allocatable, intent(out) :: error
       !> Tables of a fit that the caller has in memory, by their names.
-      type(csv_table_t), intent(in), optional :: tables(:)
+      type(text_table_t), intent(in), optional :: tables(:)
       type(namelist_file_t) :: file
       type(run_input_t) :: run
       type(fit_input_t) :: details

@@ -7,7 +7,7 @@
 module adfric_base_printable
    implicit none (type, external)
    private
-   public :: printable, whole_letters, shell_word
+   public :: printable, whole_letters, shell_word, length_of_letter
 
    character(*), parameter :: newline = achar(10)
    character(*), parameter :: hexadecimal = '0123456789abcdef'

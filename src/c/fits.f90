@@ -7,7 +7,7 @@ module adfric_c_fits
    use adfric_base_text, only: longest_name, show_count
    use adfric_c_cases, only: keep_case
    use adfric_c_texts, only: read_text, refuse_null, status_of, too_little_memory
-   use adfric_input_csv_table, only: csv_table_t, new_table_of_numbers
+   use adfric_input_text_table, only: text_table_t, new_table_of_numbers
    implicit none (type, external)
    private
 
@@ -38,7 +38,7 @@ contains
       type(c_ptr), intent(in), value :: opened
       type(state_t), pointer :: state
       type(error_t), allocatable :: error
-      type(csv_table_t), allocatable :: in_memory(:)
+      type(text_table_t), allocatable :: in_memory(:)
       character(:), allocatable :: input
       integer :: failure
 
@@ -64,7 +64,7 @@ contains
       !> The tables.
       type(c_ptr), intent(in) :: given
       !> Receives them.
-      type(csv_table_t), allocatable, intent(out) :: tables(:)
+      type(text_table_t), allocatable, intent(out) :: tables(:)
       !> Allocated if something is missing, or out of range.
       type(error_t), allocatable, intent(out) :: error
       type(table_info_t), pointer :: list(:)
@@ -91,7 +91,7 @@ contains
       !> The table of the caller.
       type(table_info_t), intent(in) :: given
       !> Receives it.
-      type(csv_table_t), intent(out) :: table
+      type(text_table_t), intent(out) :: table
       !> Allocated if something is missing, or out of range.
       type(error_t), allocatable, intent(out) :: error
       character(:), allocatable :: name

@@ -3,7 +3,7 @@
 module adfric_command_check
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: pad
-   use adfric_base_text, only: newline, show_count, show_number
+   use adfric_base_text, only: newline, show_count, show_number, show_text
    use adfric_command_case, only: open_input, run_or_fit
    use adfric_command_fit_check, only: describe_fit
    use adfric_command_line, only: command_t
@@ -17,6 +17,7 @@ module adfric_command_check
    use adfric_input_run, only: run_input_t
    use adfric_model_model, only: derived_t
    use adfric_model_table, only: kind_dataset
+   use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: axis_t
    use adfric_output_resources, only: file_size_of, show_bytes
    use adfric_run_time_estimate, only: time_estimate_t, estimate_time
@@ -46,7 +47,7 @@ contains
       if (outcome%exit_status /= exit_success .or. command%is_quiet .or. command%names_output) return
       if (len(run%title) > 0) call outcome%say(run%title//newline)
       call outcome%say(pad('model', name_width)//run%model%name//newline)
-      call outcome%say(describe_values(run))
+      call outcome%say(describe_values(run)//describe_tables(run%datasets))
       select type (model => run%model)
       type is (stack_model_t)
          call check_fit(model, details, run, outcome)
@@ -130,6 +131,30 @@ contains
          end associate
       end do
    end function describe_values
+
+   !> How the tables of text were read, each once.
+   function describe_tables(datasets) result(lines)
+      !> The datasets, some of which are columns of tables.
+      type(dataset_t), intent(in) :: datasets(:)
+      character(:), allocatable :: lines
+      integer :: i, k
+      logical :: is_said(size(datasets))
+
+      lines = ''
+      is_said = .false.
+      do i = 1, size(datasets)
+         if (is_said(i) .or. .not. allocated(datasets(i)%form)) cycle
+         lines = lines//pad('table', name_width)//datasets(i)%file//': '//datasets(i)%form
+         do k = i, size(datasets)
+            if (.not. allocated(datasets(k)%form)) cycle
+            if (datasets(k)%file /= datasets(i)%file .or. len(datasets(k)%path) == 0) cycle
+            lines = lines//trim(merge('; ', ', ', k == i))//' '//show_text(datasets(k)%path)
+            if (len(datasets(k)%units) > 0) lines = lines//' in '//show_text(datasets(k)%units)
+            is_said(k) = .true.
+         end do
+         lines = lines//newline
+      end do
+   end function describe_tables
 
    !> The point of a sweep that what follows is said of.
    function describe_first_point(run) result(line)

@@ -8,11 +8,12 @@ module adfric_input_cases
    use adfric_base_words, only: count_words, get_word
    use adfric_hdf5_members, only: find_members
    use adfric_input_case, only: case_t
-   use adfric_input_csv_table, only: csv_table_t, open_csv_table
    use adfric_input_dataset, only: load_numbers, take_numbers
    use adfric_input_group_values, only: look_up_number, take_text, take_words
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_swept_variable, only: break_variable, check_not_twice, convert_values, put_swept
+   use adfric_input_table_name, only: is_table_name
+   use adfric_input_text_table, only: text_table_t, open_text_table
    use adfric_input_vocabulary, only: cases_names, list_numbers, report_unknown_names
    use adfric_model_model, only: model_t
    use adfric_run_dataset, only: dataset_t
@@ -35,7 +36,7 @@ module adfric_input_cases
       !> Name of the group; not allocated for a table of text.
       character(:), allocatable :: path
       !> The table of text.
-      type(csv_table_t) :: table
+      type(text_table_t) :: table
    end type source_t
 
 contains
@@ -115,9 +116,9 @@ contains
       colon = index(name, divider, back=.true.)
       if (len(name) > longest_name) then
          call file%report_variable(problems, group, 'file', 'too long for the name of a file, given '''//show_text(name)//'''')
-      else if (len(name) > 4 .and. to_lower(name(max(1, len(name) - 3):)) == '.csv') then
+      else if (is_table_name(name)) then
          source%file = name
-         call open_csv_table(source%table, name, error)
+         call open_text_table(source%table, name, error)
          if (allocated(error)) call file%report_variable(problems, group, 'file', error%message)
       else if (colon > 1) then
          source%file = name(:colon - 1)
@@ -155,11 +156,9 @@ contains
       if (allocated(source%path)) then
          call find_members(source%file, source%path, known, exists, flaw)
       else
-         do k = 1, size(source%table%columns)
-            there = there//' '//show_text(source%table%columns(k)%name)
-         end do
+         there = source%table%list_names()
          do k = 1, size(exists)
-            exists(k) = source%table%index_of(get_word(known, k)) > 0
+            exists(k) = source%table%has_column(get_word(known, k))
          end do
       end if
       do k = 1, size(exists)
@@ -167,7 +166,7 @@ contains
       end do
       if (len(flaw) == 0 .and. len(names) == 0) then
          flaw = 'no column has the name of a numeric variable'
-         if (len(there) > 0) flaw = flaw//', there are '//join_words(there, ', ')
+         if (len(there) > 0) flaw = flaw//', there are '//there
       end if
       if (len(flaw) > 0) call file%report_variable(problems, group, 'file', flaw//', given '''//show_text(source%file)// &
          ''', allowed: columns with the names '//join_words(known, ', '))

@@ -5,24 +5,24 @@ module adfric_input_dataset
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp, i8
    use adfric_base_units, only: unit_t, to_si
-   use adfric_base_text, only: longest_name, show_count, show_number, show_text, to_lower
+   use adfric_base_text, only: longest_name, show_count, show_number, show_text
    use adfric_hdf5_samples, only: read_numbers
    use adfric_input_attributes, only: add_attributes
-   use adfric_input_csv_table, only: csv_table_t, open_csv_table
    use adfric_input_item, only: take_only_word
+   use adfric_input_head_unit, only: add_unit, head_t, split_head
    use adfric_input_literal, only: convert
+   use adfric_input_table_name, only: find_column_name
+   use adfric_input_text_table, only: text_table_t, open_text_table
    use adfric_input_unit_match, only: match_units
    use adfric_model_table, only: variable_t
    use adfric_run_dataset, only: dataset_t
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)
    private
-   public :: read_dataset_name, load_dataset, load_numbers, take_numbers, examine_values
+   public :: read_dataset_name, load_dataset, load_numbers, take_numbers, examine_values, honour_name
 
    !> What stands between the name of the file and that of the dataset, with which the latter begins.
    character(*), parameter :: divider = ':/'
-   !> What stands at the end of the name of a table, before the name of its column.
-   character(*), parameter :: table_divider = '.csv:'
    !> Sizes of the numbers of physics: none is larger, and if all are smaller they should be 0.
    real(dp), parameter :: largest = 1.0e60_dp, smallest = 1.0e-60_dp
 
@@ -44,12 +44,9 @@ contains
       call take_only_word(text, word, flaw, place)
       if (len(flaw) == 0) call convert(word, name, flaw)
       if (len(flaw) > 0) return
-      dataset%is_column = .false.
-      colon = index(name, divider, back=.true.)
-      if (index(to_lower(name), table_divider) > 1) then
-         dataset%is_column = .true.
-         colon = index(to_lower(name), table_divider) + len(table_divider) - 1
-      end if
+      colon = find_column_name(name)
+      dataset%is_column = colon > 0
+      if (.not. dataset%is_column) colon = index(name, divider, back=.true.)
       if (colon <= 1 .or. len(name) <= colon + merge(0, 1, dataset%is_column)) then
          flaw = 'does not name a dataset of a file, given '''//show_text(name)//''''
          return
@@ -87,15 +84,16 @@ contains
       real(dp), allocatable, intent(out) :: values(:, :)
       !> What is wrong with the file or the dataset; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
-      type(csv_table_t) :: table
+      type(text_table_t) :: table
       type(error_t), allocatable :: error
 
       if (.not. dataset%is_column) then
          call read_numbers(dataset%file, dataset%path, largest_rank, values, dataset%counts, dataset%units, flaw)
+         if (len(flaw) == 0) call honour_name(dataset%path, dataset%units, flaw)
          return
       end if
       flaw = ''
-      call open_csv_table(table, dataset%file, error)
+      call open_text_table(table, dataset%file, error)
       if (allocated(error)) then
          flaw = error%message
       else
@@ -103,10 +101,26 @@ contains
       end if
    end subroutine load_numbers
 
+   !> Honour the unit that the name of a dataset has, as in `load_nN`, where no attribute says the units.
+   pure subroutine honour_name(path, units, flaw)
+      !> Name of the dataset within its file.
+      character(*), intent(in) :: path
+      !> In: the units that the attribute says; empty: there is none. Out: those of the numbers.
+      character(:), allocatable, intent(inout) :: units
+      !> What is wrong with the name; empty if nothing is wrong.
+      character(:), allocatable, intent(out) :: flaw
+      type(head_t) :: head
+
+      call split_head(path(index(path, '/', back=.true.) + 1:), head)
+      call add_unit(head, units)
+      units = head%unit
+      flaw = head%flaw
+   end subroutine honour_name
+
    !> Take the numbers of a column of an open table, each of which there has to be.
    subroutine take_numbers(table, dataset, values, flaw)
       !> The table.
-      type(csv_table_t), intent(in) :: table
+      type(text_table_t), intent(in) :: table
       !> In: the names of file and column. Out: also shape and units.
       type(dataset_t), intent(inout) :: dataset
       !> The numbers in their units; shape `(n, 1)`.
@@ -127,7 +141,8 @@ contains
       if (missing > 0) flaw = dataset%file//': column '//show_text(dataset%path)//': no value (line ' &
          //show_count(table%line_of_row(missing))//')'
       dataset%counts = [size(column, kind=i8)]
-      dataset%units = table%columns(table%index_of(dataset%path))%unit
+      dataset%units = table%unit_of(dataset%path)
+      dataset%form = table%describe()
       values = reshape(column, [size(column), 1])
    end subroutine take_numbers
 

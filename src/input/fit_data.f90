@@ -93,7 +93,7 @@ contains
       type(columns_t) :: columns
       type(checksum_t) :: sum
 
-      call read_table_columns(group, model, columns, variable, flaw)
+      call read_table_columns(group, model, columns, loaded%datasets(g)%form, variable, flaw)
       if (len(flaw) > 0) return
       call set_points(group, columns, loaded%data_sets(g))
       call count_points(loaded%data_sets(g), loaded%counts(g))

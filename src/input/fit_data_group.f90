@@ -7,7 +7,7 @@ module adfric_input_fit_data_group
    use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: get_word
    use adfric_fit_problem, only: data_set_t, loss_gauss, n_nuisances, nuisance_names
-   use adfric_input_csv_table, only: csv_table_t
+   use adfric_input_text_table, only: text_table_t
    use adfric_input_fit_values, only: reader_t, new_reader
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: did_you_mean
@@ -26,7 +26,7 @@ module adfric_input_fit_data_group
       !> Name of the file, with that of a dataset within it or without; not allocated if it is wrong.
       character(:), allocatable :: file
       !> The table of that name, where somebody has it in memory.
-      type(csv_table_t), allocatable :: table
+      type(text_table_t), allocatable :: table
       !> Names of the columns; not allocated where none is given, empty where none is wanted.
       character(:), allocatable :: abscissa_column, ordinate_column, sigma_column, abscissa_sigma_column, branch_column, &
          segment_column

@@ -11,6 +11,7 @@ module adfric_input_fit_stack
    use adfric_fit_problem, only: data_set_t
    use adfric_hdf5_members, only: find_members
    use adfric_hdf5_stacks, only: row_stack_t, open_row_stack
+   use adfric_input_dataset, only: honour_name
    use adfric_input_fit_data_group, only: data_group_t
    use adfric_input_fit_points, only: columns_t, set_points
    use adfric_input_fit_table, only: is_wanted
@@ -180,11 +181,14 @@ contains
       character(*), intent(in) :: unit
       !> What is wrong; empty if nothing is wrong.
       character(:), allocatable, intent(out) :: flaw
+      character(:), allocatable :: units
 
       call open_row_stack(self%rows, file, path, flaw)
       if (len(flaw) > 0) return
       self%exists = .true.
-      call match_units(self%rows%units, unit, 'dataset '//path, self%unit, flaw)
+      units = self%rows%units
+      call honour_name(path, units, flaw)
+      if (len(flaw) == 0) call match_units(units, unit, 'dataset '//path, self%unit, flaw)
       if (len(flaw) > 0) flaw = flaw//', allowed: units of ['//unit//']'
    end subroutine open_column
 

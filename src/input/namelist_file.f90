@@ -5,7 +5,7 @@ module adfric_input_namelist_file
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count
    use adfric_base_words, only: has_word
-   use adfric_input_csv_table, only: csv_table_t
+   use adfric_input_text_table, only: text_table_t
    use adfric_input_assignment_scan, only: assignment_t, scan_assignments
    use adfric_input_group_scan, only: group_t, repeatable, scan_groups
    use adfric_input_source_text, only: source_t, new_source, find_control_character
@@ -27,7 +27,7 @@ module adfric_input_namelist_file
       !> The assignments of all groups, in the order of the file.
       type(assignment_t), allocatable :: assignments(:)
       !> Tables that somebody has in memory; their names go before those of files.
-      type(csv_table_t), allocatable :: tables(:)
+      type(text_table_t), allocatable :: tables(:)
    contains
       procedure :: find_group
       procedure :: find_assignment

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A file as a text, byte by byte: a regular file, or what has no known length, such as a pipe.
+!> A file as a text, byte by byte: a regular file, or as an input also a pipe.
 module adfric_input_whole_file
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t, c_null_char
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure
@@ -15,18 +15,22 @@ module adfric_input_whole_file
    integer, parameter :: mebibyte = 1024**2
    !> More than anybody writes: something else was given by mistake [bytes].
    integer, parameter :: largest_file = 100*mebibyte
+   !> What `c_open` gives back for a device, a folder, and the like.
+   integer(c_int), parameter :: c_is_irregular = -huge(1_c_int)
    !> Room at first for what has no known length [bytes].
    integer, parameter :: first_room = 65536
 
    !> See `file_bytes.c`.
    interface
 
-      !> Open a file to read it; its number, or minus an error number of the system.
-      integer(c_int) function c_open(path) bind(c, name='adfric_open_to_read')
+      !> Open a file to read it; its number, `c_is_irregular`, or minus an error number of the system.
+      integer(c_int) function c_open(path, takes_pipes) bind(c, name='adfric_open_to_read')
          import :: c_char, c_int
          implicit none (type, external)
          !> Name of the file, ends with a null character.
          character(kind=c_char), intent(in) :: path(*)
+         !> 1 if a pipe may be opened, else 0.
+         integer(c_int), intent(in), value :: takes_pipes
       end function c_open
 
       !> Read what comes next; the number of bytes, 0 at the end, or minus an error number of the system.
@@ -82,8 +86,11 @@ contains
          call set_error(error, code, path//': cannot open the '//name//', there is no such file')
          return
       end if
-      file = c_open(path//c_null_char)
-      if (file < 0) then
+      file = c_open(path//c_null_char, merge(0_c_int, 1_c_int, present(thing)))
+      if (file == c_is_irregular) then
+         call set_error(error, code, path//': cannot open the '//name//', this is no regular file')
+         return
+      else if (file < 0) then
          call set_error(error, code, path//': cannot open the '//name//', '//error_text(-file))
          return
       end if

@@ -6,11 +6,12 @@
 module adfric_material_given_spectrum
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
+   use adfric_base_text, only: show_number
    use adfric_base_unset, only: unset, is_set
    use adfric_material_master_curve, only: master_curve_fit_t, fit_master_curve, default_terms_per_decade
    use adfric_material_prony, only: prony_t, most_arms
    use adfric_material_retardation, only: retardation_t, new_retardation
-   use adfric_model_rows, only: above_zero, any_number, columns_row, list_row
+   use adfric_model_rows, only: above_zero, any_number, columns_row, list_row, positive
    use adfric_model_table, only: variable_t
    implicit none (type, external)
    private
@@ -19,9 +20,13 @@ module adfric_material_given_spectrum
    public :: n_arm_rows
 
    !> Number of rows.
-   integer, parameter :: n_arm_rows = 5
+   integer, parameter :: n_arm_rows = 6
    !> Places among the rows.
-   integer, parameter :: young_moduli = 1, relaxation_times = 2, master_curve = 3, terms_per_decade = 4, time_factor = 5
+   integer, parameter :: young_moduli = 1, relaxation_times = 2, master_curve = 3, relaxed_modulus = 4, terms_per_decade = 5, &
+      & time_factor = 6
+
+   !> A misfit of |E| up to this one is good enough, and so many arms in a decade are offered at most to make it so.
+   real(dp), parameter :: good_misfit = 5.0e-3_dp, most_terms_per_decade = 6.0_dp
 
    !> Lists and datasets of an input; what is not given is not allocated.
    type :: given_spectrum_t
@@ -50,26 +55,62 @@ contains
       rows(master_curve) = columns_row(group=group, name='master_curve', columns='omega storage loss', units='rad/s Pa Pa', &
          & meaning='group with storage and loss modulus over the frequency, to which arms are fitted', least_count=2, &
          & attributes='reference_temperature', attribute_units='K')
+      rows(relaxed_modulus) = positive(group=group, name='relaxed_modulus', unit='Pa', &
+         & meaning='relaxed modulus of master_curve, where its data do not reach such low frequencies')
       rows(terms_per_decade) = any_number(group=group, name='terms_per_decade', unit='-', &
-         & meaning='arms that are offered to a master curve in a decade; 1.5 if not given', lower=0.1_dp, upper=10.0_dp)
+         & meaning='arms that are offered to a master curve in a decade; if not given 1.5, or 3 or 6 where the misfit halves', &
+         & lower=0.1_dp, upper=10.0_dp)
       rows(time_factor) = above_zero(group=group, name='time_factor', unit='-', &
          & meaning='factor of all relaxation times; 1 if not given')
    end subroutine set_arm_rows
 
    !> Fit arms to the master curve.
-   pure subroutine fit_given_curve(given, terms_per_decade, fit)
+   pure subroutine fit_given_curve(given, relaxed_modulus, terms_per_decade, fit)
       !> Lists and datasets of the input, with a master curve that has been checked.
       class(given_spectrum_t), intent(in) :: given
+      !> Relaxed modulus in the unit of the curve, or unset: that of the fit.
+      real(dp), intent(in) :: relaxed_modulus
       !> Arms that are offered in a decade, or unset.
       real(dp), intent(in) :: terms_per_decade
       !> Receives the fit.
       type(master_curve_fit_t), intent(out) :: fit
+      type(master_curve_fit_t) :: finer
       real(dp) :: terms
 
+      if (is_set(terms_per_decade)) then
+         call fit_terms(given, relaxed_modulus, terms_per_decade, fit)
+         return
+      end if
       terms = default_terms_per_decade
-      if (is_set(terms_per_decade)) terms = terms_per_decade
-      call fit_master_curve(fit, given%master_curve(:, 1), given%master_curve(:, 2), given%master_curve(:, 3), terms)
+      call fit_terms(given, relaxed_modulus, terms, fit)
+      ! scatter of the data stays, however many arms there are; what halves was the distance of the times from those of the solid
+      do while (fit%is_solved .and. terms < most_terms_per_decade)
+         terms = 2*terms
+         call fit_terms(given, relaxed_modulus, terms, finer)
+         if (.not. (finer%is_solved .and. finer%modulus%rms < fit%modulus%rms/2 .and. fit%modulus%largest > good_misfit)) return
+         fit = finer
+      end do
    end subroutine fit_given_curve
+
+   !> Fit arms to the master curve, of which so many are offered in a decade.
+   pure subroutine fit_terms(given, relaxed_modulus, terms, fit)
+      !> Lists and datasets of the input, with a master curve that has been checked.
+      class(given_spectrum_t), intent(in) :: given
+      !> Relaxed modulus in the unit of the curve, or unset: that of the fit.
+      real(dp), intent(in) :: relaxed_modulus
+      !> Arms that are offered in a decade.
+      real(dp), intent(in) :: terms
+      !> Receives the fit.
+      type(master_curve_fit_t), intent(out) :: fit
+
+      associate (omega => given%master_curve(:, 1), storage => given%master_curve(:, 2), loss => given%master_curve(:, 3))
+         if (is_set(relaxed_modulus)) then
+            call fit_master_curve(fit, omega, storage, loss, terms, relaxed_modulus)
+         else
+            call fit_master_curve(fit, omega, storage, loss, terms)
+         end if
+      end associate
+   end subroutine fit_terms
 
    !> Add to `problems` lists of arms that are not as long as that of their times.
    subroutine check_numbers_of_arms(moduli_row, young_moduli_row, given, problems)
@@ -92,9 +133,13 @@ contains
    end subroutine check_numbers_of_arms
 
    !> Add to `problems` what no master curve has.
-   subroutine check_curve(row, given, problems)
+   subroutine check_curve(row, relaxed_row, relaxed_modulus, given, problems)
       !> Row of the master curve; its name is part of the messages.
       type(variable_t), intent(in) :: row
+      !> Row of the relaxed modulus.
+      type(variable_t), intent(in) :: relaxed_row
+      !> The relaxed modulus that is given, or unset.
+      real(dp), intent(in) :: relaxed_modulus
       !> Lists and datasets of the input, with a master curve.
       class(given_spectrum_t), intent(in) :: given
       !> Receives what is wrong with the input; nothing is removed.
@@ -105,6 +150,11 @@ contains
       else if (.not. all(given%master_curve(:, 2:) >= 0) .or. &
          & .not. all(given%master_curve(:, 2) + given%master_curve(:, 3) > 0)) then
          call problems%add(row%group, row%name, 'has moduli < 0, or both 0')
+      else if (is_set(relaxed_modulus)) then
+         ! the storage modulus of a solid nowhere lies below the relaxed one
+         if (relaxed_modulus > minval(given%master_curve(:, 2))) call problems%add(relaxed_row%group, relaxed_row%name, 'is '// &
+            & show_number(relaxed_modulus)//' Pa, allowed: up to the least storage modulus of master_curve, '// &
+            & show_number(minval(given%master_curve(:, 2)))//' Pa')
       end if
    end subroutine check_curve
 
@@ -121,7 +171,7 @@ contains
          call problems%add(row%group, row%name, 'cannot be fitted')
       else if (.not. fit%is_solid) then
          call problems%add(row%group, row%name, &
-            & 'gives a fluid: its data do not reach the relaxed modulus; add data at lower frequencies')
+            & 'gives a fluid: its data do not reach the relaxed modulus; give relaxed_modulus, or add data at lower frequencies')
       end if
    end subroutine check_fit
 

@@ -4,7 +4,7 @@
 !> Relaxation times are spaced evenly on a logarithmic scale, from a decade below 1/omega_max to a decade above 1/omega_min. The moduli
 !> are the non-negative least squares of
 !> $$ \sum_\omega \left|\frac{M(i \omega) - E}{E}\right|^2, \qquad E = E' + i E'', $$
-!> with the relaxed modulus among the unknowns. The weight 1/|E| lets the rubber count as much as the glass. Arms that the data do
+!> with the relaxed modulus among the unknowns, unless it is prescribed. The weight 1/|E| lets the rubber count as much as the glass. Arms that the data do
 !> not ask for have the modulus 0 and are left out.
 module adfric_material_master_curve
    use adfric_base_kinds, only: dp
@@ -51,7 +51,7 @@ module adfric_material_master_curve
 contains
 
    !> Fit a relaxation spectrum to a master curve.
-   pure subroutine fit_master_curve(self, frequencies, storage, loss, terms_per_decade)
+   pure subroutine fit_master_curve(self, frequencies, storage, loss, terms_per_decade, relaxed)
       !> The fit.
       type(master_curve_fit_t), intent(out) :: self
       !> Angular frequencies of the data, in any order [rad/s], > 0; shape `(n)`, n > 0.
@@ -62,6 +62,8 @@ contains
       real(dp), intent(in) :: loss(:)
       !> Relaxation times in a decade [-], > 0. There are not more than `most_arms` in all.
       real(dp), intent(in) :: terms_per_decade
+      !> Relaxed modulus [unit of E'], > 0; it is found if it is not present.
+      real(dp), intent(in), optional :: relaxed
       real(dp), allocatable :: times(:), moduli(:)
 
       if (has_asserts) call assert(size(storage) == size(frequencies) .and. size(loss) == size(frequencies), &
@@ -73,8 +75,8 @@ contains
       call get_times(self%lowest_frequency, self%highest_frequency, terms_per_decade, times)
       self%n_times = size(times)
       allocate (moduli(0:size(times)))
-      call fit_moduli(frequencies, storage, loss, times, moduli, self%is_solved)
-      self%is_solid = moduli(0) > least_share*minval(hypot(storage, loss))
+      call fit_moduli(frequencies, storage, loss, times, moduli, self%is_solved, relaxed)
+      self%is_solid = moduli(0) > least_share*minval(hypot(storage, loss)) .or. present(relaxed)
       if (.not. self%is_solid) moduli(0) = 0
       call new_prony(self%prony, moduli(0), moduli(1:), times)
       call set_misfits(self, frequencies, storage, loss)
@@ -102,7 +104,7 @@ contains
    end subroutine get_times
 
    !> The moduli of given times.
-   pure subroutine fit_moduli(frequencies, storage, loss, times, moduli, is_solved)
+   pure subroutine fit_moduli(frequencies, storage, loss, times, moduli, is_solved, relaxed)
       !> Angular frequencies of the data [rad/s]; shape `(n)`.
       real(dp), intent(in) :: frequencies(:)
       !> Storage modulus; shape `(n)`.
@@ -115,6 +117,8 @@ contains
       real(dp), intent(out) :: moduli(0:)
       !> Are they proved to be the best?
       logical, intent(out) :: is_solved
+      !> Relaxed modulus; it is found if it is not present.
+      real(dp), intent(in), optional :: relaxed
       real(dp) :: columns(2*size(frequencies), 0:size(times)), weights(size(frequencies))
       type(prony_t) :: arm
       integer :: i, n
@@ -129,7 +133,12 @@ contains
          columns(:n, i) = columns(:n, i)*weights
          columns(n + 1:, i) = columns(n + 1:, i)*weights
       end do
-      call solve_non_negative(columns, [storage*weights, loss*weights], moduli, is_solved)
+      if (present(relaxed)) then
+         moduli(0) = relaxed
+         call solve_non_negative(columns(:, 1:), [(storage - relaxed)*weights, loss*weights], moduli(1:), is_solved)
+      else
+         call solve_non_negative(columns, [storage*weights, loss*weights], moduli, is_solved)
+      end if
    end subroutine fit_moduli
 
    !> How far the fit is off.

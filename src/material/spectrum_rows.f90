@@ -30,12 +30,13 @@ module adfric_material_spectrum_rows
 
    !> Places among the rows; the last one stands in the group of the operating conditions.
    integer, parameter :: modulus = 1, young_modulus = 2, poisson_ratio = 3, moduli = 4, young_moduli = 5, relaxation_times = 6, &
-      & master_curve = 7, terms_per_decade = 8, time_factor = 9, shift = 10, activation_energy = 14, temperature = 15
+      & master_curve = 7, relaxed_modulus = 8, terms_per_decade = 9, time_factor = 10, shift = 11, activation_energy = 15, &
+      & temperature = 16
    !> Number of rows.
    integer, parameter :: n_spectrum_rows = temperature
    !> Names of the rows of the spectrum, and of all of them.
    character(*), parameter :: modulus_names = 'modulus young_modulus poisson_ratio moduli young_moduli relaxation_times ' &
-      & //'master_curve terms_per_decade'
+      & //'master_curve relaxed_modulus terms_per_decade'
    character(*), parameter :: shift_names = 'shift reference_temperature wlf_c1 wlf_c2 activation_energy temperature'
    character(*), parameter :: spectrum_names = modulus_names//' time_factor '//shift_names
    !> The instantaneous modulus over the relaxed one, beyond which either is an input's mistake: the pairs of numbers that retardation
@@ -164,7 +165,8 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call refuse_given(rows, values, is_swept, [terms_per_decade], 'has no meaning without master_curve', problems)
+      call refuse_given(rows, values, is_swept, [relaxed_modulus, terms_per_decade], 'has no meaning without master_curve', &
+         & problems)
       if (.not. is_set(values(relaxation_times))) then
          call refuse_given(rows, values, is_swept, [moduli, young_moduli], 'needs relaxation_times', problems)
       else if (is_set(values(modulus))) then
@@ -190,11 +192,12 @@ contains
       type(problems_t), intent(inout) :: problems
       type(prony_t) :: prony
       type(master_curve_fit_t) :: fit
-      integer, parameter :: relaxed_places(3) = [modulus, young_modulus, master_curve]
+      integer, parameter :: relaxed_places(4) = [relaxed_modulus, modulus, young_modulus, master_curve]
       integer :: before, place
 
       before = problems%count()
-      if (is_set(values(master_curve))) call check_curve(rows(master_curve), given, problems)
+      if (is_set(values(master_curve))) call check_curve(rows(master_curve), rows(relaxed_modulus), &
+         & values(relaxed_modulus), given, problems)
       if (problems%count() > before) return
       call get_spectrum(values, given, prony, fit)
       if (is_set(values(master_curve))) call check_fit(rows(master_curve), fit, problems)
@@ -221,7 +224,7 @@ contains
       per_modulus = 1
       if (is_set(values(poisson_ratio))) per_modulus = plane_strain_modulus(1.0_dp, values(poisson_ratio))
       if (is_set(values(master_curve))) then
-         call fit_given_curve(given, values(terms_per_decade), fitted)
+         call fit_given_curve(given, values(relaxed_modulus), values(terms_per_decade), fitted)
          call new_prony(prony, fitted%prony%relaxed*per_modulus, fitted%prony%moduli*per_modulus, fitted%prony%times)
          if (present(fit)) fit = fitted
          return

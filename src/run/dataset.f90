@@ -25,6 +25,8 @@ module adfric_run_dataset
       character(:), allocatable :: path
       !> Is it a column of a table of text?
       logical :: is_column = .false.
+      !> How the table was read, in words; not allocated if it is none.
+      character(:), allocatable :: form
       !> The numbers of a list, in SI units; not allocated if it is none.
       real(dp), allocatable :: numbers(:)
       !> Names of the datasets that a group has, separated by a blank; not allocated if it is no group.

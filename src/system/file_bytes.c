@@ -5,6 +5,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdint.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -129,11 +130,21 @@ int adfric_read_words(const char *path, int64_t place, int64_t n, int64_t *words
    return number;
 }
 
-/* Open a file, or anything that can be read, at its beginning. Its number, or the negative of an error number. */
-int adfric_open_to_read(const char *path)
+/* Open a regular file at its beginning, or a pipe if it may be one, without waiting for anybody: a pipe that nobody writes to is
+   an empty file. Its number, minus the largest integer for anything else, or the negative of an error number. */
+int adfric_open_to_read(const char *path, int takes_pipes)
 {
-   const int file = open(path, O_RDONLY | O_CLOEXEC);
-   return file < 0 ? -errno : file;
+   struct stat entry = {.st_mode = 0};
+   const int file = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+   if (file < 0) return -errno;
+   if (fstat(file, &entry) == 0 && (S_ISREG(entry.st_mode) || (takes_pipes && S_ISFIFO(entry.st_mode)))) {
+      /* what a pipe will bring is waited for */
+      const int flags = fcntl(file, F_GETFL);
+      if (flags >= 0 && fcntl(file, F_SETFL, flags & ~O_NONBLOCK) == 0) return file;
+   }
+   const int is_folder = S_ISDIR(entry.st_mode);
+   close(file);
+   return is_folder ? -EISDIR : -INT_MAX;
 }
 
 /* Read the next bytes of an open file, n at most. How many there were: 0 at its end; or the negative of an error number. */

@@ -12,7 +12,8 @@ module adfric_wavy_check
    use adfric_wavy_variables, only: v_activation_energy, v_amplitudes, v_blend_share, v_detrend, v_height, v_height_factor, &
       & v_heights, v_interpolation, v_kind, v_load, v_moduli, v_n_x, v_n_y, v_penetration, v_period, v_periodise, v_phases, &
       & v_poisson_ratio, v_profiles, v_range, v_reference_temperature, v_reverse, v_shift, &
-      & v_shortest_wavelength, v_spacing, v_stiffness, v_stress, v_strip_spacing, v_temperature, v_terms_per_decade, v_thickness, &
+      & v_shortest_wavelength, v_spacing, v_stiffness, v_stress, v_strip_spacing, v_relaxed_modulus, v_temperature, &
+      & v_terms_per_decade, v_thickness, &
       & v_time_factor, v_velocity, v_wlf_c1, v_wlf_c2, v_young_moduli, v_young_modulus
    implicit none (type, external)
    private
@@ -79,7 +80,8 @@ contains
          integer, parameter :: places(*) = [v_heights, v_spacing, v_strip_spacing, v_amplitudes, v_phases, &
             & v_interpolation, v_detrend, &
             & v_periodise, v_blend_share, v_shortest_wavelength, v_reverse, v_height_factor, v_moduli, v_young_moduli, &
-            & v_terms_per_decade, v_time_factor, v_shift, v_reference_temperature, v_wlf_c1, v_wlf_c2, v_activation_energy, &
+            & v_relaxed_modulus, v_terms_per_decade, v_time_factor, v_shift, v_reference_temperature, v_wlf_c1, v_wlf_c2, &
+            & v_activation_energy, &
             & v_temperature]
          integer :: k
 

@@ -19,7 +19,7 @@ module adfric_wavy_marched_case
    use adfric_wavy_march_relief, only: relief_t, new_wave_relief, new_measured_relief
    use adfric_wavy_variables, only: v_activation_energy, v_blend_share, v_branch, v_detrend, v_edge, v_height, &
       & v_height_factor, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_penetration, v_period, &
-      & v_periodise, v_poisson_ratio, v_range, v_relaxation_time, v_relaxation_times, &
+      & v_periodise, v_poisson_ratio, v_range, v_relaxation_time, v_relaxation_times, v_relaxed_modulus, &
       & v_retardation_ratio, v_reverse, v_shift, v_shortest_wavelength, v_spacing, v_stiffness, v_stress, v_strip_spacing, &
       & v_temperature, v_terms_per_decade, v_thickness, v_time_factor, v_velocity, v_young_modulus
    implicit none (type, external)
@@ -33,7 +33,7 @@ module adfric_wavy_marched_case
    integer, parameter :: shape_places(*) = [v_kind, v_period, v_height, v_spacing, v_strip_spacing, v_interpolation, v_detrend, &
       & v_periodise, v_blend_share, v_shortest_wavelength, v_reverse]
    integer, parameter :: foundation_places(*) = [v_stiffness, v_young_modulus, v_poisson_ratio, v_thickness, v_relaxation_time, &
-      & v_retardation_ratio, v_terms_per_decade]
+      & v_retardation_ratio, v_relaxed_modulus, v_terms_per_decade]
 
    !> A point in reduced units, and the units.
    type :: marched_case_t
@@ -186,7 +186,7 @@ contains
       per_modulus = 1
       if (is_set(values(v_thickness))) per_modulus = 1/((1 - values(v_poisson_ratio)**2)*values(v_thickness))
       if (is_set(values(v_master_curve))) then
-         call fit_given_curve(given, values(v_terms_per_decade), fit)
+         call fit_given_curve(given, values(v_relaxed_modulus), values(v_terms_per_decade), fit)
          call new_prony(prony, fit%prony%relaxed*per_modulus, fit%prony%moduli*per_modulus, fit%prony%times)
          return
       end if

@@ -21,7 +21,7 @@ module adfric_wavy_marched_check
       & v_heights, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_n_x, v_penetration, v_period, &
       & v_periodise, v_phases, v_poisson_ratio, v_profiles, v_pull_off, v_range, v_relaxation_time, &
       & v_relaxation_times, v_retardation_ratio, v_reverse, v_shift, v_shortest_wavelength, v_slope, v_spacing, v_stiffness, &
-      & v_stress, v_strip_spacing, v_temperature, v_terms_per_decade, v_thickness, v_velocity, &
+      & v_stress, v_strip_spacing, v_temperature, v_relaxed_modulus, v_terms_per_decade, v_thickness, v_velocity, &
       & v_young_moduli, v_young_modulus
    implicit none (type, external)
    private
@@ -143,7 +143,7 @@ contains
             call require(variables, values, of_layer, problems)
             return
          end if
-         call refuse([v_terms_per_decade], 'has no meaning without master_curve')
+         call refuse([v_relaxed_modulus, v_terms_per_decade], 'has no meaning without master_curve')
          if (is_set(values(v_stiffness))) then
             call refuse([v_young_modulus, of_layer, v_young_moduli], &
                & 'stands beside stiffness; give stiffness and moduli, or young_modulus, young_moduli, poisson_ratio and thickness')
@@ -194,7 +194,7 @@ contains
          type(master_curve_fit_t) :: fit
 
          if (is_set(values(v_master_curve))) then
-            call check_curve(variables(v_master_curve), given, problems)
+            call check_curve(variables(v_master_curve), variables(v_relaxed_modulus), values(v_relaxed_modulus), given, problems)
             if (problems%count() > before) return
          end if
          call get_spectrum(values, given, prony, fit)
@@ -203,8 +203,9 @@ contains
             if (.not. (fit%is_solved .and. fit%is_solid)) return
          end if
          associate (instantaneous => prony%relaxed + sum(prony%moduli))
-            if (.not. (prony%relaxed > tiny(1.0_dp) .and. prony%relaxed > instantaneous/largest)) call add(merge(v_stiffness, &
-               & v_young_modulus, is_set(values(v_stiffness))), 'is too small, or other moduli are too large, for a foundation')
+            if (.not. (prony%relaxed > tiny(1.0_dp) .and. prony%relaxed > instantaneous/largest)) call add( &
+               & merge(v_stiffness, merge(v_relaxed_modulus, v_young_modulus, is_set(values(v_relaxed_modulus))), &
+               & is_set(values(v_stiffness))), 'is too small, or other moduli are too large, for a foundation')
          end associate
       end subroutine check_spectrum
 

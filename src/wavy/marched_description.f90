@@ -123,7 +123,7 @@ contains
       !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
       character(*), parameter :: of_foundation = 'stiffness young_modulus poisson_ratio thickness relaxation_time ' &
-         & //'retardation_ratio moduli young_moduli relaxation_times master_curve terms_per_decade'
+         & //'retardation_ratio moduli young_moduli relaxation_times master_curve relaxed_modulus terms_per_decade'
       character(*), parameter :: of_surface = 'period height heights spacing amplitudes phases interpolation detrend periodise ' &
          & //'blend_share shortest_wavelength height_factor'
       type(relief_t) :: relief

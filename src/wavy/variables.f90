@@ -19,11 +19,11 @@ module adfric_wavy_variables
       & v_blend_share = 13, v_shortest_wavelength = 14, v_reverse = 15, v_height_factor = 16, v_stiffness = 17, &
       & v_young_modulus = 18, v_poisson_ratio = 19, v_thickness = 20, v_relaxation_time = 21, &
       & v_retardation_ratio = 22, v_moduli = 23, v_young_moduli = 24, v_relaxation_times = 25, v_master_curve = 26, &
-      & v_terms_per_decade = 27, v_time_factor = 28, v_shift = 29, v_reference_temperature = 30, v_wlf_c1 = 31, &
-      & v_wlf_c2 = 32, v_activation_energy = 33, v_stress = 34, v_surface_energy = 35, v_range = 36, v_edge = 37, &
-      & v_branch = 38, v_velocity = 39, v_temperature = 40, v_load = 41, v_mean_pressure = 42, v_penetration = 43, &
-      & v_relative_tolerance = 44, v_strips = 45, v_pull_off = 46, v_profiles = 47, v_n_x = 48, v_n_y = 49
-   integer, parameter :: n_variables = 49
+      & v_relaxed_modulus = 27, v_terms_per_decade = 28, v_time_factor = 29, v_shift = 30, v_reference_temperature = 31, &
+      & v_wlf_c1 = 32, v_wlf_c2 = 33, v_activation_energy = 34, v_stress = 35, v_surface_energy = 36, v_range = 37, v_edge = 38, &
+      & v_branch = 39, v_velocity = 40, v_temperature = 41, v_load = 42, v_mean_pressure = 43, v_penetration = 44, &
+      & v_relative_tolerance = 45, v_strips = 46, v_pull_off = 47, v_profiles = 48, v_n_x = 49, v_n_y = 50
+   integer, parameter :: n_variables = 50
 
    !> Places of the results.
    integer, parameter, public :: r_load = 1, r_penetration = 2, r_friction_force = 3, r_friction_coefficient = 4, &

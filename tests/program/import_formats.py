@@ -90,6 +90,21 @@ class Formats(Imports):
         np.savetxt("a.asc", self.heights, header=head, encoding="utf-8")
         self.check("a.asc", exact=False)
 
+    def test_size_in_the_head(self):
+        """The head of a text export decides, however many columns there are, in any language of Gwyddion."""
+        for columns, width, height, unit in ((2, "Width", "Height", "Value units"), (3, "Breite", "Höhe", "Einheit des Wertes"),
+                                             (5, "Largeur", "Hauteur", "Unités")):
+            with self.subTest(columns=columns):
+                part = self.heights[:, :columns]
+                head = f"Channel: Z\n{width}: {DX * columns} µm\n{height}: {DY * NY:g} µm\n{unit}: nm"
+                for name, delimiter in (("a.txt", "\t"), ("a.dat", " "), ("a.csv", ","), ("a.asc", " ")):
+                    np.savetxt(name, part, header=head, encoding="utf-8", delimiter=delimiter)
+                    given = () if unit == "Value units" else ("--height-unit", "nm")
+                    if columns < 4:
+                        self.refuse(f"{columns} x {NY} samples are too few", name, *given)
+                    else:
+                        self.check(name, *given, heights=part, exact=False)
+
     def test_text_without_the_unit_of_its_heights(self):
         """SurfaceTopography would give sizes and heights one unit."""
         np.savetxt("a.asc", self.heights, header=f"Width: {DX * NX} um\nHeight: {DY * NY} um")
@@ -205,9 +220,10 @@ class Refused(Imports):
 
     def test_tables(self):
         for words, text in (
-            ("line 3 has 1 columns, those above have 2", "0 1\n1 2\n2\n3 4\n"), ("line 2: could not convert", "0 1\n1 two\n2 3\n"),
-            ("decimal commas are read where semicolons separate", "0,5 1,5\n1,5 2,5\n"),
-            ("which of them are decimal is not clear", "1.000,5;2\n2.000,5;3\n"),
+            ("line 3 has 1 columns, the table has 2", "0 1\n1 2\n2\n3 4\n"), ("line 2: 'two' is no number", "0 1\n1 two\n2 3\n"),
+            ("each comma stands before three digits", "1,500 2,500\n2,500 3,500\n"),
+            ("1.000,5: parts of thousands are not read", "1.000,5;2\n2.000,5;3\n"),
+            ("which of the marks is decimal is not clear", "1.5;2,5\n2.5;3,5\n"),
             ("a position is missing", "0 1\nnan 2\n2 3\n3 4\n"),
             ("a position occurs twice", "0 1\n0 2\n2 3\n3 4\n"), ("back and forth", "0 1\n1 2\n0.5 3\n3 4\n"),
             ("not on a grid", "0 0 1\n1.3 1 1\n2 2.2 1\n3 0 1\n1 7 1\n"),

@@ -50,6 +50,39 @@ class Curve(Imports):
                 for name, values in expected.items():
                     np.testing.assert_array_equal(found[name], values, name)
 
+    def test_loss_tangent(self):
+        """tan delta in place of the loss modulus; beside it only if it is named."""
+        expected = self.curve(HEAD + ROWS, *COLD)
+        rows = "".join(f"{f},{e},{l / e!r}\n" for f, e, l in zip(FREQUENCIES, STORAGE, LOSS))
+        for head in ("tan delta", "tan(delta)", "tan_d", "Tan \u03b4", "loss factor"):
+            with self.subTest(head=head):
+                found = self.curve(f"f [Hz],E' [MPa],{head}\n" + rows, *COLD)
+                np.testing.assert_allclose(found["loss"], expected["loss"], rtol=1e-15)
+                np.testing.assert_array_equal(found["storage"], expected["storage"])
+        both = "".join(f"{row},7\n" for row in rows.split())
+        found = self.curve("f [Hz],E' [MPa],tan delta,E'' [MPa]\n" + both, *COLD)
+        np.testing.assert_array_equal(found["loss"], 7e6)
+        found = self.curve("f [Hz],E' [MPa],tan delta,E'' [MPa]\n" + both, *COLD, "--tan-delta-column", "tan delta")
+        np.testing.assert_allclose(found["loss"], expected["loss"], rtol=1e-15)
+
+    def test_logarithms(self):
+        """Decimal logarithms of frequency and moduli, as heads or options say."""
+        expected = self.curve("f [Hz],E' [MPa],E'' [MPa]\n" + ROWS.replace(",0.0\n", ",0.5\n"), *COLD)
+        rows = "".join(f"{np.log10(f)!r},{np.log10(e)!r},{np.log10(l or 0.5)!r}\n".replace("np.float64(", "").replace(")", "")
+                       for f, e, l in zip(FREQUENCIES, STORAGE, LOSS))
+        for head, *options in (
+            ("log f [Hz],log E' [MPa],log E'' [MPa]",), ("log10(f) [Hz],log10(E') [MPa],log10(E'') [MPa]",),
+            ("log(f / Hz),lg(E' / MPa),log10(E'' [MPa])",),
+            ("f [Hz],E' [MPa],E'' [MPa]", "--log10", "frequency", "storage", "loss"),
+            ("a [Hz],b [MPa],c [MPa]", "--log10", "frequency", "storage", "loss", "--frequency-column", "a", "--storage-column", "b",
+             "--loss-column", "c"),
+            ("log_f,log_storage,log_loss", "--frequency-unit", "Hz", "--modulus-unit", "MPa"),
+        ):
+            with self.subTest(head=head):
+                found = self.curve(head + "\n" + rows, *options, *COLD)
+                for name in ("omega", "storage", "loss"):
+                    np.testing.assert_allclose(found[name], expected[name], rtol=1e-14, err_msg=name)
+
     def test_picture(self):
         self.write(HEAD + ROWS, "a.csv")
         self.call("a.csv", "--master-curve", *COLD)
@@ -78,9 +111,12 @@ class Curve(Imports):
             ("the unit 'psi' is not known for a modulus", "f [Hz],E' [psi],E'' [psi]\n" + ROWS),
             ("the file states the unit Hz, --frequency-unit says rad/s", HEAD + ROWS, "--frequency-unit", "rad/s"),
             ("the file states the unit MPa, --modulus-unit says Pa", HEAD + ROWS, "--modulus-unit", "Pa"),
-            ("no column of the frequency", ROWS), ("no column of the loss modulus", "f [Hz],E' [Pa],tan delta\n" + ROWS),
+            ("no column of the frequency", ROWS), ("no column of the loss modulus", "f [Hz],E' [Pa],eta\n" + ROWS),
             ("more than one column of the storage modulus", "f [Hz],E' [Pa],storage [Pa]\n" + ROWS),
-            ("no column of the frequency", "log f [Hz],E' [Pa],E'' [Pa]\n" + ROWS),
+            ("no column of the frequency", "ln f [Hz],E' [Pa],E'' [Pa]\n" + ROWS),
+            ("the frequency in row 1 is inf", "log f [Hz],E' [Pa],E'' [Pa]\n400,1,1\n401,2,1\n"),
+            ("the loss tangent in row 4 is -1, allowed: 0 or more", "f [Hz],E' [Pa],tan delta\n" + ROWS + "64,1,-1\n"),
+            ("there is no column 'g'", HEAD + ROWS, "--storage-column", "g"), ("invalid choice", HEAD + ROWS, "--log10", "x"),
             ("both E and G", "f [Hz],E' [Pa],G'' [Pa]\n" + ROWS), ("--poisson-ratio makes", "f [Hz],G' [Pa],G'' [Pa]\n" + ROWS),
             ("--poisson-ratio: given 0.6", "f [Hz],G' [Pa],G'' [Pa]\n" + ROWS, "--poisson-ratio", "0.6"),
             ("--poisson-ratio is for shear moduli", HEAD + ROWS, "--poisson-ratio", "0.5"),
