@@ -28,12 +28,12 @@ class Curves(InFolder):
 
     def test_curve(self):
         approach, load = self.write_curve("curve.csv")
-        curve = adfric.read_curve("curve.csv", spring_constant=K, segment="approach")
-        self.assertEqual(("sample",), curve.load.dims)
-        np.testing.assert_allclose(curve.load, load, rtol=1e-12, atol=1e-20)
+        curve = adfric.read_curve("curve.csv", spring_constant=K, sign="towards", segment="approach")
+        self.assertEqual(("sample",), curve["load"].dims)
+        np.testing.assert_allclose(curve["load"], load, rtol=1e-12, atol=1e-20)
         np.testing.assert_allclose(np.diff(curve.approach), np.diff(approach), rtol=1e-6)
-        self.assertEqual("N", curve.load.attrs["units"])
-        whole = adfric.read_curve("curve.csv", spring_constant=K)
+        self.assertEqual("N", curve["load"].attrs["units"])
+        whole = adfric.read_curve("curve.csv", spring_constant=K, sign="towards")
         self.assertEqual(602, whole.sizes["sample"])
         found = adfric.fit("sphere", curve, "approach", "load", free=["contact_modulus", "contact_point"], radius=RADIUS, theory="hertz",
                            work_of_adhesion=0.0, data_options={"sigma": 1e-12, "branch_column": "", "segment_column": ""})
@@ -43,8 +43,8 @@ class Curves(InFolder):
     def test_stack(self):
         for number in range(1, 4):
             self.write_curve(f"curve{number}.csv", number)
-        stack = adfric.read_curve([f"curve{number}.csv" for number in range(1, 4)], spring_constant=K, segment="approach")
-        self.assertEqual(("curve", "sample"), stack.load.dims)
+        stack = adfric.read_curve([f"curve{number}.csv" for number in range(1, 4)], spring_constant=K, sign="towards", segment="approach")
+        self.assertEqual(("curve", "sample"), stack["load"].dims)
         found = adfric.fit("sphere", stack, "approach", "load", free=["contact_modulus", "contact_point"], radius=RADIUS, theory="hertz",
                            work_of_adhesion=0.0, data_options={"sigma": 1e-12, "branch_column": "", "segment_column": ""})
         np.testing.assert_allclose(found.estimates["contact_modulus"], MODULUS*np.arange(1, 4), rtol=1e-3)
@@ -56,7 +56,7 @@ class Curves(InFolder):
                              ({"load_column": "force"}, ("force",))):
             with self.subTest(given=given), self.assert_raises_text(InputError, *words), warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                adfric.read_curve("curve.csv", **{"spring_constant": K, **given})
+                adfric.read_curve("curve.csv", **{"spring_constant": K, "sign": "towards", **given})
         with self.assert_raises_text(adfric.FailedError, "none.csv"):
             adfric.read_curve("none.csv")
         with self.assert_raises_text(InputError, "empty list"):
