@@ -314,7 +314,7 @@ static void test_fit(void)
    CHECK_OK(adfric_close_case(fit));
    fit = 42;
    table.units = bad_units;
-   CHECK_REFUSED(adfric_read_fit(text, 1, &table, &fit), "column 'approach'");
+   CHECK_REFUSED(adfric_read_fit(text, 1, &table, &fit), "column approach: the units 'kg'");
    table.units = NULL;
    table.n_columns = 1;
    CHECK_REFUSED(adfric_read_fit(text, 1, &table, &fit), "unknown column");
