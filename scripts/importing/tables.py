@@ -41,6 +41,14 @@ class Table:
 
     def find(self, wanted):
         """Index of the column that is asked for, by its name or by its whole head."""
+        place = self.place_of(wanted)
+        if place is None:
+            names = ", ".join(head.text for head in self.heads if head.text)
+            raise BadTable("column", f"{self.path}: there is no column '{wanted}', there are {names or 'no names'}")
+        return place
+
+    def place_of(self, wanted):
+        """The same, or None where there is no such column."""
         for fits in (lambda head: wanted in (head.name, head.text), lambda head: plain(wanted) in (plain(head.name), plain(head.text))):
             found = [place for place, head in enumerate(self.heads) if head.text and fits(head)]
             if len(found) > 1:
@@ -48,8 +56,7 @@ class Table:
                                f"{', '.join(self.heads[place].text for place in found)}")
             if found:
                 return found[0]
-        names = ", ".join(head.text for head in self.heads if head.text)
-        raise BadTable("column", f"{self.path}: there is no column '{wanted}', there are {names or 'no names'}")
+        return None
 
     def unit(self, place):
         """The unit that a column states, empty where it states none; a head that is not understood is refused."""

@@ -31,7 +31,10 @@ SENSITIVITY = re.compile(r"(?:sensitivity|invols)\s*(?:[\[(]([^\])]*)[\])])?\s*[
 def read_text_curves(path, given):
     """Force curves of a table."""
     table = read_table(path, needs_names=True)
-    places = find_columns(table, given, path)
+    places, remarks = find_columns(table, given, path), []
+    for what in ("time", "segment"):
+        if what in places and not is_readable(table, what, places[what]):
+            remarks.append(f"the column {table.heads[places.pop(what)].text} is left out: it has words, or a unit that is not known")
     columns = {what: column_of(table, what, place, given, path) for what, place in places.items()}
     if "deflection" in places and is_voltage(table, places["deflection"], given):
         columns["volts"] = columns.pop("deflection")
@@ -49,8 +52,10 @@ def read_text_curves(path, given):
         if sensitivity is None:
             raise BadInput(f"{path}: the deflection is in volts and the file does not state the sensitivity: give --sensitivity in m/V")
         columns["deflection"] = columns.pop("volts") * sensitivity
+        # that of the option has been used, and nothing is left to change
+        constants["sensitivity"] = sensitivity
     taken = [("table", table.summary())] + [(what, table.heads[place].text) for what, place in places.items()]
-    source = Source("table of text", taken, [])
+    source = Source("table of text", taken, [], remarks)
     for name, rows in parts_of(columns, path):
         curve = Curve(name, height[rows], is_tip=is_tip, **constants)
         for what in ("load", "deflection", "time", "segment"):
@@ -86,6 +91,12 @@ def find_columns(table, given, path):
     if ("x" in places) != ("y" in places):
         places.pop("x", None), places.pop("y", None)
     return places
+
+
+def is_readable(table, what, place):
+    """Has a column that could be left out numbers, and a unit that is known?"""
+    return place not in table.flaws and not table.heads[place].flaw and (
+        what != "time" or not table.heads[place].unit or exponent_of(table.heads[place].unit, "time") is not None)
 
 
 def column_of(table, what, place, given, path):
