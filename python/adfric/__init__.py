@@ -32,5 +32,5 @@ from .tables import Model, Result, Variable, models
 
 __version__ = _library.adfric_version().decode().split()[0]
 # but for open, which would take the place of Python's own
-__all__ = ["Case", "Error", "FailedError", "Fit", "InputError", "Model", "Result", "StoppedError", "Variable", "contacts", "fit", "models", "plot",
-           "read_curve", "read_master_curve", "read_surface", "run", "solve"]
+__all__ = ["Case", "Error", "FailedError", "Fit", "InputError", "Model", "Result", "StoppedError", "Variable", "contacts", "fit",
+           "models", "plot", "read_curve", "read_master_curve", "read_surface", "run", "solve"]

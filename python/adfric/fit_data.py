@@ -123,7 +123,8 @@ def table_of(columns, name):
     if any(values.ndim != 1 for values, _ in columns.values()) or len(set(lengths.values())) != 1:
         shapes = ", ".join(f"{column} {values.shape}" for column, (values, _) in columns.items())
         raise InputError(f"{name}: given columns of the shapes {shapes or 'none'}, allowed: one length for all")
-    return Table(name, list(columns), [unit for _, unit in columns.values()], np.ascontiguousarray([values for values, _ in columns.values()]))
+    return Table(name, list(columns), [unit for _, unit in columns.values()],
+                 np.ascontiguousarray([values for values, _ in columns.values()]))
 
 
 def write_stack(columns, options, name, folder):

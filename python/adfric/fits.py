@@ -121,7 +121,8 @@ class Fit:
         if not {"n_minima", "degrees_of_freedom"} <= set(results):
             raise InputError("results: given those of no fit, allowed: results of adfric fit")
         self.results = results
-        self._names = [name.removesuffix("_bound") for name in results if name.endswith("_bound") and name.removesuffix("_bound") in results]
+        named = [name.removesuffix("_bound") for name in results if name.endswith("_bound")]
+        self._names = [name for name in named if name in results]
 
     @property
     def is_single(self):
@@ -177,7 +178,8 @@ class Fit:
         if "minima" not in self.results:
             return []
         heights = self.results.minima_chi2.values
-        return [{**{str(name): float(value) for name, value in zip(self.results.variable.values, row)}, "excess": float(height - heights[0])}
+        names = [str(name) for name in self.results.variable.values]
+        return [{**dict(zip(names, row.tolist())), "excess": float(height - heights[0])}
                 for row, height in zip(self.results.minima.values, heights)]
 
     @property
@@ -209,8 +211,8 @@ class Fit:
             return f"<adfric fit of {self.results.status.size} curves, {n_fitted} of them fitted: {', '.join(self._names)}>"
         if self.status != "fitted":
             return f"<adfric fit without an answer: {self.status}>"
-        lines = [f"{name} = {self.estimates[name]:.6g} +- {self.errors[name]:.2g} {self.units[name] if self.units[name] != '1' else ''}".rstrip()
-                 for name in self._names]
+        units = {name: "" if unit == "1" else f" {unit}" for name, unit in self.units.items()}
+        lines = [f"{name} = {self.estimates[name]:.6g} +- {self.errors[name]:.2g}{units[name]}" for name in self._names]
         lines += ["another minimum, S - S_min = {:.3g}: {}".format(
             one["excess"], ", ".join(f"{name} = {one[name]:.4g}" for name in self._names if name in one)) for one in self.minima[1:]]
         return "\n".join(lines)

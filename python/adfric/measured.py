@@ -86,7 +86,8 @@ def read_curve(path, *, segment=None, sign=None, flip_load=False, spring_constan
 
 def check_given(segment, sign, height, spring_constant, sensitivity, grid):
     """Have options a value that they may have?"""
-    for name, value, allowed in (("segment", segment, SEGMENTS), ("sign", sign, ("towards", "away")), ("height", height, ("measured", "piezo"))):
+    for name, value, allowed in (("segment", segment, SEGMENTS), ("sign", sign, ("towards", "away")),
+                                 ("height", height, ("measured", "piezo"))):
         if value is not None and value not in allowed:
             raise InputError(f"{name}: given {value!r}, allowed: {', '.join(allowed)}")
     for name, value in (("spring_constant", spring_constant), ("sensitivity", sensitivity)):

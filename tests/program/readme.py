@@ -130,7 +130,8 @@ class Readme(Runs):
             self.assertRegex(usage, rf"(?m)^\s*adfric {line.split()[1]}\b")
             for option in re.findall(r"--[a-z]+", line):
                 self.assertIn(option, usage)
-        (of_plot,) = [line for language, block in self.blocks if language == "text" for line in block.splitlines() if "scripts/plot" in line]
+        texts = "".join(block for language, block in self.blocks if language == "text")
+        (of_plot,) = [line for line in texts.splitlines() if "scripts/plot" in line]
         usage = self.shell("scripts/plot --help")
         for option in re.findall(r"--\w+", of_plot):
             self.assertIn(option, usage)
@@ -191,7 +192,8 @@ class Readme(Runs):
         self.assertGreaterEqual(len(blocks), 2)
         for text in blocks:
             self.write(text, "block.py")
-            done = subprocess.run([sys.executable, "block.py"], cwd=self.folder, env=self.environment, capture_output=True, text=True, check=False)
+            done = subprocess.run([sys.executable, "block.py"], cwd=self.folder, env=self.environment, capture_output=True, text=True,
+                                  check=False)
             self.assertEqual(0, done.returncode, done.stderr)
 
     def test_faults(self):

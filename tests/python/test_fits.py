@@ -88,8 +88,8 @@ class Fits(InFolder):
         renamed = {"P": self.points["load"], "F": self.points["friction_force"], "s": self.points["sigma"]}
         self.check_same(adfric.fit("sphere", renamed, *NAMES, free=FREE, **KNOWN,
                                    data_options={"abscissa_column": "P", "ordinate_column": "F", "sigma_column": "s"}))
-        self.check_same(adfric.fit("sphere", self.points, *NAMES, free=dict.fromkeys(FREE), sphere={"radius": 140e-9}, model={"theory": "jkr"},
-                                   contact_modulus=44e9, operating={"state": "sliding"}))
+        self.check_same(adfric.fit("sphere", self.points, *NAMES, free=dict.fromkeys(FREE), sphere={"radius": 140e-9},
+                                   model={"theory": "jkr"}, contact_modulus=44e9, operating={"state": "sliding"}))
 
     def test_stack(self):
         """Each curve of a stack is a fit of its own, whatever the number of threads."""

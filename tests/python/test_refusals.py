@@ -91,7 +91,8 @@ class Refusals(InFolder):
 
     def test_paths(self):
         """A character that is 0 would end a name for the system."""
-        for call in (adfric.run, adfric.open, adfric.Case.read, adfric.read_surface, adfric.plot, lambda name: adfric.plot("a.h5", output=name),
+        for call in (adfric.run, adfric.open, adfric.Case.read, adfric.read_surface, adfric.read_curve, adfric.read_master_curve,
+                     adfric.plot, lambda name: adfric.plot("a.h5", output=name),
                      lambda name: adfric.run("a.nml", output=name), lambda name: adfric.run(name, output="a.h5"),
                      lambda name: adfric.plot("a.h5", data=name)):
             for name in ("a\0b", b"a\0b"):
