@@ -18,7 +18,8 @@ module adfric_api
    use adfric, only: known_models
    use adfric_api_solution, only: solve_by_threads, stopped
    use adfric_api_state, only: open_model, read_state, state_t
-   use adfric_api_results, only: describe_name, find_axis, find_extra, find_profile, find_result, list_of
+   use adfric_api_numbers, only: find_extra
+   use adfric_api_results, only: describe_name, find_axis, find_profile, find_result, list_of
    use adfric_base_error, only: error_t, file_failure, input_failure
    use adfric_base_kinds, only: dp, i8
    use adfric_base_text, only: name_length

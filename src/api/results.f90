@@ -15,7 +15,7 @@ module adfric_api_results
    use adfric_run_memory_sink, only: memory_sink_t
    implicit none (type, external)
    private
-   public :: find_result, find_number, find_axis, find_extra, find_profile, describe_name, list_of, refuse
+   public :: find_result, find_axis, find_profile, describe_name, list_of, refuse
 
    !> `call find_result(model, found, name, values, error)`, by the type of the values.
    interface find_result
@@ -56,31 +56,6 @@ contains
          end if
       end select
    end subroutine find_real_result
-
-   !> A result of the first point.
-   subroutine find_number(model, found, name, value, error)
-      !> The model, whose table of results is searched.
-      class(model_t), intent(in) :: model
-      !> What was found.
-      type(memory_sink_t), intent(in) :: found
-      !> Name of the result.
-      character(*), intent(in) :: name
-      !> Receives its value; of a state its number.
-      real(dp), intent(out) :: value
-      !> Allocated if there is no such result.
-      type(error_t), allocatable, intent(out) :: error
-      real(dp), allocatable :: values(:)
-      integer :: i
-
-      ! one name after the other, since a list of all takes longer
-      do i = 1, size(model%results)
-         if (model%results(i)%name /= name) cycle
-         value = found%results(1, i)
-         return
-      end do
-      call find_real_result(model, found, name, values, error)
-      if (.not. allocated(error)) value = values(1)
-   end subroutine find_number
 
    !> A result of every point that is one of several states.
    subroutine find_states(model, found, name, values, error)
@@ -130,28 +105,6 @@ contains
 
       axis = place_in(names_of(model, 'axes'), name)
    end function find_axis
-
-   !> What a solved fit has beside its results; words are numbered from 1.
-   subroutine find_extra(model, name, values)
-      !> The model, solved.
-      class(model_t), intent(in) :: model
-      !> Name of what is wanted.
-      character(*), intent(in) :: name
-      !> Receives its values, the last dimension fastest; not allocated if there is nothing of that name.
-      real(dp), allocatable, intent(out) :: values(:)
-      type(extra_t), allocatable :: extras(:)
-      integer :: i, k
-
-      call model%get_extras(extras)
-      do i = 1, size(extras)
-         if (extras(i)%name /= plain(name)) cycle
-         if (allocated(extras(i)%words)) then
-            values = [(real(k, dp), k=1, count_words(extras(i)%words))]
-         else
-            values = extras(i)%values
-         end if
-      end do
-   end subroutine find_extra
 
    !> A profile of a point.
    subroutine find_profile(model, found, name, point, values, error)

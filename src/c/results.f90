@@ -4,7 +4,8 @@ module adfric_c_results
    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_funptr, c_int, c_int32_t, c_int64_t, c_loc, c_null_funptr, &
       & c_null_ptr, c_ptr
    use omp_lib, only: omp_get_max_threads
-   use adfric_api_results, only: find_number, refuse
+   use adfric_api_numbers, only: find_number
+   use adfric_api_results, only: refuse
    use adfric_api_solution, only: solve_by_threads
    use adfric_api_state, only: state_t
    use adfric_base_error, only: error_t, file_failure, input_failure, set_error
