@@ -15,7 +15,7 @@ option(ADFRIC_SANITIZE "Build with the address and undefined-behaviour sanitizer
 
 set(CMAKE_Fortran_FLAGS_RELEASE "-O2 -g1")
 set(CMAKE_Fortran_FLAGS_DEBUG
-  "-Og -g -fcheck=all -fcheck=no-array-temps -ffpe-trap=zero,invalid,overflow -finit-real=snan -fbacktrace")
+  "-Og -g -fcheck=all -fcheck=no-array-temps -ffpe-trap=zero,invalid,overflow -finit-real=snan -finit-derived -fbacktrace")
 if(ADFRIC_SANITIZE)
   # all programs need the libraries of the sanitizers
   add_link_options(-fsanitize=address,undefined)

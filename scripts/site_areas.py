@@ -36,6 +36,7 @@ AREAS = {
         "What simple points save": "docs/scenes.md",
         "How it scales": "docs/scaling.md",
         "Hard cases": "docs/hard_cases.md",
+        "Where theories end": "docs/doubts.md",
         "Benchmarks": "bench/README.md",
     },
     "Project": {

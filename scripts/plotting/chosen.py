@@ -12,6 +12,7 @@ import numpy as np
 
 from .adhesion import RELATIVE, add_pull_off
 from .curves import add_legend, find_curves, leave_out_pole, load_of, passes_zero, without_pole
+from .doubts import is_doubted, shade_doubts
 from .labels import axis_label, point_label, scale_of
 from .results import RENAMED, BadFile, Field, NothingToDraw
 from .jumps import draw_curve, find_jumps, way_of
@@ -109,11 +110,15 @@ def _draw_run(panel, results, names, scales, look):
     x_name, y_name = names
     along = _along(results, x_name)
     k = results.axis_names.index(along)
+    doubted = is_doubted(results)
     for curve, (label, style) in zip(find_curves(results, along), look):
         x, y = (np.moveaxis(results.values(name), k, -1)[curve.index] for name in names)
         if y_name == "friction_coefficient":
             y = without_pole(y, load_of(results, k, curve.index))
         order = np.argsort(results.axes[k].values)
+        if doubted is not None:
+            shade_doubts(panel, x[order] * scales[x_name][0], y[order] * scales[y_name][0],
+                         np.moveaxis(doubted, k, -1)[curve.index][order])
         draw_curve(panel, x[order] * scales[x_name][0], y[order] * scales[y_name][0], find_jumps(results, k, curve.index),
                    way_of(results), label=label or "_", **style)
 

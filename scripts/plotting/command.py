@@ -38,6 +38,7 @@ def make_figure(runs, x=None, y=None, data=None):
     """The figure of results: of one run, or of several in one."""
     # imported here, since it takes a second that a bad file need not cost
     from .chosen import draw_chosen
+    from .doubts import describe_doubts
     from .figures import choose_figure
     from .style import use_style
 
@@ -49,6 +50,8 @@ def make_figure(runs, x=None, y=None, data=None):
         # a run without a title has that of its model
         if title and title != runs[0].model:
             figure.suptitle(literal(title), fontsize="medium")
+        if doubts := describe_doubts(runs):
+            figure.supxlabel(doubts, fontsize="small", color="0.35")
     return figure
 
 

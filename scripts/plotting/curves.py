@@ -8,6 +8,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
+from .doubts import hatch_doubts, is_doubted
 from .jumps import draw_curve, find_jumps, way_of
 from .labels import NO_ADHESION, axis_label, point_label, scale_of, scales_of
 from .results import NOT_CONVERGED
@@ -82,6 +83,7 @@ def draw_curves(axes, results, abscissa, ordinate, curves, scale=None):
     x = x_axis.values[order] * x_factor
     missed = np.zeros(x.size, dtype=bool)
     has_pole = False
+    doubted, drawn, doubts = is_doubted(results), [], []
     for curve in curves:
         y = np.moveaxis(field.values, along, -1)[curve.index][order] * y_factor
         if ordinate == "friction_coefficient":
@@ -93,7 +95,12 @@ def draw_curves(axes, results, abscissa, ordinate, curves, scale=None):
             axes.fill_between(x, y - error, y + error, color=curve.style["color"], alpha=0.2, linewidth=0)
         draw_curve(axes, x, y, find_jumps(results, along, curve.index), way_of(results), label=curve.label,
                    marker="o" if x.size <= 30 else None, markersize=3, **curve.style)
+        drawn.append(y)
+        if doubted is not None:
+            doubts.append(np.moveaxis(doubted, along, -1)[curve.index][order])
         missed |= np.moveaxis(results.status, along, -1)[curve.index][order] == NOT_CONVERGED
+    if doubts:
+        hatch_doubts(axes, x, drawn, doubts, logarithmic)
     if missed.any():
         axes.plot(x[missed], np.full(missed.sum(), 0.015), "x", color=MISSED, markersize=4, clip_on=False,
                   transform=axes.get_xaxis_transform(), label="not converged")

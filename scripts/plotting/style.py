@@ -54,7 +54,7 @@ def make_panels(count, size=(3.3, 2.8), alone=(4.8, 3.5), shared=False):
 
 def is_logarithmic(values):
     """Are these values spread over decades in even ratios?"""
-    values = np.sort(np.asarray(values, dtype=float))
+    values = np.unique(np.asarray(values, dtype=float))
     if values.size < 3 or not values[0] > 0 or values[-1] < 10 * values[0]:
         return False
     steps = np.diff(np.log(values))

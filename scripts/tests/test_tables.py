@@ -34,6 +34,10 @@ class TablesTest(unittest.TestCase):
         """Friction of rubber on an asphalt-like line, the edge rules on a rough line, and a map."""
         self.check("profiles", "0.32472", "2.6343", "0.024212")
 
+    def test_doubts(self):
+        """Where theories are off by a tenth."""
+        self.check("doubts", "9.9 %", "12.0 %", "9.5 %", "8.9 %")
+
     def test_sphere(self):
         """Fig. 5 of Johnson."""
         self.check("sphere", "136.53", "329.30")

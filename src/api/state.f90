@@ -14,7 +14,7 @@ module adfric_api_state
    use adfric_input_fit, only: fit_input_t, has_fit_groups, read_fit
    use adfric_input_namelist_file, only: namelist_file_t, no_namelist_file
    use adfric_input_run, only: read_case, read_job, read_job_of_text, run_input_t, say_unknown_model
-   use adfric_input_sweep, only: find_size_problem
+   use adfric_input_sweep_size, only: find_size_problem
    use adfric_model_model, only: model_t
    use adfric_model_table, only: kind_dataset
    use adfric_run_dataset, only: dataset_t

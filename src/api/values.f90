@@ -6,7 +6,7 @@ module adfric_api_values
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_kinds, only: dp, i8
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: join_words, newline, show_count, show_number, to_lower
+   use adfric_base_text, only: join_words, newline, show_count, show_number, show_text, to_lower
    use adfric_input_case, only: case_t
    use adfric_input_dataset, only: examine_values
    use adfric_input_given_list, only: keep_numbers
@@ -98,14 +98,20 @@ contains
       !> Receives what is wrong, if anything is.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: quoted
-      integer :: i
+      integer :: i, n
 
-      quoted = ''''
+      allocate (character(2*len(word) + 2) :: quoted)
+      quoted(1:1) = ''''
+      n = 1
       do i = 1, len_trim(word)
-         quoted = quoted//word(i:i)
-         if (word(i:i) == '''') quoted = quoted//''''
+         n = n + 1
+         quoted(n:n) = word(i:i)
+         if (word(i:i) /= '''') cycle
+         n = n + 1
+         quoted(n:n) = ''''
       end do
-      call give_literal(variable, quoted//'''', held, problems)
+      quoted(n + 1:n + 1) = ''''
+      call give_literal(variable, quoted(:n + 1), held, problems)
    end subroutine give_word
 
    !> Give a value as it would stand in a namelist.
@@ -124,7 +130,8 @@ contains
 
       if (variable%kind == kind_dataset) then
          value = held
-         flaw = trim(merge('is a list   ', 'is a dataset', variable%is_list))//', given '//text//', allowed: an array of its values'
+         flaw = trim(merge('is a list   ', 'is a dataset', variable%is_list))//', given '//show_text(text) &
+            //', allowed: an array of its values'
       else
          call read_variable(text, variable, value, flaw, position)
       end if

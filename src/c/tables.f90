@@ -12,8 +12,8 @@ module adfric_c_tables
    use adfric_c_texts, only: keep_text
    use adfric_input_variable, only: describe_allowed
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_choice, kind_dataset, kind_integer, kind_logical, kind_real, profile_t, result_t, &
-      & results_of_every_run, variable_t
+   use adfric_model_table, only: common_results, kind_choice, kind_dataset, kind_integer, kind_logical, kind_real, &
+      & profile_t, result_t, variable_t
    use adfric_output_constants, only: file_unit
    implicit none (type, external)
    private
@@ -67,11 +67,11 @@ contains
       class(model_t), intent(in) :: model
       !> Allocated if there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
-      type(result_t) :: common(2)
+      type(result_t) :: common(3)
       integer :: i, n
 
       n = size(model%results)
-      allocate (self%variables(size(model%variables)), self%results(n + 2), self%profiles(size(model%profiles)))
+      allocate (self%variables(size(model%variables)), self%results(n + size(common)), self%profiles(size(model%profiles)))
       call set_model(self, model, error)
       do i = 1, size(model%variables)
          call set_texts(self%variables(i), model%variables(i), error)
@@ -80,8 +80,8 @@ contains
       do i = 1, n
          call set_result(self%results(i), model%results(i), error)
       end do
-      common = results_of_every_run()
-      do i = 1, 2
+      common = common_results()
+      do i = 1, size(common)
          call set_result(self%results(n + i), common(i), error)
       end do
       do i = 1, size(model%profiles)

@@ -17,7 +17,7 @@ module adfric_classical_hertz_check
    use adfric_model_table, only: variable_t
    implicit none (type, external)
    private
-   public :: check_hertz, check_radii, is_sliding, get_curvatures
+   public :: check_hertz, check_radii, is_sliding, get_curvatures, steepest_edge
 
 contains
 
@@ -129,6 +129,46 @@ contains
       is_sliding = has_spectrum(values(v_material:v_temperature))
    end function is_sliding
 
+   !> The largest slope that a body has at an end of an axis of the contact, its half-width over the radius of a round one. Of a line
+   !> and a circle only R is known, that of both bodies together.
+   pure real(dp) function steepest_edge(values, major, minor, direction) result(slope)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Half-widths of the contact [m].
+      real(dp), intent(in) :: major, minor
+      !> Angle from the first principal direction of the first body to the major axis [rad].
+      real(dp), intent(in) :: direction
+      real(dp) :: curvatures(4), angle
+      integer :: body
+
+      if (nint(values(v_kind)) /= kind_elliptical) then
+         slope = major/values(v_radius)
+         return
+      end if
+      curvatures = principal_curvatures(values)
+      slope = 0
+      do body = 1, 2
+         angle = direction
+         if (body == 2) angle = direction - values(v_angle)
+         associate (kx => curvatures(2*body - 1), ky => curvatures(2*body))
+            slope = max(slope, hypot(kx*cos(angle), ky*sin(angle))*major, hypot(kx*sin(angle), ky*cos(angle))*minor)
+         end associate
+      end do
+   end function steepest_edge
+
+   !> Principal curvatures of both bodies [1/m], 0 where one is flat.
+   pure function principal_curvatures(values) result(curvatures)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: curvatures(4)
+      integer :: i
+
+      curvatures = 0
+      do i = 1, 4
+         if (is_set(values(v_radius_1x + i - 1))) curvatures(i) = 1/values(v_radius_1x + i - 1)
+      end do
+   end function principal_curvatures
+
    !> Curvatures A <= B of the gap A x^2 + B y^2; A <= 0 where there is no ellipse of contact.
    pure subroutine get_curvatures(values, a, b, direction)
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
@@ -140,7 +180,6 @@ contains
       !> Angle from the first principal direction of the first body to the major axis [rad]; 0 for a circle.
       real(dp), intent(out) :: direction
       real(dp) :: curvatures(4)
-      integer :: i
 
       if (nint(values(v_kind)) /= kind_elliptical) then
          a = 0.5_dp/values(v_radius)
@@ -151,11 +190,8 @@ contains
       a = 0
       b = 0
       direction = 0
-      curvatures = 0
       if (.not. minval(abs(values(v_radius_1x:v_radius_2y))) > 0) return
-      do i = 1, 4
-         if (is_set(values(v_radius_1x + i - 1))) curvatures(i) = 1/values(v_radius_1x + i - 1)
-      end do
+      curvatures = principal_curvatures(values)
       call find_curvatures(curvatures(:2), curvatures(3:), values(v_angle), a, b, direction)
    end subroutine get_curvatures
 

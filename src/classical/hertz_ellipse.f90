@@ -84,8 +84,8 @@ contains
       along = d1 + d2*cos(2*angle)
       across = d2*sin(2*angle)
       b = (sum(first) + sum(second) + hypot(along, across))/4
-      determinant = product(first) + product(second) + (first(1)*second(2) + first(2)*second(1))*cos(angle)**2 &
-         & + (first(1)*second(1) + first(2)*second(2))*sin(angle)**2
+      determinant = product(first) + product(second) + (first(1)*second(2) + first(2)*second(1))*square_of(cos(angle), angle) &
+         & + (first(1)*second(1) + first(2)*second(2))*square_of(sin(angle), angle)
       a = 0
       if (b > 0) a = min(b, determinant/4/b)
       direction = 0
@@ -95,6 +95,18 @@ contains
       direction = direction - sign(pi/2, direction)
       if (.not. direction > -pi/2) direction = direction + pi
    end subroutine find_curvatures
+
+   !> Square of the cosine or sine of an angle; of what is round-off of the angle nothing is left, so that cylinders turned by a right
+   !> angle are parallel.
+   pure real(dp) function square_of(value, angle)
+      !> The cosine or sine.
+      real(dp), intent(in) :: value
+      !> The angle [rad].
+      real(dp), intent(in) :: angle
+
+      square_of = value**2
+      if (abs(value) < 2*epsilon(1.0_dp)*max(1.0_dp, abs(angle))) square_of = 0
+   end function square_of
 
    !> The shape of a ratio A/B of curvatures in (0, 1].
    pure subroutine find_shape(ratio, self)
@@ -136,15 +148,17 @@ contains
       self%approach = 3*load/(2*pi*modulus*self%major)*shape%f
    end subroutine ellipse_of_load
 
-   !> Contact with an approach delta >= 0. The sum of the equations of A and B, and that of delta, without P:
+   !> Contact with an approach delta. The sum of the equations of A and B, and that of delta, without P:
    !>
    !>     3 R_F(0, 1, k^2) (A + B) a^2 = (R_D(0, k^2, 1) + R_D(0, 1, k^2)) delta
+   !>
+   !> Bodies with delta < 0 are apart: half-axes and load are 0.
    pure subroutine ellipse_of_approach(a, b, modulus, approach, shape, self)
       !> Curvatures A <= B of the gap [1/m].
       real(dp), intent(in) :: a, b
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
-      !> Approach delta of distant points [m], >= 0.
+      !> Approach delta of distant points [m]; the distance between the bodies is negative.
       real(dp), intent(in) :: approach
       !> Shape of the ellipse that belongs to A/B.
       type(ellipse_shape_t), intent(in) :: shape
@@ -153,7 +167,7 @@ contains
 
       self%shape = shape
       self%approach = approach
-      if (.not. shape%is_converged) return
+      if (.not. (shape%is_converged .and. approach > 0)) return
       ! the roots one by one: approach over curvature may be beyond all numbers
       self%major = sqrt(approach)/sqrt(a + b)*sqrt((shape%d_along + shape%d_across)/(3*shape%f))
       self%minor = shape%axis_ratio*self%major

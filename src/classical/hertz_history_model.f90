@@ -14,7 +14,7 @@ module adfric_classical_hertz_history_model
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_classical_hertz_check, only: check_radii, get_curvatures
+   use adfric_classical_hertz_check, only: check_radii, get_curvatures, steepest_edge
    use adfric_classical_hertz_ellipse, only: ellipse_of_approach, ellipse_of_load, ellipse_shape_t, ellipse_t, find_shape
    use adfric_classical_hertz_slip, only: bonded_compliance
    use adfric_classical_hertz_variables, only: axis_minor, get_hertz_variables, kind_elliptical, kind_line, v_contact_modulus, &
@@ -25,6 +25,7 @@ module adfric_classical_hertz_history_model
       & path_tangential_displacements, path_tangential_forces, set_path_results
    use adfric_material_normal_contact, only: normal_contact_t, normal_state_t
    use adfric_model_check, only: require
+   use adfric_model_doubt, only: doubt_contact_too_wide
    use adfric_model_pointwise, only: point_state_t
    use adfric_model_rows, only: result_row
    use adfric_model_status, only: status_solved
@@ -51,6 +52,7 @@ module adfric_classical_hertz_history_model
       procedure :: check_bodies
       procedure :: find_contacts
       procedure :: solve_point
+      procedure :: measure
    end type hertz_history_t
 
    !> Normal states of all similar contacts, in units of the largest one.
@@ -173,6 +175,28 @@ contains
          is_possible = minval(sizes) > 1/most .and. maxval(sizes) < most
       end associate
    end subroutine find_largest
+
+   !> See `model_t`: the largest contact of the path.
+   subroutine measure(self, values, results, measures)
+      !> The model with its path.
+      class(hertz_history_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, none of which is needed; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+      type(ellipse_t) :: largest
+      real(dp) :: a, b, direction
+      logical :: is_possible
+
+      call find_largest(self, values, largest, is_possible)
+      if (.not. is_possible) return
+      call get_curvatures(values, a, b, direction)
+      measures(doubt_contact_too_wide) = steepest_edge(values, largest%major, largest%minor, direction)
+      associate (unused => results)
+      end associate
+   end subroutine measure
 
    !> See `pointwise_model_t`: the path, and the shape of the ellipse.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)

@@ -2,11 +2,12 @@
 !> The model `hertz`: smooth elastic bodies in contact along a line, on a circle or on an ellipse, without friction or in partial slip
 !> (Cattaneo, Mindlin); or a rigid cylinder that slides over a viscoelastic half-plane (Hunter).
 module adfric_classical_hertz_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_classical_hertz_check, only: check_hertz, is_sliding, get_curvatures
+   use adfric_classical_hertz_check, only: check_hertz, is_sliding, get_curvatures, steepest_edge
    use adfric_classical_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
       & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
    use adfric_classical_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap, line_misfit
@@ -22,6 +23,7 @@ module adfric_classical_hertz_model
    use adfric_classical_viscoelastic_model, only: viscoelastic_model_t
    use adfric_material_contact_modulus, only: contact_modulus_of, derive_contact_modulus
    use adfric_material_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum
+   use adfric_model_doubt, only: doubt_contact_too_wide
    use adfric_model_pointwise, only: point_state_t
    use adfric_model_derived, only: derived_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
@@ -39,6 +41,7 @@ module adfric_classical_hertz_model
       procedure :: describe_doubts
       procedure :: describe_results
       procedure :: unit_of
+      procedure :: measure
       procedure :: solve_point
       procedure :: count_profiles
       procedure :: fill_profiles
@@ -99,6 +102,23 @@ contains
       if ((place == v_load .or. place == v_tangential_force) .and. is_set(values(v_kind))) &
          & unit = trim(merge('N/m', 'N  ', nint(values(v_kind)) == kind_line))
    end function unit_of
+
+   !> See `model_t`.
+   subroutine measure(self, values, results, measures)
+      !> The model; nothing of it is read here.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      if (.not. ieee_is_nan(results(r_half_width))) measures(doubt_contact_too_wide) = steepest_edge(values, &
+         & results(r_half_width), results(r_minor), results(r_direction))
+      associate (unused => self)
+      end associate
+   end subroutine measure
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
@@ -337,7 +357,7 @@ contains
                else
                   profiles(:, j, 1) = ellipse_pressure(s, x, y(j))
                   profiles(:, j, 2) = ellipse_gap(s, modulus_of(values), x, y(j))
-                  if (.not. s%minor > 0) profiles(:, j, 2) = state%a*x**2 + state%b*y(j)**2
+                  if (.not. s%minor > 0) profiles(:, j, 2) = state%a*x**2 + state%b*y(j)**2 - s%approach
                end if
                if (size(profiles, 3) == p_shear_stress) call fill_tractions(state, x, y(j), nint(values(v_kind)) == kind_line, &
                   & profiles(:, j, p_shear_stress))

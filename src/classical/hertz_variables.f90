@@ -55,7 +55,7 @@ contains
          & meaning='sliding velocity of a rigid cylinder over the material, positive to +x')
       v(v_load) = number(group='operating', name='load', unit='N; N/m for line', meaning='load', lower=0.0_dp)
       v(v_approach) = number(group='operating', name='approach', unit='m', &
-         & meaning='of distant points, instead of the load; not for a line', lower=0.0_dp)
+         & meaning='of distant points, instead of the load; below 0 the bodies are apart; not for a line')
       v(v_tangential_force) = number(group='operating', name='tangential_force', unit='N; N/m for line', &
          & meaning='T, which has grown from 0 under the load; up to mu P, of either sign')
       v(v_tangential_axis) = choice(group='operating', name='tangential_axis', &

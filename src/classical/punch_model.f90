@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The model `rigid_punch`: a rigid punch on an elastic half-plane, without friction, plane strain.
 module adfric_classical_punch_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
@@ -14,6 +15,7 @@ module adfric_classical_punch_model
    use adfric_classical_rigid_punch, only: solve_punch, solve_punch_of_width
    use adfric_material_contact_modulus, only: set_modulus_rows, contact_modulus_of, has_contact_modulus, &
       & check_contact_modulus
+   use adfric_model_doubt, only: doubt_contact_too_wide, doubt_slope_too_steep
    use adfric_model_pointwise, only: point_state_t
    use adfric_model_check, only: require, require_one
    use adfric_model_rows, only: positive, choice, number, whole_number, contact_profiles, result_row
@@ -23,6 +25,8 @@ module adfric_classical_punch_model
    private
    public :: punch_model_t, new_punch_model
 
+   !> Logarithm of a slope that is more than any bound.
+   real(dp), parameter :: most = 50.0_dp
    !> Places of the variables, of the words of the kind, and of the results.
    integer, parameter, public :: v_kind = 1, v_face = 2, v_slope = 3, v_radius = 4, v_coefficient_2 = 5, v_coefficient_8 = 8, &
       & v_contact_modulus = 9, v_poisson_ratio = 11, v_load = 12, v_contact_half_width = 13, v_points = 14
@@ -45,6 +49,7 @@ module adfric_classical_punch_model
       procedure :: check_case
       procedure :: solve_point
       procedure :: fill_profiles
+      procedure :: measure
    end type punch_model_t
 
 contains
@@ -244,6 +249,32 @@ contains
          if (profile%c(i) > 0) widest = min(widest, margin*(load/power_load(modulus, profile%c(i), i, 1.0_dp))**(1.0_dp/(2*i)))
       end do
    end function widest
+
+   !> See `model_t`: the slope at the edge of contact, of a cylinder its half-width over its radius.
+   subroutine measure(self, values, results, measures)
+      !> The model; nothing is read from it here.
+      class(punch_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+      integer :: i
+
+      select case (nint(values(v_kind)))
+      case (kind_wedge)
+         measures(doubt_slope_too_steep) = values(v_slope)
+      case (kind_cylinder)
+         measures(doubt_contact_too_wide) = results(r_contact_half_width)/values(v_radius)
+      case (kind_polynomial)
+         if (ieee_is_nan(results(r_contact_half_width))) return
+         measures(doubt_slope_too_steep) = sum([(exp(min(most, log(2*i*max(values(v_coefficient_2 + i - 1), tiny(1.0_dp))) &
+            & + (2*i - 1)*log(results(r_contact_half_width)))), i=1, 4)])
+      end select
+      associate (unused => self)
+      end associate
+   end subroutine measure
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)

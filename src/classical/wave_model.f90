@@ -12,7 +12,7 @@ module adfric_classical_wave_model
    use adfric_classical_viscoelastic_model, only: viscoelastic_model_t
    use adfric_classical_wave_check, only: check_wave, is_adhesive, is_sliding
    use adfric_classical_wave_slip_point, only: add_slip, slip_tractions
-   use adfric_classical_wave_variables, only: get_wave_variables, get_wave_results, v_adhesion, v_coefficient, &
+   use adfric_classical_wave_variables, only: get_wave_variables, get_wave_results, v_adhesion, v_amplitude, v_coefficient, &
       & v_contact_modulus, v_material, v_period, v_pressure_factor, v_second_poisson_ratio, v_shear_strength, &
       & v_tangential_stress, v_temperature, v_velocity, r_adhesion_fraction, r_contact_fraction, r_contact_width, &
       & r_friction_coefficient, r_friction_stress, r_mean_pressure
@@ -21,6 +21,7 @@ module adfric_classical_wave_model
    use adfric_material_shear_strength_rows, only: get_friction_of_area, has_shear, p_shear_stress, shear_profiles, shear_stress
    use adfric_material_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum
    use adfric_model_derived, only: derived_t
+   use adfric_model_doubt, only: doubt_slope_too_steep
    use adfric_model_pointwise, only: point_state_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_model_table, only: profile_axis_t
@@ -38,6 +39,7 @@ module adfric_classical_wave_model
       procedure :: solve_point
       procedure :: count_profiles
       procedure :: fill_profiles
+      procedure :: measure
    end type wave_model_t
 
 contains
@@ -110,6 +112,22 @@ contains
       frequency = two_pi*abs(values(v_velocity))/values(v_period)
       text = doubt_spectrum(values(v_material:v_temperature), self%given, [frequency, frequency])
    end function describe_doubts
+
+   !> See `model_t`: the steepest slope of the wave.
+   subroutine measure(self, values, results, measures)
+      !> The model; nothing is read from it here.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      measures(doubt_slope_too_steep) = two_pi*values(v_amplitude)/values(v_period)
+      associate (unused => self, unused_results => results)
+      end associate
+   end subroutine measure
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)

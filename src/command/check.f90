@@ -7,7 +7,7 @@ module adfric_command_check
    use adfric_command_case, only: open_input, run_or_fit
    use adfric_command_fit_check, only: describe_fit
    use adfric_command_line, only: command_t
-   use adfric_command_doubts, only: describe_doubts_of
+   use adfric_command_doubts, only: describe_bounds_of, describe_doubts_of, describe_trials
    use adfric_command_durations, only: show_duration
    use adfric_command_outcome, only: outcome_t, exit_success
    use adfric_command_plausibility, only: warn_of_values
@@ -40,6 +40,7 @@ contains
       type(outcome_t), intent(inout) :: outcome
       type(run_input_t) :: run
       type(fit_input_t), allocatable :: details
+      type(time_estimate_t) :: estimate
       character(:), allocatable :: text
 
       call open_input(command%subject, run_or_fit, run, details, outcome)
@@ -62,7 +63,9 @@ contains
       call outcome%say(describe_doubts_of(run))
       call outcome%say(describe_sweep(run))
       call outcome%say(describe_points(run))
-      call outcome%say(pad('estimated time', name_width)//describe_time(run)//newline)
+      call estimate_time(run, estimate)
+      call outcome%say(pad('estimated time', name_width)//describe_time(estimate)//newline)
+      call outcome%say(describe_bounds_of(run)//describe_trials(estimate))
       call run%model%release()
       call outcome%say(warn_of_values(run))
       call outcome%say(pad('results file', name_width)//run%output//', ' &
@@ -79,11 +82,13 @@ contains
       type(run_input_t), intent(in) :: run
       !> Receives what the command has to say.
       type(outcome_t), intent(inout) :: outcome
+      type(time_estimate_t) :: estimate
 
       call outcome%say(describe_fit(model, details))
       if (.not. model%is_single()) call outcome%say(describe_sweep(run))
       call outcome%say(pad('fits', name_width)//show_count(run%plan%n_points())//newline)
-      call outcome%say(pad('estimated time', name_width)//describe_time(run)//newline)
+      call estimate_time(run, estimate)
+      call outcome%say(pad('estimated time', name_width)//describe_time(estimate)//newline)
       call outcome%say(warn_of_values(run))
       call outcome%say(pad('results file', name_width)//run%output//newline)
    end subroutine check_fit
@@ -177,13 +182,11 @@ contains
    end function describe_first_point
 
    !> How long the run will take.
-   function describe_time(run) result(text)
-      !> The run that the input describes.
-      type(run_input_t), intent(in) :: run
+   function describe_time(estimate) result(text)
+      !> What is known of the time.
+      type(time_estimate_t), intent(in) :: estimate
       character(:), allocatable :: text
-      type(time_estimate_t) :: estimate
 
-      call estimate_time(run, estimate)
       if (.not. estimate%is_known) then
          text = 'not known, no trial point could be solved'
          return

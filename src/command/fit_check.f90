@@ -9,6 +9,7 @@ module adfric_command_fit_check
    use adfric_base_words, only: get_word, pad
    use adfric_command_fit_doubts, only: describe_fit_doubts
    use adfric_command_rounding, only: show_to_digits
+   use adfric_fit_base_line, only: mark_base_lines
    use adfric_fit_problem, only: data_set_t, event_names, fit_t, interval_names, loss_gauss, loss_names, nuisance_names, &
       & n_nuisances, nuisance_lateral_gain, nuisance_spring_stiffness
    use adfric_fit_solution, only: solution_t, fit_solved
@@ -206,9 +207,15 @@ contains
          if (.not. is_read) return
          fit%data_sets = curves(:, 1)
       end if
+      call mark_base_lines(fit)
+      do i = 1, size(fit%data_sets)
+         if (allocated(model%fit%data_sets(i)%is_contact) .or. .not. allocated(fit%data_sets(i)%is_contact)) cycle
+         lines = lines//pad('base line', name_width)//show_count(count(.not. fit%data_sets(i)%is_contact))// &
+            ' points of data['//show_count(i)//'], found from the jump of the load'//newline
+      end do
       call find_start(fit, solution%estimate, chi2, reason)
       if (len(reason) > 0) then
-         lines = pad('start', name_width)//'none: '//reason//newline
+         lines = lines//pad('start', name_width)//'none: '//reason//newline
          return
       end if
       name = 'start'

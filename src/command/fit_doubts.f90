@@ -3,10 +3,10 @@
 module adfric_command_fit_doubts
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
-   use adfric_base_text, only: newline
+   use adfric_base_text, only: newline, show_count
    use adfric_base_unset, only: is_set
    use adfric_command_rounding, only: show_to_digits
-   use adfric_fit_problem, only: fit_t
+   use adfric_fit_problem, only: fit_t, nuisance_tilt
    use adfric_fit_solution, only: solution_t, fit_solved
    use adfric_model_status, only: status_solved
    implicit none (type, external)
@@ -21,6 +21,9 @@ module adfric_command_fit_doubts
    real(dp), parameter :: most_lag = 3
    !> Below this part of its mean S is too small for noise.
    real(dp), parameter :: least_chi2 = 0.1_dp
+   !> A slope of a base line is doubted beyond so many standard errors, and of so many points.
+   real(dp), parameter :: most_slope = 6
+   integer, parameter :: least_count = 8
    !> The runs of signs are doubted below this probability.
    real(dp), parameter :: least_runs = 1.0e-3_dp
 
@@ -36,7 +39,7 @@ contains
 
       lines = ''
       if (solution%status /= fit_solved) return
-      lines = doubt_range(solution)//doubt_size(fit, solution)//doubt_residuals(solution)
+      lines = doubt_range(solution)//doubt_size(fit, solution)//doubt_base_lines(fit, solution)//doubt_residuals(solution)
    end function describe_fit_doubts
 
    !> Is the range of adhesion one of atoms?
@@ -106,6 +109,57 @@ contains
       is_used = ieee_is_finite(fit%data_sets(1)%x)
       if (allocated(fit%data_sets(1)%is_used)) is_used = is_used .and. fit%data_sets(1)%is_used
    end function is_in_use
+
+   !> Has a base line a slope that nothing in the fit takes up?
+   function doubt_base_lines(fit, solution) result(lines)
+      !> The fit with its data sets.
+      type(fit_t), intent(in) :: fit
+      !> What was found.
+      type(solution_t), intent(in) :: solution
+      character(:), allocatable :: lines
+      real(dp) :: slope, error
+      integer :: k
+
+      lines = ''
+      if (.not. allocated(solution%data_sets)) return
+      do k = 1, size(solution%data_sets)
+         associate (set => fit%data_sets(k), found => solution%data_sets(k))
+            if (.not. allocated(found%is_apart)) cycle
+            if (fit%model%results(set%ordinate)%name /= 'load' .or. fit%model%variables(set%abscissa)%name == 'load') cycle
+            if (any(fit%frees%nuisance == nuisance_tilt .and. fit%frees%data_set == k)) cycle
+            if (count(found%is_apart) < least_count) cycle
+            call find_slope(pack(set%x, found%is_apart), pack(set%y - found%fitted, found%is_apart), slope, error)
+            if (.not. abs(slope) > most_slope*error) cycle
+            lines = lines//'warning: the base line of '//set%name//' has a slope of '//show_to_digits(slope, 2)//' +- '// &
+               show_to_digits(error, 2)//', which moves what is fitted; a free data['// &
+               show_count(k)//']%tilt takes it up'//newline
+         end associate
+      end do
+   end function doubt_base_lines
+
+   !> Slope of a straight line through points of one error, and its standard error.
+   pure subroutine find_slope(x, y, slope, error)
+      !> Abscissas.
+      real(dp), intent(in) :: x(:)
+      !> Ordinates.
+      real(dp), intent(in) :: y(:)
+      !> Receives the slope.
+      real(dp), intent(out) :: slope
+      !> Receives its standard error.
+      real(dp), intent(out) :: error
+      real(dp) :: at(size(x)), left(size(x)), squares
+      integer :: n
+
+      n = size(x)
+      at = x - sum(x)/n
+      squares = sum(at**2)
+      slope = 0
+      error = 0
+      if (.not. squares > 0) return
+      slope = sum(at*y)/squares
+      left = y - sum(y)/n - slope*at
+      error = sqrt(sum(left**2)/(n - 2)/squares)
+   end subroutine find_slope
 
    !> Are the residuals independent of each other?
    pure function doubt_residuals(solution) result(lines)

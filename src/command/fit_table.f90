@@ -242,6 +242,11 @@ contains
          n = n + size(fit%data_sets(i)%x)
       end do
       lines = line('points', show_count(solution%points_used)//' used, '//show_count(n - solution%points_used)//' left out')
+      n = 0
+      do i = 1, size(solution%data_sets)
+         if (allocated(solution%data_sets(i)%is_contact)) n = n + count(.not. solution%data_sets(i)%is_contact)
+      end do
+      if (n > 0) lines = lines//line('base line', show_count(n)//' points, found from the jump of the load')
       if (solution%points_beyond_fold > 0) lines = lines//line('points beyond the fold', show_count(solution%points_beyond_fold)// &
          hint_beyond(fit))
       if (solution%n_outliers == 0) return

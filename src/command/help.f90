@@ -9,7 +9,7 @@ module adfric_command_help
    use adfric_command_help_lists, only: model_box_t, list_topics, show_list
    use adfric_command_help_names, only: describe_model, describe_outputs, describe_name, describe_common, &
       describe_variables, list_names, list_words
-   use adfric_command_help_pages, only: usage_page, input_page, outputs_head
+   use adfric_command_help_pages, only: usage_page, input_page, tables_page, outputs_head
    use adfric_command_line, only: command_t, known_commands
    use adfric_command_outcome, only: outcome_t
    use adfric_input_fit_rows, only: fit_groups, get_fit_rows, list_fit_names
@@ -21,7 +21,7 @@ module adfric_command_help
    public :: give_help
 
    !> Topics that are pages.
-   character(*), parameter :: page_topics = 'input outputs names'
+   character(*), parameter :: page_topics = 'input tables outputs names'
 
 contains
 
@@ -92,6 +92,8 @@ contains
          text = outputs_head//newline//describe_common('')//newline//describe_every_model(models, topic)
       else if (topic == 'input') then
          text = input_page
+      else if (topic == 'tables') then
+         text = tables_page
       else if (topic == 'names') then
          text = join_words(every_name(models), newline)//newline
       else

@@ -7,7 +7,7 @@ module adfric_command_help_lists
    use adfric_input_fit_rows, only: fit_groups, get_fit_rows
    use adfric_input_vocabulary, only: common_groups
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: result_t, results_of_every_run, variable_t
+   use adfric_model_table, only: result_t, common_results, variable_t
    implicit none (type, external)
    private
    public :: model_box_t, list_topics, show_list
@@ -117,7 +117,7 @@ contains
       type(entries_t) :: results, profiles
       integer :: i, k
 
-      common = results_of_every_run()
+      common = common_results()
       do k = 1, size(common)
          call results%add(with_unit(common(k)%name, common(k)%unit), everyone)
       end do

@@ -6,9 +6,10 @@ module adfric_command_help_names
    use adfric_base_text, only: newline
    use adfric_command_values, only: show_input_value
    use adfric_input_variable, only: describe_allowed
+   use adfric_model_doubt, only: doubt_meanings, doubt_name, explain_doubt
    use adfric_model_model, only: model_t
    use adfric_model_status, only: explain_status, status_meanings
-   use adfric_model_table, only: variable_t, result_t, results_of_every_run, kind_choice
+   use adfric_model_table, only: variable_t, result_t, common_results, kind_choice
    use adfric_model_vocabulary, only: list_groups, list_variables
    implicit none (type, external)
    private
@@ -62,13 +63,42 @@ contains
       type(result_t), allocatable :: common(:)
       integer :: i
 
-      common = results_of_every_run()
+      common = common_results()
       text = with_head('On every run', describe_results(common, name))
-      if (.not. (len(name) == 0 .or. name == 'status' .or. has_word(status_meanings, name))) return
-      do i = 1, count_words(status_meanings)
-         if (has_word(status_meanings, name) .and. get_word(status_meanings, i) /= name) cycle
-         text = text//pad('    '//get_word(status_meanings, i), name_width)//explain_status(i - 1)//newline
+      do i = 1, count_words(doubt_meanings)
+         if (is_meant(doubt_name, doubt_meanings, i)) text = text//explained(doubt_meanings, i, explain_doubt(i - 1))
       end do
+      do i = 1, count_words(status_meanings)
+         if (is_meant('status', status_meanings, i)) text = text//explained(status_meanings, i, explain_status(i - 1))
+      end do
+
+   contains
+
+      !> Is one of the states of a result meant by the name?
+      pure logical function is_meant(result, meanings, place)
+         !> Name of the result.
+         character(*), intent(in) :: result
+         !> Names of its states, separated by a blank.
+         character(*), intent(in) :: meanings
+         !> Place of the state, from 1.
+         integer, intent(in) :: place
+
+         is_meant = len(name) == 0 .or. name == result .or. name == get_word(meanings, place)
+      end function is_meant
+
+      !> The line of a state.
+      pure function explained(meanings, place, explanation) result(line)
+         !> Names of the states, separated by a blank.
+         character(*), intent(in) :: meanings
+         !> Place of the state, from 1.
+         integer, intent(in) :: place
+         !> What it means.
+         character(*), intent(in) :: explanation
+         character(:), allocatable :: line
+
+         line = pad('    '//get_word(meanings, place), name_width)//explanation//newline
+      end function explained
+
    end function describe_common
 
    !> A heading and what stands under it; nothing if that is nothing.
@@ -223,7 +253,7 @@ contains
       integer :: i
 
       names = list_groups(model)//' '//list_variables(model, '')//list_words(model%variables)
-      common = results_of_every_run()
+      common = common_results()
       names = names//list_results(model%results)//list_results(common)
       do i = 1, size(model%profiles)
          names = names//' '//model%profiles(i)%name

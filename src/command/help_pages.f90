@@ -4,7 +4,7 @@ module adfric_command_help_pages
    use adfric_base_text, only: newline
    implicit none (type, external)
    private
-   public :: usage_page, input_page, outputs_head
+   public :: usage_page, input_page, tables_page, outputs_head
 
    !> The commands; the list of the models follows.
    character(*), parameter :: usage_page = &
@@ -28,7 +28,7 @@ module adfric_command_help_pages
       '      how long a run takes, and what looks like a slip in the units; --quiet prints nothing but errors,'//newline// &
       '      --output-name nothing but the name of the results file'//newline// &
       '  adfric help [TOPIC]'//newline// &
-      '      topics: models, groups, variables, results, units, input, outputs; or the name of a model,'//newline// &
+      '      topics: models, groups, variables, results, units, input, tables, outputs; or the name of a model,'//newline// &
       '      group, variable, result or status, or a word that a variable or a result may be;'//newline// &
       '      names lists all of these, one a line'//newline// &
       '  adfric --version'//newline// &
@@ -71,6 +71,24 @@ module adfric_command_help_pages
       '  &output derivatives = ''NAME'', ... /          derivatives of all results'//newline// &
       newline// &
       'Several &sweep groups, cases and a sample form the outer product; the first one varies slowest.'//newline
+
+   !> Tables of text.
+   character(*), parameter :: tables_page = &
+      'A table is a text of columns, as instruments, spreadsheets and scripts write it: FILE.csv, .tsv, .txt, .dat or'//newline// &
+      '.asc. &data and &cases name a table, lists and the values of &sweep a column, ''FILE.csv:COLUMN''.'//newline// &
+      newline// &
+      '  columns    between tabs, semicolons, commas or blanks: whatever makes numbers alone of the first row of'//newline// &
+      '             numbers, and as many as there are names above it'//newline// &
+      '  names      in the nearest line above, in quotes or not; capitals do not count, and blanks, hyphens and'//newline// &
+      '             underscores are alike; lines before the names, empty lines and comments (# %) do not count'//newline// &
+      '  units      load [nN], load (nN), load / nN, load in nN, load_nN, or a line of units below the names;'//newline// &
+      '             without one SI units; a part of a head that is not understood is refused'//newline// &
+      '  numbers    with a decimal point or a decimal comma, one of them in a table; where the comma may part'//newline// &
+      '             thousands, as in 1,234, the table is refused'//newline// &
+      '  no value   an empty cell, nan, na, n/a, null, none, missing, - or --'//newline// &
+      '  encodings  UTF-8, UTF-16 with its mark, Latin-1; any line ends'//newline// &
+      newline// &
+      'adfric check says how each table was read. All rules: docs/tables.md.'//newline
 
    !> What stands in every results file; the results of the models follow.
    character(*), parameter :: outputs_head = &

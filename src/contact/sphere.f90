@@ -14,7 +14,7 @@ module adfric_contact_sphere
    use adfric_contact_arguments, only: largest_ratio, lies_between, status_bad_argument
    use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_solved
    use adfric_sphere_contact, only: branch_stable, branch_unstable, contact_t, control_approach, control_load, control_radius, &
-      & find_contact, theory_maugis_dugdale
+      & find_contact, part_bodies, theory_maugis_dugdale
    use adfric_sphere_maugis_dugdale, only: maugis_t
    use adfric_sphere_theory_choice, only: get_mismatch
    use adfric_sphere_units, only: get_sphere_units
@@ -46,7 +46,7 @@ contains
       call solve(lambda, control_load, load, branch_of(is_unstable), contact_radius, adhesion_radius, load_found, approach, status)
    end subroutine solve_sphere_load
 
-   !> Find the contact at an approach.
+   !> Find the contact at an approach. Bodies apart, beyond all attraction, have load 0 and both radii 0.
    elemental subroutine solve_sphere_approach(lambda, approach, contact_radius, adhesion_radius, load, status, is_unstable)
       !> Maugis's parameter [-], 1e-30 to 1e30.
       real(dp), intent(in) :: lambda
@@ -149,19 +149,22 @@ contains
       integer, intent(out) :: status
       type(maugis_t) :: theory
       type(contact_t) :: contact
+      logical :: is_apart
 
       status = status_bad_argument
       if (lies_between(lambda, 1/largest_ratio, largest_ratio) .and. &
          & lies_between(value, merge(0.0_dp, -largest_ratio, control == control_radius), largest_ratio)) then
          theory%lambda = lambda
          call find_contact(theory, control, value, branch, contact)
+         is_apart = .false.
+         if (.not. contact%is_found) call part_bodies(control, value, branch, contact, is_apart)
          status = status_solved
          if (.not. contact%is_converged) then
             status = status_not_converged
          else if (.not. contact%is_found) then
             status = status_no_equilibrium
-         else if (.not. get_mismatch(theory, theory_maugis_dugdale, control, contact) < 1) then
-            status = status_not_converged
+         else if (.not. is_apart) then
+            if (.not. get_mismatch(theory, theory_maugis_dugdale, control, contact) < 1) status = status_not_converged
          end if
       end if
       contact_radius = give(contact%radius, status)

@@ -6,6 +6,7 @@
 module adfric_fit_bootstrap
    use adfric_base_kinds, only: dp
    use adfric_fit_curve, only: curve_t
+   use adfric_fit_fold_search, only: find_minimum
    use adfric_fit_objective, only: objective_t
    use adfric_fit_order, only: sort
    use adfric_fit_problem, only: fit_t
@@ -13,7 +14,7 @@ module adfric_fit_bootstrap
    use adfric_base_unset, only: is_set
    use adfric_fit_intervals, only: make_pieces, value_of
    use adfric_fit_solution, only: solution_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, find_least_squares, &
+   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, &
       & squares_no_value
    use adfric_numerics_random_numbers, only: random_t, new_random, next_normal
    implicit none (type, external)
@@ -144,7 +145,7 @@ contains
       !> Is there an answer?
       logical, intent(out) :: has_value
       type(squares_outcome_t) :: outcome
-      logical :: is_held(size(best))
+      logical :: is_held(size(best)), is_unfolded
       real(dp) :: q(size(best)), least
       integer :: k
 
@@ -154,7 +155,7 @@ contains
       best = 0
       do k = 1, size(minima, 2)
          q = minima(:, k)
-         call find_least_squares(objective, scales%lower, scales%upper, is_held, limits, work, q, outcome)
+         call find_minimum(objective, scales, is_held, limits, work, q, outcome, is_unfolded)
          if (outcome%status == squares_no_value .or. outcome%cost >= least) cycle
          has_value = .true.
          least = outcome%cost

@@ -2,13 +2,14 @@
 !> A fit on its way: what its parts share, from the data to the minima.
 module adfric_fit_course
    use adfric_base_kinds, only: dp
+   use adfric_fit_fold_search, only: find_minimum
    use adfric_fit_minima, only: minima_t, sort_minima, minima_limit
    use adfric_fit_objective, only: objective_t, new_objective, take_estimate, most_rows_of, count_terms
    use adfric_fit_problem, only: fit_t, nuisance_load_offset, nuisance_friction_offset
    use adfric_fit_scales, only: scales_t, set_scales
    use adfric_fit_solution, only: solution_t
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, &
-      & new_squares_work, find_least_squares, squares_no_value
+      & new_squares_work, squares_no_value
    implicit none (type, external)
    private
    public :: course_t, begin_course, has_too_few_points, refine_minima, take_minima, evaluate_best
@@ -92,7 +93,7 @@ contains
       type(squares_outcome_t) :: outcome
       real(dp) :: least
       integer :: k
-      logical :: is_held(course%objective%n_free)
+      logical :: is_held(course%objective%n_free), is_unfolded
 
       if (course%minima%n < 1) return
       least = course%minima%cost(1)
@@ -108,8 +109,8 @@ contains
          else if (k > 1) then
             exit
          end if
-         call find_least_squares(course%objective, course%scales%lower, course%scales%upper, is_held, limits, course%work, &
-            & course%minima%q(:, k), outcome)
+         call find_minimum(course%objective, course%scales, is_held, limits, course%work, course%minima%q(:, k), outcome, &
+            & is_unfolded)
          if (outcome%status == squares_no_value) cycle
          course%minima%steps = course%minima%steps + outcome%steps
          course%minima%cost(k) = outcome%cost

@@ -22,8 +22,8 @@ module adfric_fit_curve
       logical, allocatable :: is_contact(:)
       !> Of the last evaluation: the model's ordinates, their abscissas, and residuals (data less model, in standard errors).
       real(dp), allocatable :: fitted(:), foot(:), residual(:)
-      !> Of the last evaluation: is the point beyond the fold?
-      logical, allocatable :: is_beyond(:)
+      !> Of the last evaluation: is the point beyond the fold, is it one of the base line, without load?
+      logical, allocatable :: is_beyond(:), is_apart(:)
    contains
       procedure(evaluate_i), deferred :: evaluate
       procedure(find_event_i), deferred :: find_event
@@ -121,7 +121,7 @@ contains
       if (allocated(data%is_contact)) self%is_contact = data%is_contact(self%place)
       allocate (self%fitted(self%n), self%residual(self%n), source=0.0_dp)
       self%foot = self%x
-      allocate (self%is_beyond(self%n), source=.false.)
+      allocate (self%is_beyond(self%n), self%is_apart(self%n), source=.false.)
    end subroutine take_points
 
    !> Derivatives of the nuisances of a data set by the numbers that are fitted.

@@ -79,6 +79,8 @@ contains
          found%fitted)
       if (allocated(found%residual)) call list%add('residual'//suffix, '-', 'residuals in standard errors', 'point'//suffix, &
          found%residual)
+      if (allocated(found%is_contact)) call list%add('branch'//suffix, '-', 'branch, found from the jump of the load', &
+         'point'//suffix, merge(1.0_dp, 0.0_dp, found%is_contact), flag_meanings='free contact')
       if (.not. allocated(found%curve_x)) return
       curve = 'curve_x'//suffix
       call list%add_scale(curve, x_unit, fit%model%variables(data_set%abscissa)%name, found%curve_x)

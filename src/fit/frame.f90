@@ -6,7 +6,7 @@ module adfric_fit_frame
    use adfric_fit_curve, only: nuisance_slopes
    use adfric_fit_ordinate, only: get_unit
    use adfric_fit_problem, only: free_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
-      & nuisance_lateral_gain, nuisance_spring_stiffness
+      & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt
    use adfric_fit_sphere_basis, only: basis_t, of_radius, of_modulus, of_work, of_lambda, of_edge
    use adfric_sphere_variables, only: r_load
    implicit none (type, external)
@@ -17,10 +17,12 @@ module adfric_fit_frame
    type :: frame_t
       !> Units and zeros of abscissa and ordinate.
       real(dp) :: x_unit = 1, y_unit = 1, x_zero = 0, y_zero = 0
+      !> Slope of the base line.
+      real(dp) :: tilt = 0
       !> Changes by each free variable: logarithms of both units, zeros, lambda, ks, x.
       real(dp), allocatable, dimension(:) :: x_unit_by, y_unit_by, x_zero_by, y_zero_by, lambda_by, ks_by, edge_by
-      !> Change of the zero of a load.
-      real(dp), allocatable :: load_zero_by(:)
+      !> Change of the zero of a load, and of the slope of the base line.
+      real(dp), allocatable :: load_zero_by(:), tilt_by(:)
    end type frame_t
 
 contains
@@ -33,7 +35,7 @@ contains
       integer, intent(in) :: n
 
       allocate (self%x_unit_by(n), self%y_unit_by(n), self%x_zero_by(n), self%y_zero_by(n), self%lambda_by(n), self%ks_by(n), &
-         & self%edge_by(n), self%load_zero_by(n), source=0.0_dp)
+         & self%edge_by(n), self%load_zero_by(n), self%tilt_by(n), source=0.0_dp)
    end subroutine new_frame
 
    !> Units and zeros, and how they change.
@@ -75,6 +77,8 @@ contains
          c%y_zero_by = of_nuisance(:, nuisance_friction_offset)
          if (ordinate == r_load) c%y_zero = c%y_zero + nuisance(nuisance_load_offset)
          if (ordinate == r_load) c%y_zero_by = c%y_zero_by + c%load_zero_by
+         c%tilt = nuisance(nuisance_tilt)
+         c%tilt_by = of_nuisance(:, nuisance_tilt)
          if (is_base) then
             c%x_unit = basis%approach
             c%x_unit_by = (2*b(:, of_work) + b(:, of_radius) - 2*b(:, of_modulus))/3

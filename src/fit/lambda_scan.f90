@@ -13,13 +13,13 @@
 module adfric_fit_lambda_scan
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set, unset
+   use adfric_fit_fold_search, only: find_minimum
    use adfric_fit_minima, only: minima_t, add_search, minima_limit
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_problem, only: fit_t
    use adfric_fit_scales, only: scales_t
    use adfric_fit_starts, only: get_start, lambda_free, place_of_lambda
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, find_least_squares, &
-      & squares_no_value
+   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, squares_no_value
    implicit none (type, external)
    private
    public :: scan_lambda, fewest_nodes
@@ -148,7 +148,7 @@ contains
       type(minima_t), intent(inout) :: minima
       type(squares_limits_t) :: coarse
       type(squares_outcome_t) :: outcome
-      logical :: is_held(size(q))
+      logical :: is_held(size(q)), is_unfolded
 
       if (has_neighbour) then
          q = neighbour
@@ -162,7 +162,7 @@ contains
       coarse%step_tolerance = node_step
       coarse%relative_tolerance = node_decrease
       coarse%most_steps = node_steps
-      call find_least_squares(self, scales%lower, scales%upper, is_held, coarse, work, q, outcome)
+      call find_minimum(self, scales, is_held, coarse, work, q, outcome, is_unfolded)
       minima%steps = minima%steps + outcome%steps
       node%has_value = outcome%status /= squares_no_value
       node%cost = outcome%cost

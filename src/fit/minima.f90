@@ -2,10 +2,11 @@
 !> The minima of a sum of squares, as searches find them one after the other.
 module adfric_fit_minima
    use adfric_base_kinds, only: dp
+   use adfric_fit_fold, only: curve_fold_t
+   use adfric_fit_fold_search, only: find_minimum, cross_regions
    use adfric_fit_objective, only: objective_t
    use adfric_fit_scales, only: scales_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, find_least_squares, &
-      & squares_no_value
+   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, squares_no_value
    implicit none (type, external)
    private
    public :: minima_t, new_minima, add_search, sort_minima, minima_limit
@@ -27,6 +28,8 @@ module adfric_fit_minima
       real(dp), allocatable :: cost(:)
       !> How often each was found, and how its search ended.
       integer, allocatable :: times(:), status(:)
+      !> Has every place of a fold been seen that may have a lesser cost?
+      logical :: is_complete = .true.
       !> Searches, steps.
       integer :: searches = 0, steps = 0
    end type minima_t
@@ -45,7 +48,7 @@ contains
    end subroutine new_minima
 
    !> Search from a start, and add the minimum if it is new.
-   subroutine add_search(self, scales, limits, work, q, minima)
+   subroutine add_search(self, scales, limits, work, q, minima, fold)
       !> The sum of squares.
       type(objective_t), intent(inout) :: self
       !> Units and bounds.
@@ -58,13 +61,21 @@ contains
       real(dp), intent(inout) :: q(:)
       !> The minima.
       type(minima_t), intent(inout) :: minima
+      !> The curve to whose fold the start is near, so that the search begins in a region. If absent, it begins as if S were smooth.
+      type(curve_fold_t), intent(in), optional :: fold
       type(squares_outcome_t) :: outcome
-      logical :: is_held(size(q))
+      logical :: is_held(size(q)), is_unfolded, is_valid
       real(dp) :: variance
       integer :: k
 
       is_held = .false.
-      call find_least_squares(self, scales%lower, scales%upper, is_held, limits, work, q, outcome)
+      if (present(fold)) then
+         outcome%status = squares_no_value
+         call cross_regions(self, fold, scales, is_held, limits, work, q, outcome, is_unfolded)
+      else
+         call find_minimum(self, scales, is_held, limits, work, q, outcome, is_unfolded)
+      end if
+      if (is_unfolded) call self%evaluate(q, work%n_rows, work%r, work%j, outcome%cost, is_valid)
       minima%searches = minima%searches + 1
       minima%steps = minima%steps + outcome%steps
       if (outcome%status == squares_no_value) return

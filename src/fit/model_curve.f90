@@ -5,40 +5,46 @@
 !> a derivative, least for h = e^(1/2); a central one e/h + h^2/6, least for about h = e^(1/3). A relative error of the derivatives moves
 !> an estimate by about that part of its standard error, so steps forward will do on the way, and central ones for the covariance.
 !> At a bound of the model's table, and where a neighbour has no solution or is of another regime, the step is taken to the other side.
+!>
+!> Where the model knows the fold x_f, the end of contact, a point is a place s = sqrt(x - x_f), over which ordinates are smooth
+!> (`adfric_fit_model_slopes`), and no step crosses the fold. A point of contact beyond has the ordinate of the fold; where the abscissa
+!> is a load, one more row says how far it is beyond, as in `adfric_fit_sphere_curve`. With errors of the abscissa the state is the
+!> nearest point of the curve (`adfric_fit_model_foot`).
 module adfric_fit_model_curve
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
    use adfric_fit_curve, only: curve_t, take_points, nuisance_slopes
+   use adfric_fit_model_foot, only: feet_t, find_feet
+   use adfric_fit_model_points, only: model_points_t, new_model_points, fold_t, is_beyond_fold
+   use adfric_fit_model_slopes, only: slopes_t, set_slopes
+   use adfric_fit_order, only: median_step
    use adfric_fit_problem, only: free_t, fit_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, &
-      & nuisance_contact_point, nuisance_lateral_gain, event_pull_off_load
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: status_solved
+      & nuisance_contact_point, nuisance_lateral_gain, nuisance_tilt, event_pull_off_load
+   use adfric_fit_sphere_curve, only: is_plain_sphere
    implicit none (type, external)
    private
    public :: model_curve_t, new_model_curve
 
    !> A measured curve of any model.
    type, extends(curve_t) :: model_curve_t
-      !> The model.
-      class(model_t), pointer :: model => null()
-      !> Places of abscissa and ordinate, and of the results `regime` and `pull_off_load`; 0: none.
-      integer :: abscissa = 0, ordinate = 0, regime = 0, pull_off = 0
-      !> Which offset is taken off the abscissa (0: none), and is the ordinate a load?
+      !> What is asked of the model.
+      type(model_points_t) :: points
+      !> Which offset is taken off the abscissa; 0: none.
       integer :: x_nuisance = 0
-      !> Is the zero of the load added to the ordinate?
-      logical :: is_load = .false.
       !> The free variables.
       type(free_t), allocatable :: frees(:)
+      !> How well loads of the abscissa are resolved, for points beyond the fold.
+      real(dp) :: resolution = 1
+      !> Places of the feet at the last evaluation.
+      type(feet_t) :: feet
       !> Error of the derivatives of the last evaluation, relative.
       real(dp) :: error = 0
+      !> Of the last evaluation: derivatives of the abscissa of the fold by the numbers that are fitted; shape `(n_free)`.
+      real(dp), allocatable :: fold_by(:)
    contains
       procedure :: evaluate
       procedure :: find_event
       procedure :: most_rows
    end type model_curve_t
-
-   !> Least and largest error that a result is held to have.
-   real(dp), parameter :: least_error = 1.0e-13_dp, largest_error = 1.0e-4_dp
 
 contains
 
@@ -52,28 +58,28 @@ contains
       integer, intent(in) :: number
       !> The standard error of all ordinates where none is given.
       real(dp), intent(in) :: unit
-      integer :: k
 
-      call take_points(self, number, fit%data_sets(number), unit)
-      self%model => fit%model
-      self%abscissa = fit%data_sets(number)%abscissa
-      self%ordinate = fit%data_sets(number)%ordinate
-      self%frees = fit%frees
-      do k = 1, size(fit%model%results)
-         if (fit%model%results(k)%name == 'regime') self%regime = k
-         if (fit%model%results(k)%name == 'pull_off_load') self%pull_off = k
-      end do
-      if (fit%model%variables(self%abscissa)%name == 'load') self%x_nuisance = nuisance_load_offset
-      if (fit%model%variables(self%abscissa)%name == 'approach') self%x_nuisance = nuisance_contact_point
-      self%is_load = fit%model%results(self%ordinate)%name == 'load'
+      associate (data => fit%data_sets(number))
+         call take_points(self, number, data, unit)
+         call new_model_points(self%points, fit%model, fit%base, data%abscissa, data%ordinate, is_plain_sphere(fit, data))
+         self%frees = fit%frees
+         if (self%points%is_by_load) self%resolution = median_step(pack(self%x, self%is_contact))/sqrt(12.0_dp)
+         select case (fit%model%variables(data%abscissa)%name)
+         case ('load')
+            self%x_nuisance = nuisance_load_offset
+         case ('approach', 'base_approach')
+            self%x_nuisance = nuisance_contact_point
+         end select
+      end associate
    end subroutine new_model_curve
 
-   !> See `curve_t`: a row for every point.
+   !> See `curve_t`: a second row for a point whose load, or foot, is not on the curve.
    pure integer function most_rows(self)
       !> The curve.
       class(model_curve_t), intent(in) :: self
 
       most_rows = self%n
+      if (self%is_latent .or. self%points%is_by_load .and. self%points%pull_off_load > 0) most_rows = 2*self%n
    end function most_rows
 
    !> See `curve_t`.
@@ -96,164 +102,157 @@ contains
       real(dp), intent(inout) :: j(:, :)
       !> Has the model a value at all points?
       logical, intent(out) :: is_valid
-      real(dp) :: y(self%n), slope(self%n), zero, of_nuisance(size(slopes), n_nuisances), x(self%n), e, zero_by
-      integer :: regimes(self%n), k
+      type(slopes_t) :: of
+      real(dp) :: of_nuisance(size(slopes), n_nuisances), x_zero, x_zero_by(size(slopes))
+      integer :: contacts(count(self%is_contact)), k
 
       n_rows = self%n
       call nuisance_slopes(self%frees, self%data_set, slopes, of_nuisance)
-      x = self%x
-      if (self%x_nuisance > 0) x = x - nuisance(self%x_nuisance)
-      call ask(self, values, x, y, regimes, e)
-      is_valid = all(regimes >= 0)
-      if (.not. is_valid) return
-      zero = nuisance(nuisance_friction_offset)
-      if (self%is_load) zero = zero + nuisance(nuisance_load_offset)
-      self%fitted = nuisance(nuisance_lateral_gain)*y + zero
-      r(:n_rows) = (self%fitted - self%y)/self%sigma
-      self%residual = -r(:n_rows)
-      do k = 1, size(slopes)
-         slope = y*of_nuisance(k, nuisance_lateral_gain)
-         if (self%frees(k)%variable > 0) then
-            call differentiate(self, values, x, k, slopes(k), e, is_exact, y, regimes, slope, is_valid)
-            slope = nuisance(nuisance_lateral_gain)*slope
-         else if (self%x_nuisance > 0) then
-            if (abs(of_nuisance(k, self%x_nuisance)) > 0) then
-               call differentiate(self, values, x, 0, 1.0_dp, e, is_exact, y, regimes, slope, is_valid)
-               slope = -nuisance(nuisance_lateral_gain)*slope*of_nuisance(k, self%x_nuisance)
-            end if
+      x_zero = 0
+      x_zero_by = 0
+      if (self%x_nuisance > 0) then
+         x_zero = nuisance(self%x_nuisance)
+         x_zero_by = of_nuisance(:, self%x_nuisance)
+      end if
+      contacts = pack([(k, k=1, self%n)], self%is_contact)
+      call take_base_line(self, nuisance, of_nuisance, r, j)
+      associate (gain => nuisance(nuisance_lateral_gain), gain_by => of_nuisance(:, nuisance_lateral_gain))
+         if (self%is_latent) then
+            call find_feet(self%points, values, self%x(contacts) - x_zero, self%y(contacts) - self%fitted(contacts), &
+               & self%x_sigma(contacts), self%sigma(contacts), gain, self%feet, is_valid)
+            if (.not. is_valid) return
+            call set_slopes(of, self%points, values, self%feet%x, maxval(abs(self%x)), self%frees, slopes, &
+               & is_exact, .true., is_valid)
+            if (.not. is_valid) return
+            call add_latent(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)
+         else
+            call set_slopes(of, self%points, values, self%x(contacts) - x_zero, maxval(abs(self%x)), self%frees, slopes, &
+               & is_exact, any(abs(x_zero_by) > 0), is_valid)
+            if (.not. is_valid) return
+            call add_exact(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)
          end if
-         if (.not. is_valid) return
-         where (.not. self%is_contact) slope = 0
-         zero_by = of_nuisance(k, nuisance_friction_offset)
-         if (self%is_load) zero_by = zero_by + of_nuisance(k, nuisance_load_offset)
-         j(:n_rows, k) = (slope + zero_by)/self%sigma
+      end associate
+      do k = 1, size(slopes)
+         j(:self%n, k) = j(:self%n, k)/self%sigma
       end do
-      self%error = merge(e**(2.0_dp/3), sqrt(e), is_exact)
+      self%residual = -r(:self%n)
+      self%error = of%derivative_error
+      self%fold_by = of%fold_x_by + x_zero_by
    end subroutine evaluate
 
-   !> Ask the model for the ordinates at abscissas. Free points have the ordinate 0.
-   subroutine ask(self, values, x, y, regimes, error)
+   !> What all points have, and free points have alone: the zero and the slope of the base line. `fitted` is that part of the ordinate.
+   subroutine take_base_line(self, nuisance, of_nuisance, r, j)
       !> The curve.
-      class(model_curve_t), intent(in) :: self
-      !> Values of all variables of the model.
-      real(dp), intent(in) :: values(:)
-      !> Abscissas.
-      real(dp), intent(in) :: x(:)
-      !> Receives the ordinates.
-      real(dp), intent(out) :: y(:)
-      !> Receives the regimes, 0 where the model has none, -1 where there is no solution.
-      integer, intent(out) :: regimes(:)
-      !> Receives the largest relative error of a result.
-      real(dp), intent(out) :: error
-      real(dp) :: all_values(size(values), size(x)), results(size(self%model%results), size(x)), error_estimate(size(x)), &
-         & counts(size(self%model%counts))
-      integer :: status(size(x)), i, k, n
+      class(model_curve_t), intent(inout) :: self
+      !> Values of the nuisances of the curve.
+      real(dp), intent(in) :: nuisance(:)
+      !> Derivatives of the nuisances; shape `(n_free, n_nuisances)`.
+      real(dp), intent(in) :: of_nuisance(:, :)
+      !> Receives the residuals.
+      real(dp), intent(inout) :: r(:)
+      !> Receives the derivatives of the ordinates.
+      real(dp), intent(inout) :: j(:, :)
+      real(dp) :: zero, zero_by(size(of_nuisance, 1))
+      integer :: k
 
-      n = 0
-      do i = 1, size(x)
-         if (.not. self%is_contact(i)) cycle
-         n = n + 1
-         all_values(:, n) = values
-         all_values(self%abscissa, n) = x(i)
+      zero = nuisance(nuisance_friction_offset)
+      zero_by = of_nuisance(:, nuisance_friction_offset)
+      if (self%points%is_load) then
+         zero = zero + nuisance(nuisance_load_offset)
+         zero_by = zero_by + of_nuisance(:, nuisance_load_offset)
+      end if
+      self%fitted = zero + nuisance(nuisance_tilt)*self%x
+      self%is_apart = .not. self%is_contact
+      self%is_beyond = .false.
+      r(:self%n) = (self%fitted - self%y)/self%sigma
+      do k = 1, size(zero_by)
+         j(:self%n, k) = zero_by(k) + of_nuisance(k, nuisance_tilt)*self%x
       end do
-      call self%model%solve_block(all_values(:, :n), results(:, :n), error_estimate(:n), status(:n), counts)
-      error = least_error
-      y = 0
-      regimes = 0
-      k = 0
-      do i = 1, size(x)
-         if (.not. self%is_contact(i)) cycle
-         k = k + 1
-         regimes(i) = -1
-         if (status(k) /= status_solved) cycle
-         if (.not. ieee_is_finite(results(self%ordinate, k))) cycle
-         y(i) = results(self%ordinate, k)
-         regimes(i) = 0
-         if (self%regime > 0) regimes(i) = nint(results(self%regime, k))
-         if (ieee_is_finite(error_estimate(k))) error = max(error, error_estimate(k))
-      end do
-      error = min(error, largest_error)
-   end subroutine ask
+   end subroutine take_base_line
 
-   !> Derivative of the ordinates by a free variable, or by the abscissa.
-   subroutine differentiate(self, values, x, free, slope, error, is_central, y, regimes, y_by, is_valid)
+   !> Points whose abscissas have no errors.
+   subroutine add_exact(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)
       !> The curve.
-      class(model_curve_t), intent(in) :: self
-      !> Values of all variables of the model.
-      real(dp), intent(in) :: values(:)
-      !> Abscissas.
-      real(dp), intent(in) :: x(:)
-      !> Number of the free variable; 0: the abscissa.
-      integer, intent(in) :: free
-      !> Derivative of the free variable by the number that is fitted.
-      real(dp), intent(in) :: slope
-      !> Relative error of a result.
-      real(dp), intent(in) :: error
-      !> Is a central difference wanted?
-      logical, intent(in) :: is_central
-      !> Ordinates and regimes at the place.
-      real(dp), intent(in) :: y(:)
-      !> Regimes at the place.
-      integer, intent(in) :: regimes(:)
-      !> Receives the derivative.
-      real(dp), intent(out) :: y_by(:)
-      !> Is there one at every point?
-      logical, intent(out) :: is_valid
-      real(dp), dimension(size(x)) :: above, below
-      integer, dimension(size(x)) :: regimes_above, regimes_below
-      real(dp) :: h, up, down, size_of_x
+      class(model_curve_t), intent(inout) :: self
+      !> Ordinates and their derivatives.
+      type(slopes_t), intent(in) :: of
+      !> The points of contact.
+      integer, intent(in) :: contacts(:)
+      !> The gain and its derivatives.
+      real(dp), intent(in) :: gain, gain_by(:)
+      !> The zero of the abscissa and its derivatives.
+      real(dp), intent(in) :: x_zero, x_zero_by(:)
+      !> Number of rows so far; a load beyond the fold adds one.
+      integer, intent(inout) :: n_rows
+      !> The residuals, to which the model is added.
+      real(dp), intent(inout) :: r(:)
+      !> Derivatives of the ordinates, and of the rows that are added.
+      real(dp), intent(inout) :: j(:, :)
+      integer :: i, k
 
-      h = merge(error**(1.0_dp/3), sqrt(error), is_central)
-      size_of_x = maxval(abs(self%x))
-      call shift(h, above, regimes_above, up)
-      regimes_below = -1
-      below = y
-      down = 0
-      if (is_central .or. any(regimes_above /= regimes)) call shift(-h, below, regimes_below, down)
-      is_valid = all(max(regimes_above, regimes_below) >= 0)
-      if (.not. is_valid) return
-      where (regimes_above == regimes .and. regimes_below == regimes)
-         y_by = (above - below)/(up - down)
-      elsewhere (regimes_above == regimes .or. regimes_below < 0)
-         y_by = (above - y)/up
-      elsewhere
-         y_by = (below - y)/down
-      end where
-      y_by = y_by*slope
+      do k = 1, size(contacts)
+         i = contacts(k)
+         self%fitted(i) = gain*of%y(k) + self%fitted(i)
+         r(i) = (self%fitted(i) - self%y(i))/self%sigma(i)
+         j(i, :) = of%y(k)*gain_by + gain*of%by(k, :) - gain*of%y_x(k)*x_zero_by + j(i, :)
+         if (.not. is_beyond_fold(of%regimes(k))) cycle
+         self%is_apart(i) = .not. abs(of%fold%y) > 0
+         self%is_beyond(i) = .not. self%is_apart(i)
+         if (.not. self%points%is_by_load) cycle
+         n_rows = n_rows + 1
+         r(n_rows) = (of%fold%x + x_zero - self%x(i))/self%resolution
+         j(n_rows, :) = (of%fold_x_by + x_zero_by)/self%resolution
+      end do
+   end subroutine add_exact
 
-   contains
+   !> Points whose abscissas have errors: the distance along the normal at the foot, where the place on the curve does not count; of a
+   !> foot that is the fold both distances.
+   subroutine add_latent(self, of, contacts, gain, gain_by, x_zero, x_zero_by, n_rows, r, j)
+      !> The curve, with the feet.
+      class(model_curve_t), intent(inout) :: self
+      !> Ordinates and their derivatives at the feet.
+      type(slopes_t), intent(in) :: of
+      !> The points of contact.
+      integer, intent(in) :: contacts(:)
+      !> The gain and its derivatives.
+      real(dp), intent(in) :: gain, gain_by(:)
+      !> The zero of the abscissa and its derivatives.
+      real(dp), intent(in) :: x_zero, x_zero_by(:)
+      !> Number of rows so far; a foot that is the fold adds one.
+      integer, intent(inout) :: n_rows
+      !> The residuals, to which the model is added.
+      real(dp), intent(inout) :: r(:)
+      !> Derivatives of the residuals times the errors of the ordinates, and of the rows that are added.
+      real(dp), intent(inout) :: j(:, :)
+      real(dp) :: u, v, u_s, v_s, v_by(size(gain_by)), u_by(size(gain_by))
+      integer :: i, k
 
-      !> Ordinates at a step from the place, as far as the table of the model lets it go.
-      subroutine shift(part, shifted, shifted_regimes, step)
-         !> The relative step.
-         real(dp), intent(in) :: part
-         !> Receives the ordinates.
-         real(dp), intent(out) :: shifted(:)
-         !> Receives the regimes.
-         integer, intent(out) :: shifted_regimes(:)
-         !> Receives the step of the variable.
-         real(dp), intent(out) :: step
-         real(dp) :: moved(size(values)), unused
-         integer :: v
-
-         moved = values
-         if (free == 0) then
-            step = part*size_of_x
-            call ask(self, values, x + step, shifted, shifted_regimes, unused)
-            return
+      do k = 1, size(contacts)
+         i = contacts(k)
+         self%fitted(i) = gain*of%y(k) + self%fitted(i)
+         self%foot(i) = self%feet%x(k) + x_zero
+         v = (self%fitted(i) - self%y(i))/self%sigma(i)
+         v_by = j(i, :) + gain*of%by_at_place(k, :) + of%y(k)*gain_by
+         self%is_apart(i) = is_beyond_fold(of%regimes(k)) .and. .not. abs(of%fold%y) > 0
+         r(i) = v
+         j(i, :) = v_by
+         if (.not. self%x_sigma(i) > 0) cycle
+         u = (self%foot(i) - self%x(i))/self%x_sigma(i)
+         u_by = (of%x_by_at_place(k, :) + x_zero_by)/self%x_sigma(i)
+         if (is_beyond_fold(of%regimes(k)) .and. abs(of%fold%y) > 0) then
+            n_rows = n_rows + 1
+            r(n_rows) = u
+            j(n_rows, :) = u_by
+            cycle
          end if
-         v = self%frees(free)%variable
-         moved(v) = values(v) + part*max(abs(values(v)), abs(slope))
-         step = moved(v) - values(v)
-         if (moved(v) < self%model%variables(v)%lower .or. moved(v) > self%model%variables(v)%upper) then
-            shifted_regimes = -1
-            shifted = 0
-            return
-         end if
-         call ask(self, moved, x, shifted, shifted_regimes, unused)
-      end subroutine shift
-
-   end subroutine differentiate
+         u_s = of%x_s(k)/self%x_sigma(i)
+         v_s = gain*of%y_s(k)/self%sigma(i)
+         associate (length => hypot(u_s, v_s))
+            r(i) = (u_s*v - v_s*u)/length
+            j(i, :) = (u_s*v_by - v_s*u_by*self%sigma(i))/length
+         end associate
+      end do
+   end subroutine add_latent
 
    !> See `curve_t`: the pull-off load of models that have it among their results.
    subroutine find_event(self, kind, values, nuisance, slopes, value, gradient, is_valid)
@@ -277,21 +276,25 @@ contains
       real(dp) :: none(n_nuisances), r(1), j(1, size(slopes))
       integer :: i, n_rows
 
-      is_valid = kind == event_pull_off_load .and. self%pull_off > 0 .and. any(self%is_contact)
+      is_valid = kind == event_pull_off_load .and. self%points%pull_off_result > 0 .and. any(self%is_contact)
       value = 0
       gradient = 0
       if (.not. is_valid) return
       i = maxloc(self%x, 1, self%is_contact)
       event%n = 1
-      event%model => self%model
-      event%abscissa = self%abscissa
-      event%ordinate = self%pull_off
-      event%regime = self%regime
+      event%points = self%points
+      event%points%ordinate = self%points%pull_off_result
+      event%points%is_load = .false.
+      ! the fold is known, not looked at
+      event%points%pull_off_load = 0
+      event%points%is_sphere = .false.
       event%frees = self%frees
       event%x = self%x(i:i)
       event%y = [0.0_dp]
       event%sigma = [1.0_dp]
       event%is_contact = [.true.]
+      event%is_apart = [.false.]
+      event%is_beyond = [.false.]
       allocate (event%fitted(1), event%residual(1), source=0.0_dp)
       none = 0
       none(nuisance_lateral_gain) = 1

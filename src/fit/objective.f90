@@ -50,6 +50,8 @@ module adfric_fit_objective
       logical :: is_plain = .false., is_exact = .false.
       !> Rows as they are without a loss, and psi' of each, of the last evaluation.
       real(dp), allocatable :: psi(:), psi_r(:)
+      !> Rows before those of each data set at the last evaluation.
+      integer, allocatable :: rows_before(:)
       !> Evaluations so far.
       integer :: evaluations = 0
       !> Who may end the search before its time; null: nobody. The model has no value then, anywhere.
@@ -110,6 +112,7 @@ contains
       end if
       n = most_rows_of(self)
       allocate (self%psi(n), self%psi_r(n), source=0.0_dp)
+      allocate (self%rows_before(size(self%number)), source=0)
    end subroutine new_objective
 
    !> Most rows of an evaluation.
@@ -157,6 +160,9 @@ contains
       n_beyond = 0
       do k = 1, size(self%spheres)
          n_beyond = n_beyond + count(self%spheres(k)%is_beyond)
+      end do
+      do k = 1, size(self%others)
+         n_beyond = n_beyond + count(self%others(k)%is_beyond)
       end do
    end function n_beyond
 
@@ -237,6 +243,7 @@ contains
       call take_estimate(self, q, v, slopes)
       call self%set_values(v)
       do k = 1, size(self%number)
+         self%rows_before(k) = n_rows
          associate (at => self%number(k))
             if (self%is_sphere(k)) then
                call self%spheres(at)%evaluate(self%values, self%nuisance(:, k), slopes, self%is_exact, n, r(n_rows + 1:), &
@@ -252,6 +259,7 @@ contains
       end do
       call add_events(self, slopes, n_rows, r, j, cost, is_valid)
       if (is_valid) call add_priors(self, q, n_rows, r, j, cost)
+      is_valid = is_valid .and. cost <= huge(cost)
    end subroutine evaluate
 
    !> Turn rows into those of their loss, and add their cost.

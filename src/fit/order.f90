@@ -4,7 +4,7 @@ module adfric_fit_order
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: sort, median_step
+   public :: sort, median_step, order_of
 
 contains
 
@@ -26,6 +26,43 @@ contains
       if (.not. step > 0) step = (sorted(n + 1) - sorted(1))/n
       if (.not. step > 0) step = max(abs(sorted(1)), tiny(step))
    end function median_step
+
+   !> Places of numbers in rising order; equal ones keep theirs (merge sort).
+   pure function order_of(numbers) result(places)
+      !> The numbers.
+      real(dp), intent(in) :: numbers(:)
+      integer :: places(size(numbers))
+      integer :: merged(size(numbers)), width, first, middle, last, i, k, m
+
+      places = [(i, i=1, size(numbers))]
+      width = 1
+      do while (width < size(numbers))
+         do first = 1, size(numbers), 2*width
+            middle = min(first + width, size(numbers) + 1)
+            last = min(first + 2*width, size(numbers) + 1) - 1
+            i = first
+            k = middle
+            do m = first, last
+               if (k > last) then
+                  merged(m) = places(i)
+                  i = i + 1
+               else if (i >= middle) then
+                  merged(m) = places(k)
+                  k = k + 1
+               else if (numbers(places(i)) <= numbers(places(k))) then
+                  merged(m) = places(i)
+                  i = i + 1
+               else
+                  merged(m) = places(k)
+                  k = k + 1
+               end if
+            end do
+         end do
+         places = merged
+         if (width > size(numbers)/2) exit
+         width = 2*width
+      end do
+   end function order_of
 
    !> Sort numbers, the least first.
    pure subroutine sort(numbers)

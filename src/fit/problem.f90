@@ -9,6 +9,7 @@
 !> - `contact_point` is the zero of the position: it is taken off an abscissa `approach`.
 !> - `friction_offset` is added to the ordinate, whatever that is.
 !> - `lateral_gain` multiplies what the model says, not the offsets.
+!> - `tilt` is the slope of the base line: times the abscissa as it was measured, it is added to an ordinate `load`.
 !> - With a `spring_stiffness` k the abscissa `approach` is the position of the base of the spring, z = approach + P/k.
 module adfric_fit_problem
    use adfric_base_kinds, only: dp
@@ -18,15 +19,15 @@ module adfric_fit_problem
    private
    public :: free_t, data_set_t, event_t, fit_t, get_nuisance_defaults
    public :: n_nuisances, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, nuisance_lateral_gain, &
-      & nuisance_spring_stiffness, nuisance_names
+      & nuisance_spring_stiffness, nuisance_tilt, nuisance_names
    public :: loss_gauss, loss_huber, loss_soft_l1, loss_cauchy, loss_names
    public :: event_pull_off_load, event_jump_in_approach, event_pull_off_approach, event_names
    public :: intervals_covariance, intervals_profile, intervals_bootstrap, interval_names
 
    !> The nuisances of a data set, in the order of `nuisance_names`.
    integer, parameter :: nuisance_load_offset = 1, nuisance_friction_offset = 2, nuisance_contact_point = 3, &
-      & nuisance_lateral_gain = 4, nuisance_spring_stiffness = 5, n_nuisances = 5
-   character(*), parameter :: nuisance_names = 'load_offset friction_offset contact_point lateral_gain spring_stiffness'
+      & nuisance_lateral_gain = 4, nuisance_spring_stiffness = 5, nuisance_tilt = 6, n_nuisances = 6
+   character(*), parameter :: nuisance_names = 'load_offset friction_offset contact_point lateral_gain spring_stiffness tilt'
    !> What a residual costs, in the order of `loss_names`.
    integer, parameter :: loss_gauss = 1, loss_huber = 2, loss_soft_l1 = 3, loss_cauchy = 4
    character(*), parameter :: loss_names = 'gauss huber soft_l1 cauchy'
@@ -80,7 +81,7 @@ module adfric_fit_problem
       !> Width of the loss [standard errors]; not set: 1.345 (huber), 1 (soft_l1), 2.385 (cauchy).
       real(dp) :: loss_width = unset
       !> Values of the nuisances that are not free; `unset`: no spring.
-      real(dp) :: nuisance(n_nuisances) = [0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, unset]
+      real(dp) :: nuisance(n_nuisances) = [0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, unset, 0.0_dp]
    end type data_set_t
 
    !> Something measured beside the points.
@@ -129,7 +130,7 @@ contains
    pure function get_nuisance_defaults() result(values)
       real(dp) :: values(n_nuisances)
 
-      values = [0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, unset]
+      values = [0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, unset, 0.0_dp]
    end function get_nuisance_defaults
 
 end module adfric_fit_problem

@@ -4,10 +4,10 @@
 !> A search that falls below S_min has found a better answer; it is handed back.
 module adfric_fit_profile_nodes
    use adfric_base_kinds, only: dp
+   use adfric_fit_fold_search, only: find_minimum
    use adfric_fit_objective, only: objective_t
    use adfric_fit_scales, only: scales_t
-   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, find_least_squares, &
-      & squares_no_value
+   use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, squares_no_value
    implicit none (type, external)
    private
    public :: profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
@@ -117,7 +117,7 @@ contains
       logical, intent(out) :: has_value
       type(squares_limits_t) :: coarse
       type(squares_outcome_t) :: outcome
-      logical :: is_held(size(q))
+      logical :: is_held(size(q)), is_unfolded
 
       q(self%free) = x
       is_held = .false.
@@ -126,7 +126,7 @@ contains
       coarse%step_tolerance = max(node_step, limits%step_tolerance)
       coarse%relative_tolerance = max(limits%relative_tolerance, 1.0e-9_dp)
       coarse%most_steps = 60
-      call find_least_squares(objective, scales%lower, scales%upper, is_held, coarse, work, q, outcome)
+      call find_minimum(objective, scales, is_held, coarse, work, q, outcome, is_unfolded)
       has_value = outcome%status /= squares_no_value
       cost = outcome%cost
       slope = 0

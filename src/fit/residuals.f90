@@ -5,7 +5,7 @@ module adfric_fit_residuals
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_fit_curve, only: curve_t
-   use adfric_fit_objective, only: objective_t
+   use adfric_fit_order, only: order_of
    use adfric_fit_problem, only: fit_t
    use adfric_fit_solution, only: solution_t
    use adfric_numerics_distributions, only: normal_outside
@@ -43,6 +43,9 @@ contains
          data%points_used = curve%n
          data%fitted(curve%place) = curve%fitted
          data%residual(curve%place) = curve%residual/sigma
+         if (.not. allocated(data%is_apart)) allocate (data%is_apart(size(data%fitted)))
+         data%is_apart = .false.
+         data%is_apart(curve%place) = curve%is_apart
       end associate
    end subroutine take_curve
 
@@ -103,23 +106,15 @@ contains
       logical, intent(in) :: is_used(:)
       !> Receives the sums.
       type(runs_t), intent(inout) :: runs
-      real(dp) :: sorted(count(is_used)), along(count(is_used)), plus, minus, n
-      integer :: i, k
+      real(dp) :: sorted(count(is_used)), plus, minus, n
 
       n = size(sorted)
       sorted = pack(r, is_used)
-      along = pack(x, is_used)
       runs%n = runs%n + size(sorted)
       if (size(sorted) < 2) return
       runs%product = runs%product + dot_product(sorted(2:), sorted(:size(sorted) - 1))
       runs%square = runs%square + dot_product(sorted, sorted)
-      do i = 2, size(sorted)
-         do k = i, 2, -1
-            if (along(k - 1) <= along(k)) exit
-            along([k - 1, k]) = along([k, k - 1])
-            sorted([k - 1, k]) = sorted([k, k - 1])
-         end do
-      end do
+      sorted = sorted(order_of(pack(x, is_used)))
       plus = count(sorted > 0)
       minus = n - plus
       runs%found = runs%found + 1 + count((sorted(2:) > 0) .neqv. (sorted(:size(sorted) - 1) > 0))

@@ -5,8 +5,7 @@ module adfric_fit_scales
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_fit_problem, only: fit_t, free_t, data_set_t, nuisance_load_offset, nuisance_friction_offset, &
-      & nuisance_contact_point, &
-      & nuisance_spring_stiffness
+      & nuisance_contact_point, nuisance_spring_stiffness, nuisance_tilt
    use adfric_fit_sphere_curve, only: is_sphere_curve
    use adfric_numerics_bounded_least_squares, only: most_variables
    use adfric_sphere_variables, only: v_load
@@ -106,6 +105,8 @@ contains
                unit = largest_of(data%y)
             case (nuisance_contact_point)
                unit = largest_of(data%x)
+            case (nuisance_tilt)
+               unit = largest_of(data%y)/max(largest_of(data%x), tiny(unit))
             end select
          end associate
          unit = unit/100
@@ -149,11 +150,12 @@ contains
          is_sphere = is_sphere_curve(fit, fit%data_sets(k))
          if (allocated(fit%data_sets(k)%x_sigma)) then
             if (is_unknown) reason = 'errors of the abscissa need those of the ordinate'
-            if (.not. is_sphere .or. fit%data_sets(k)%abscissa /= v_load) &
-               & reason = 'errors of the abscissa are for the load of a sphere only'
+            if (is_set(fit%data_sets(k)%nuisance(nuisance_spring_stiffness)) .or. any(fit%frees%nuisance == &
+               & nuisance_spring_stiffness)) reason = 'errors of the abscissa are not those of the base of a spring'
+         else if (.not. is_sphere .and. (is_set(fit%data_sets(k)%nuisance(nuisance_spring_stiffness)) .or. &
+            & any(fit%frees%nuisance == nuisance_spring_stiffness .and. fit%frees%data_set == k))) then
+            reason = 'a spring_stiffness is for a sphere only, an indenter has a machine_stiffness with the abscissa base_approach'
          end if
-         if (.not. is_sphere .and. is_set(fit%data_sets(k)%nuisance(nuisance_spring_stiffness))) &
-            & reason = 'a spring is for a sphere only'
          if (is_sphere .and. fit%data_sets(k)%abscissa == v_load &
             & .and. is_set(fit%data_sets(k)%nuisance(nuisance_spring_stiffness))) &
             & reason = 'a spring needs the abscissa approach'

@@ -2,17 +2,19 @@
 !> All minima of a fit's sum of squares that count.
 !>
 !> Lambda is always scanned (`adfric_fit_lambda_scan`), since friction against load may have two answers for it. Other fits start at the
-!> user's start or what the data show, and at places around it by a fixed list, six in all. With a loss the searches start at the
+!> user's start or what the data show, at the next best places that a look at a whole curve gives, and at places around it by a
+!> fixed list, six in all. With a loss the searches start at the
 !> answers of least squares, too.
 module adfric_fit_search
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
+   use adfric_fit_fold_survey, only: survey_folds
    use adfric_fit_lambda_scan, only: scan_lambda, fewest_nodes
    use adfric_fit_minima, only: minima_t, new_minima, add_search, sort_minima
    use adfric_fit_objective, only: objective_t
    use adfric_fit_problem, only: fit_t
    use adfric_fit_scales, only: scales_t
-   use adfric_fit_starts, only: get_start, lambda_free
+   use adfric_fit_starts, only: get_start, get_more_starts, lambda_free
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t
    implicit none (type, external)
    private
@@ -21,6 +23,8 @@ module adfric_fit_search
    !> Starts of a fit without lambda, and how far they lie from the first one, as differences of the numbers that are fitted.
    integer, parameter :: usual_starts = 6
    real(dp), parameter :: usual_distance = 1.0_dp
+   !> Most starts beside the first one that a look at the data gives.
+   integer, parameter :: most_looked_at = 2
 
 contains
 
@@ -57,6 +61,7 @@ contains
          minima%steps = minima%steps + plain%steps
       end if
       call search_all(self, fit, scales, limits, work, minima)
+      call survey_folds(self, scales, limits, work, minima)
       call sort_minima(minima, self%n_free)
    end subroutine find_minima
 
@@ -75,6 +80,7 @@ contains
       !> The minima; those found are added.
       type(minima_t), intent(inout) :: minima
       real(dp) :: q(self%n_free), first(self%n_free)
+      real(dp), allocatable :: more(:, :)
       integer :: k, n
 
       if (lambda_free(fit) > 0 .and. .not. (fit%n_starts > 0 .and. fit%n_starts < fewest_nodes)) then
@@ -82,11 +88,16 @@ contains
          return
       end if
       call get_start(self, fit, unset, work, first)
+      call get_more_starts(self, fit, first, more)
       n = usual_starts
       if (fit%n_starts > 0) n = fit%n_starts
       do k = 1, n
          q = first
-         call move_away(k - 1, q)
+         if (k > 1 .and. k - 1 <= min(size(more, 2), most_looked_at)) then
+            q = more(:, k - 1)
+         else
+            call move_away(k - 1, q)
+         end if
          q = min(max(q, scales%lower), scales%upper)
          call add_search(self, scales, limits, work, q, minima)
       end do

@@ -4,6 +4,7 @@ module adfric_fit_solve
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_unset, only: unset
+   use adfric_fit_base_line, only: mark_base_lines
    use adfric_fit_bootstrap, only: take_bootstrap
    use adfric_fit_course, only: course_t, begin_course, has_too_few_points, refine_minima, take_minima, evaluate_best
    use adfric_fit_covariance, only: find_covariance
@@ -15,10 +16,10 @@ module adfric_fit_solve
    use adfric_fit_problem, only: fit_t, intervals_covariance, intervals_profile, intervals_bootstrap
    use adfric_fit_residuals, only: look_at_residuals, take_curve
    use adfric_fit_scales, only: find_refusal
-   use adfric_fit_search, only: find_minima
    use adfric_fit_solution, only: solution_t, fit_solved, fit_too_few_points, fit_not_converged, fit_not_identifiable
    use adfric_fit_starts, only: get_start, lambda_free
    use adfric_fit_theories, only: make_theory, theory_name
+   use adfric_fit_thinning, only: search_minima
    use adfric_numerics_bounded_least_squares, only: squares_converged, squares_stuck
    use adfric_numerics_distributions, only: chi_squared_above
    implicit none (type, external)
@@ -37,6 +38,38 @@ contains
       !> Receives what is found.
       type(solution_t), intent(out) :: solution
       type(course_t) :: course
+      type(fit_t) :: marked
+
+      marked = fit
+      call mark_base_lines(marked)
+      call solve_marked(marked, course, solution)
+      call keep_marks(fit, marked, solution)
+   end subroutine solve_fit
+
+   !> Keep which points have been found to be in contact.
+   subroutine keep_marks(fit, marked, solution)
+      !> The fit as it was given.
+      type(fit_t), intent(in) :: fit
+      !> The fit with its base lines.
+      type(fit_t), intent(in) :: marked
+      !> Receives the marks.
+      type(solution_t), intent(inout) :: solution
+      integer :: k
+
+      do k = 1, size(fit%data_sets)
+         if (.not. allocated(fit%data_sets(k)%is_contact) .and. allocated(marked%data_sets(k)%is_contact)) &
+            & solution%data_sets(k)%is_contact = marked%data_sets(k)%is_contact
+      end do
+   end subroutine keep_marks
+
+   !> The same with the points of base lines known.
+   subroutine solve_marked(fit, course, solution)
+      !> What is to be fitted.
+      type(fit_t), intent(in) :: fit
+      !> Receives what the parts share.
+      type(course_t), intent(out) :: course
+      !> Receives what is found.
+      type(solution_t), intent(inout) :: solution
 
       call solve_best(fit, course, solution)
       if (solution%status /= fit_solved) return
@@ -45,7 +78,7 @@ contains
       call take_intervals(course, fit, solution)
       if (allocated(fit%theories)) call compare_theories(fit, solution)
       solution%evaluations = course%objective%evaluations
-   end subroutine solve_fit
+   end subroutine solve_marked
 
    !> Estimates and their statistics, without intervals.
    subroutine solve_best(fit, course, solution)
@@ -67,7 +100,7 @@ contains
          solution%reason = 'there are fewer points than free variables'
          return
       end if
-      call find_minima(course%objective, fit, course%scales, course%limits, course%work, course%minima)
+      call search_minima(course, fit)
       call refine_minima(course)
       if (course%minima%n < 1) then
          solution%reason = 'the model has no value at any start'
@@ -220,6 +253,9 @@ contains
          if (course%minima%status(1) == squares_stuck) solution%reason = 'the least sum of squares lies at a kink'
          if (solution%points_beyond_fold > 0) solution%reason = solution%reason// &
             & ', where a point meets the fold: give errors of the load'
+      else if (.not. course%minima%is_complete) then
+         solution%status = fit_not_converged
+         solution%reason = 'the search has not seen every place that the fold can have among the points'
       else if (.not. is_identifiable) then
          solution%status = fit_not_identifiable
          solution%reason = 'the data do not see a combination of the free variables'
@@ -303,6 +339,7 @@ contains
       !> Receives why the fit is refused; empty if it is not.
       character(:), allocatable, intent(out) :: reason
       type(course_t) :: course
+      type(fit_t) :: marked
       real(dp) :: q(size(fit%frees)), slopes(size(fit%frees)), cost
       logical :: is_valid
 
@@ -310,8 +347,10 @@ contains
       chi2 = not_a_number()
       call find_refusal(fit, reason)
       if (len(reason) > 0) return
-      call begin_course(course, fit)
-      call get_start(course%objective, fit, unset, course%work, q)
+      marked = fit
+      call mark_base_lines(marked)
+      call begin_course(course, marked)
+      call get_start(course%objective, marked, unset, course%work, q)
       call take_estimate(course%objective, q, start, slopes)
       associate (work => course%work)
          call course%objective%evaluate(q, work%n_rows, work%r, work%j, cost, is_valid)

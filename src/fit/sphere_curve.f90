@@ -30,7 +30,7 @@ module adfric_fit_sphere_curve
       & v_tangential_displacement, v_base_displacement, v_lateral_stiffness, v_pressure_factor, r_load, r_friction_force, units_si
    implicit none (type, external)
    private
-   public :: sphere_curve_t, new_sphere_curve, is_sphere_curve
+   public :: sphere_curve_t, new_sphere_curve, is_sphere_curve, is_plain_sphere, take_values
 
    !> A measured curve of a sphere.
    type, extends(curve_t) :: sphere_curve_t
@@ -60,14 +60,26 @@ module adfric_fit_sphere_curve
       procedure :: most_rows
    end type sphere_curve_t
 
-   !> What a free variable may change: the logarithms of both units, lambda, x, both zeros, ks.
+   !> What a free variable may change: the logarithms of both units, lambda, x, both zeros, ks, the tilt.
    integer, parameter :: by_y_unit = 1, by_x_unit = 2, by_lambda = 3, by_edge = 4, by_y_zero = 5, by_x_zero = 6, by_ks = 7, &
-      & n_changes = 7
+      & by_tilt = 8, n_changes = 8
 
 contains
 
-   !> Is a data set of the model `sphere` one that this module computes? Otherwise the model itself is asked.
+   !> Is a data set of the model `sphere` one that this module computes? Otherwise the model itself is asked, as where an approach has
+   !> errors.
    logical function is_sphere_curve(fit, data)
+      !> The fit.
+      type(fit_t), intent(in) :: fit
+      !> The data set.
+      type(data_set_t), intent(in) :: data
+
+      is_sphere_curve = is_plain_sphere(fit, data)
+      if (data%abscissa == v_approach .and. allocated(data%x_sigma)) is_sphere_curve = .false.
+   end function is_sphere_curve
+
+   !> Is a data set one of a smooth sphere at rest or in steady sliding, on its stable branch?
+   logical function is_plain_sphere(fit, data)
       !> The fit.
       type(fit_t), intent(in) :: fit
       !> The data set.
@@ -76,14 +88,14 @@ contains
       integer, parameter :: beside_sliding(*) = [v_tangential_force, v_tangential_displacement, v_base_displacement, &
          & v_lateral_stiffness]
 
-      is_sphere_curve = .false.
+      is_plain_sphere = .false.
       if (fit%model%name /= 'sphere') return
-      is_sphere_curve = (data%abscissa == v_load .or. data%abscissa == v_approach) .and. is_ordinate(data%ordinate) &
+      is_plain_sphere = (data%abscissa == v_load .or. data%abscissa == v_approach) .and. is_ordinate(data%ordinate) &
          & .and. nint(fit%base(v_units)) == units_si .and. nint(fit%base(v_branch)) == 1 &
          & .and. .not. fit%base(v_interaction) > 0 .and. .not. any(fit%frees%variable == v_interaction) &
          & .and. .not. any(fit%frees%variable == v_pressure_factor) .and. .not. any(is_set(fit%base(beside_sliding)))
-      if (is_sphere_curve .and. is_set(fit%base(v_pressure_factor))) is_sphere_curve = .not. abs(fit%base(v_pressure_factor)) > 0
-   end function is_sphere_curve
+      if (is_plain_sphere .and. is_set(fit%base(v_pressure_factor))) is_plain_sphere = .not. abs(fit%base(v_pressure_factor)) > 0
+   end function is_plain_sphere
 
    !> Take a data set.
    subroutine new_sphere_curve(self, fit, number, unit)
@@ -158,9 +170,11 @@ contains
       n_rows = self%n
       do i = 1, self%n
          if (.not. self%is_contact(i)) then
-            self%fitted(i) = self%common%y_zero
-            r(i) = (self%common%y_zero - self%y(i))/self%sigma(i)
+            self%is_apart(i) = .true.
+            self%fitted(i) = self%common%y_zero + self%common%tilt*self%x(i)
+            r(i) = (self%fitted(i) - self%y(i))/self%sigma(i)
             self%change(i, by_y_zero) = 1/self%sigma(i)
+            self%change(i, by_tilt) = self%x(i)/self%sigma(i)
          else if (self%x_sigma(i) > 0) then
             call evaluate_latent(self, i, n_rows, r, j)
          else
@@ -187,7 +201,8 @@ contains
 
       associate (c => self%common)
          do k = 1, size(self%frees)
-            share = [c%y_unit_by(k), c%x_unit_by(k), c%lambda_by(k), c%edge_by(k), c%y_zero_by(k), c%x_zero_by(k), c%ks_by(k)]
+            share = [c%y_unit_by(k), c%x_unit_by(k), c%lambda_by(k), c%edge_by(k), c%y_zero_by(k), c%x_zero_by(k), c%ks_by(k), &
+               & c%tilt_by(k)]
             j(:self%n, k) = 0
             do m = 1, n_changes
                if (abs(share(m)) > 0) j(:self%n, k) = j(:self%n, k) + share(m)*self%change(:, m)
@@ -218,13 +233,14 @@ contains
          call predict(self, i, held)
          call find_state(path, held, self%t(i), s, last_step, is_beyond)
          self%is_beyond(i) = is_beyond .and. .not. ends_unloaded(path)
+         self%is_apart(i) = is_beyond .and. ends_unloaded(path)
          if (.not. is_beyond) then
             call add_derivatives(path%theory, path%lambda, s)
             call move_state(path, s, last_step)
             self%t(i) = s%t
          end if
          call get_ordinate(self%ordinate, self%basis%edge, s, o)
-         self%fitted(i) = c%y_unit*o%y + c%y_zero
+         self%fitted(i) = c%y_unit*o%y + c%y_zero + c%tilt*self%x(i)
          r(i) = (self%fitted(i) - self%y(i))/self%sigma(i)
          weight = c%y_unit/self%sigma(i)
          if (is_beyond) then
@@ -235,6 +251,7 @@ contains
             self%change(i, by_edge) = weight*o%y_x
             self%change(i, by_ks) = weight*o%y_t*path%fold_ks
             self%change(i, by_y_zero) = 1/self%sigma(i)
+            self%change(i, by_tilt) = self%x(i)/self%sigma(i)
             if (self%is_base) return
             n_rows = n_rows + 1
             r(n_rows) = c%x_unit*(path%held_at_fold - held)/self%resolution
@@ -260,6 +277,7 @@ contains
          self%change(i, by_lambda) = weight*(o%y_l - share*held_l)
          self%change(i, by_edge) = weight*o%y_x
          self%change(i, by_y_zero) = 1/self%sigma(i)
+         self%change(i, by_tilt) = self%x(i)/self%sigma(i)
          self%change(i, by_x_zero) = -weight*share/c%x_unit
          self%change(i, by_ks) = -weight*share*held_ks
       end associate

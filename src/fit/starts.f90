@@ -11,6 +11,7 @@ module adfric_fit_starts
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
    use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve_starts, only: find_curve_starts, has_curve_starts
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_problem, only: fit_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset, &
       & nuisance_friction_offset, nuisance_contact_point, nuisance_lateral_gain, nuisance_spring_stiffness
@@ -25,7 +26,7 @@ module adfric_fit_starts
       & r_load
    implicit none (type, external)
    private
-   public :: get_start, lambda_free, place_of_lambda
+   public :: get_start, get_more_starts, lambda_free, place_of_lambda
 
    !> Sizes where nothing better is known: lambda, E* [Pa], tau0 [Pa], R [m], x.
    real(dp), parameter :: usual_lambda = 1.0_dp, usual_modulus = 1.0e9_dp, usual_strength = 1.0e8_dp, usual_radius = 1.0e-6_dp, &
@@ -91,6 +92,7 @@ contains
       !> Receives the numbers that are fitted.
       real(dp), intent(out) :: q(:)
       real(dp) :: v(size(q)), value
+      real(dp), allocatable :: starts(:, :)
       integer :: k, of_lambda
 
       of_lambda = lambda_free(fit)
@@ -110,9 +112,41 @@ contains
       if (of_lambda > 0) then
          if (is_set(lambda)) v(of_lambda) = exp(place_of_lambda(self, of_lambda, value, v))
       end if
+      allocate (starts(size(v), 0))
+      if (size(self%others) > 0) then
+         if (has_curve_starts(fit)) call find_curve_starts(self, fit, v, starts)
+      end if
+      if (size(starts, 2) > 0) v = starts(:, 1)
       call take_numbers(self, v, q)
       if (size(self%spheres) > 0) call look_at_sizes(self, fit, work, v, q)
    end subroutine get_start
+
+   !> Starts beside the first one, the best first; none where a look at the curve says nothing.
+   subroutine get_more_starts(self, fit, first, starts)
+      !> The sum of squares.
+      type(objective_t), intent(inout) :: self
+      !> The fit.
+      type(fit_t), intent(in) :: fit
+      !> The first start, as numbers that are fitted.
+      real(dp), intent(in) :: first(:)
+      !> Receives the numbers that are fitted; shape `(n_free, n)`.
+      real(dp), allocatable, intent(out) :: starts(:, :)
+      real(dp) :: v(size(first)), slopes(size(first))
+      real(dp), allocatable :: found(:, :)
+      integer :: k
+
+      allocate (starts(size(first), 0))
+      if (.not. has_curve_starts(fit)) return
+      call take_estimate(self, first, v, slopes)
+      call find_curve_starts(self, fit, v, found)
+      ! the first one is the best of them already, but for a sphere
+      if (size(self%others) > 0 .and. size(found, 2) > 0) found = found(:, 2:)
+      if (size(found, 2) == 0) return
+      starts = found
+      do k = 1, size(starts, 2)
+         call take_numbers(self, found(:, k), starts(:, k))
+      end do
+   end subroutine get_more_starts
 
    !> The numbers that are fitted, within their bounds.
    pure subroutine take_numbers(self, v, q)

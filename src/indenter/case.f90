@@ -13,6 +13,7 @@ module adfric_indenter_case
       & rounded_cone
    use adfric_indenter_curve, only: curve_t, control_load, control_approach, control_spring, control_radius
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
+   use adfric_indenter_edge_slope, only: slope_of
    use adfric_indenter_power_shape, only: power_shape_t, new_power_shape, depth_factor
    use adfric_indenter_sphere_shape, only: sphere_shape_t, new_sphere_shape
    use adfric_indenter_variables
@@ -165,15 +166,6 @@ contains
          curve%range = work/curve%stress
       end select
    end subroutine resolve_adhesion
-
-   !> k of a cone.
-   pure real(dp) function slope_of(values)
-      !> Values of the variables.
-      real(dp), intent(in) :: values(:)
-
-      slope_of = values(v_slope)
-      if (.not. is_set(slope_of)) slope_of = 1/tan(values(v_half_angle))
-   end function slope_of
 
    !> A shape with a corner.
    pure subroutine resolve_corner(values, self)
@@ -362,8 +354,8 @@ contains
       has_plain_base = self%base_displacement < 10.0_dp**largest_number
    end function has_plain_base
 
-   !> Is there such a contact? A contact of given radius is not smaller than a face, and smaller than a sphere; and all has to be
-   !> within the numbers.
+   !> Is there such a contact? Without adhesion a contact of given radius is not smaller than a face, and none is larger than a
+   !> sphere; and all has to be within the numbers.
    pure logical function is_possible(values, self)
       !> Values of the variables.
       real(dp), intent(in) :: values(:)
@@ -388,7 +380,7 @@ contains
       if (.not. is_possible .or. .not. is_set(values(v_contact_radius))) return
       is_possible = has_depth(self) .and. is_inside(self, self%radius) &
          & .and. (self%is_beyond .or. .not. self%curve%shape%has_face &
-         & .or. self%theory == theory_maugis_dugdale)
+         & .or. self%theory /= theory_none)
    end function is_possible
 
    !> m, the ratio of the tangential to the normal compliance: 1 + (E*/4) sum of nu/G.

@@ -217,7 +217,8 @@ contains
       if (held == v_contact_radius .and. nint(values(v_kind)) == kind_sphere) then
          call problems%add('operating', 'contact_radius', 'is not smaller than the radius of the sphere')
       else if (held == v_contact_radius .and. case%curve%shape%has_face) then
-         call problems%add('operating', 'contact_radius', 'is smaller than face_radius, and such contacts are not stable')
+         call problems%add('operating', 'contact_radius', &
+            & 'is smaller than face_radius, and without adhesion the whole face is in contact')
       else
          call problems%add('operating', variables(held)%name, 'is beyond all numbers for this indenter')
       end if

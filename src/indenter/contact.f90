@@ -5,13 +5,14 @@ module adfric_indenter_contact
    use adfric_indenter_contact_state, only: contact_t, set_contact, set_disc, terms_of, held_of
    use adfric_indenter_curve, only: curve_t, state_t, interval_t, disc_range_t, control_load, control_approach, &
       & control_spring, control_radius
+   use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_face_contact, only: find_face_contact
    use adfric_indenter_held, only: find_held
    use adfric_indenter_survey, only: survey_t
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: find_contact, take_given, try_interval, try_disc_range, branch_stable, branch_inner, branch_unstable
+   public :: find_contact, part_bodies, take_given, try_interval, try_disc_range, branch_stable, branch_inner, branch_unstable
 
    !> Which state is meant where there are several: the largest stable one, the smallest stable one, the largest unstable one.
    integer, parameter :: branch_stable = 1, branch_inner = 2, branch_unstable = 3
@@ -48,9 +49,8 @@ contains
       type(contact_t), intent(out) :: contact
       integer :: k, place
 
-      if (curve%shape%n_pieces == 0) then
-         ! no state is unstable
-         if (branch /= branch_unstable) call find_face_contact(curve, control, given, contact)
+      if (curve%shape%n_pieces == 0 .and. branch /= branch_unstable) then
+         call find_face_contact(curve, control, given, contact)
       else if (control == control_radius) then
          call set_contact(curve, control, given, is_beyond, contact)
          contact%is_found = .true.
@@ -66,6 +66,33 @@ contains
          if (.not. contact%is_found .and. branch == branch_stable) call try_discs(curve, survey, control, given, branch, contact)
       end if
    end subroutine find_contact
+
+   !> Bodies apart, where no contact has been found that is stable: below the approach of all of them, and of all attraction, there
+   !> is no load. Without a range that begins at 0, with one at -h0. DMT has no such state: its pull ends nowhere.
+   pure subroutine part_bodies(curve, control, given, contact)
+      !> The curve of the indenter.
+      class(curve_t), intent(in) :: curve
+      !> What is held; a load or a radius parts nothing.
+      integer, intent(in) :: control
+      !> Approach, or that of the base of a spring, reduced.
+      real(dp), intent(in) :: given
+      !> In: what was found, no contact. Out: the state, if there is one.
+      type(contact_t), intent(inout) :: contact
+      real(dp) :: range
+
+      if (control /= control_approach .and. control /= control_spring .or. abs(curve%outer_pull) > 0) return
+      range = 0
+      select type (curve)
+      type is (dugdale_curve_t)
+         range = curve%range
+      end select
+      if (.not. given < -range) return
+      contact = contact_t()
+      contact%is_found = .true.
+      contact%is_stable = .true.
+      contact%is_beyond = .false.
+      contact%approach = given
+   end subroutine part_bodies
 
    !> The contact within one interval, if it has what is held.
    pure subroutine try_interval(curve, control, given, interval, contact)

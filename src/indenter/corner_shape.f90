@@ -247,7 +247,7 @@ contains
 
       height = 0
       slope = 0
-      if (self%kind == rounded_cone .and. r < 1) then
+      if (self%kind == rounded_cone .and. r <= 1) then
          height = r**2/2
          slope = r
       else if (r > 1) then

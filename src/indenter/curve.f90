@@ -6,6 +6,7 @@
 !>
 !> A state is stable where a g' > q Dl, q = 3/2 under a given load and 1/2 at a given approach. In each piece of a shape
 !> sqrt(a) g'(a) rises or falls, so each piece has at most one fold, which is bracketed by its ends: no fold is missed.
+!> Within a flat face g' = 0, so all contacts there are unstable.
 !>
 !> A spring of compliance s between the indenter and a base that is held at delta + s P has q = (1 + 3 y)/(2 (1 + y)), y = 2 s a
 !> (`adfric_indenter_spring_pieces` divides its pieces).
@@ -18,17 +19,17 @@ module adfric_indenter_curve
    implicit none (type, external)
    private
    public :: curve_t, state_t, interval_t, stability_control, get_stability_factor
-   public :: control_load, control_approach, control_spring, control_radius, most_intervals, endless, disc_range_t, &
+   public :: control_load, control_approach, control_spring, control_radius, most_intervals, endless, at_corner, disc_range_t, &
       & most_disc_ranges
 
    !> What is held; that of a spring is the approach of its base.
    integer, parameter :: control_load = 1, control_approach = 2, control_spring = 3, control_radius = 4
-   !> Most intervals of a curve; in JKR each piece has at most one fold, so there are ten.
+   !> Most intervals of a curve; in JKR each piece has at most one fold, so there are ten, and one within a face.
    integer, parameter :: most_intervals = 16
    !> Most ranges of discs that are stable.
    integer, parameter :: most_disc_ranges = 3
-   !> End of an interval that has none.
-   real(dp), parameter :: endless = huge(1.0_dp)
+   !> End of an interval that has none, and the corner of a flat face as seen from within, where u has none.
+   real(dp), parameter :: endless = huge(1.0_dp), at_corner = 1.0e30_dp
 
    !> A state of the curve.
    type :: state_t
@@ -291,7 +292,7 @@ contains
       integer, intent(in) :: control
       !> Receives the intervals.
       type(interval_t), intent(out) :: intervals(most_intervals)
-      !> Receives their number, at least 1.
+      !> Receives their number.
       integer, intent(out) :: n
       !> Have all folds been found to round-off?
       logical, intent(out) :: is_converged
@@ -300,7 +301,13 @@ contains
 
       n = 0
       is_converged = .true.
+      ! within a flat face g' = 0, and what adhesion holds falls with the contact
+      if (self%shape%has_face .and. self%tension > 0) then
+         n = 1
+         intervals(n) = interval_t(.false., .false., .false., .false., 0.0_dp, at_corner)
+      end if
       n_pieces = self%shape%n_pieces
+      if (n_pieces == 0) return
       pieces(:n_pieces) = self%shape%pieces(:n_pieces)
       if (control == control_spring) call divide_pieces(self%shape, self%compliance, pieces, n_pieces)
       do k = 1, n_pieces

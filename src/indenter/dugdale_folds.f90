@@ -28,6 +28,10 @@
 !> **Within a flat face R rises.** There g' = 0 and N = (pi/2) f'(c), which does not fall with c, and -c dth = N + 2 S k. What D loses
 !> as th falls outweighs what it gains from Y, for N since dD/dth > Y th^2 sin(th)/cos(th)^2, and for S since also 2 k >= th^2 cos(th).
 !>
+!> **Contacts whose zone ends within the face, too, are unstable.** There c k(th) = pi h/(4 S), so P = -2 S c^2 (th + sin(th)
+!> cos(th)) and delta = -2 S c sin(th) grow in size as th falls, for cos(th) k < th^2 and k < th sin(th), and with th falling a
+!> and c rise.
+!>
 !> **Beyond the corner of `flat_cone`, `flat_paraboloid` and `rounded_cone` R falls, and then it rises; in the tip of `rounded_cone` it
 !> rises, and may then fall** (a zone that ends in the tip meets a g' that rises). The direction of the curve is linear in 2 S, so for
 !> each place (a, th, Y) R turns at one S at most, and the sign of its second derivative there tells which turn it is. That sign
@@ -41,15 +45,12 @@
 module adfric_indenter_dugdale_folds
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
-   use adfric_indenter_curve, only: interval_t, endless
+   use adfric_indenter_curve, only: at_corner, interval_t, endless
    use adfric_indenter_dugdale_stretch, only: margins_t, stretch_t, get_logarithm, divide_stretch, last_turn
    use adfric_indenter_shape, only: shape_t, within_edge
    implicit none (type, external)
    private
    public :: find_stable_parts, find_edge_angle
-
-   !> The corner of a flat face as seen from within, where u has no end.
-   real(dp), parameter :: at_corner = 1.0e30_dp
 
 contains
 
@@ -68,12 +69,21 @@ contains
       !> Have all folds been found?
       logical, intent(out) :: is_converged
       type(stretch_t) :: outer, inner
+      real(dp) :: edge
 
       n = 0
+      is_converged = .true.
+      edge = 0
+      if (shape%has_face) edge = contact_at_edge(stress, range)
+      if (edge > 0) then
+         n = 1
+         intervals(n) = interval_t(.false., .false., .false., .false., 0.0_dp, edge)
+      end if
+      if (shape%n_pieces == 0) return
       call lay_outer(margins, shape, stress, range, outer, is_converged)
       if (.not. is_converged) return
       if (shape%corner > 0) then
-         call lay_inner(margins, shape, stress, range, outer%at_low, inner, is_converged)
+         call lay_inner(margins, shape, edge, outer%at_low, inner, is_converged)
          if (.not. is_converged) return
          call divide_stretch(margins, inner, shape%corner, intervals, n, is_converged)
       end if
@@ -148,31 +158,26 @@ contains
    end subroutine find_room
 
    !> The stretch within the corner.
-   pure subroutine lay_inner(margins, shape, stress, range, at_high, inner, is_converged)
+   pure subroutine lay_inner(margins, shape, edge, at_high, inner, is_converged)
       !> The difference that makes folds.
       class(margins_t), intent(in) :: margins
       !> The shape of the indenter.
       class(shape_t), intent(in) :: shape
-      !> Stress and range of adhesion, reduced.
-      real(dp), intent(in) :: stress, range
+      !> The contact of a flat face whose zone ends at the corner; 0 if all zones end beyond.
+      real(dp), intent(in) :: edge
       !> ln(R/2 S) at the corner.
       real(dp), intent(in) :: at_high
       !> Receives the stretch.
       type(stretch_t), intent(out) :: inner
       !> Was its first end found?
       logical, intent(out) :: is_converged
-      real(dp), parameter :: beyond_round_off = 64*epsilon(1.0_dp)
-      real(dp) :: angle
 
       inner%is_beyond = .false.
       inner%at_high = at_high
       inner%high = shape%corner
       inner%guess = shape%corner/4
       if (shape%has_face) then
-         ! contacts begin where the zone ends at the corner: a/sqrt(b^2 - a^2) is the cotangent of the angle of a flat punch
-         call find_edge_angle(pi*range/(4*stress), angle)
-         ! a little larger, for c to be beyond the corner
-         if (angle > 0) inner%low = (1 + beyond_round_off)/tan(angle)
+         inner%low = edge
          inner%guess = max(inner%low, 1.0_dp)
          inner%high = at_corner
       else
@@ -181,6 +186,19 @@ contains
       inner%last = inner%high
       call get_logarithm(margins, inner%low, .false., inner%at_low, is_converged)
    end subroutine lay_inner
+
+   !> The contact of a flat face whose zone ends at the corner, a little larger, for c to be beyond; 0 if all zones end beyond.
+   !> Its u, a/sqrt(b^2 - a^2), is the cotangent of the angle of a flat punch.
+   pure real(dp) function contact_at_edge(stress, range) result(u)
+      !> Stress and range of adhesion, reduced.
+      real(dp), intent(in) :: stress, range
+      real(dp), parameter :: beyond_round_off = 64*epsilon(1.0_dp)
+      real(dp) :: angle
+
+      call find_edge_angle(pi*range/(4*stress), angle)
+      u = 0
+      if (angle > 0) u = (1 + beyond_round_off)/tan(angle)
+   end function contact_at_edge
 
    !> The angle th where th sin(th) + cos(th) - 1 has a value; 0 if the value is more than pi/2 - 1.
    pure subroutine find_edge_angle(value, angle)

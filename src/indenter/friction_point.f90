@@ -95,6 +95,12 @@ contains
       if (is_set(values(v_pressure_factor))) resistance%factor = values(v_pressure_factor)
       resistance%edge_fraction = values(v_edge_fraction)
       call find_sliding(resistance, contact, case%curve%outer_pull, radius, force)
+      if (force < 0 .and. case%theory == theory_jkr) then
+         status = status_no_equilibrium
+         results(:) = not_a_number()
+         return
+      end if
+      force = max(force, 0.0_dp)
       results(r_friction_area) = pi*(radius*case%length_unit)**2
       results(r_friction_force) = force*case%force_unit()
       is_converged = .true.

@@ -9,6 +9,7 @@ module adfric_indenter_history_model
    use adfric_indenter_check, only: check_body
    use adfric_indenter_contact, only: branch_stable, find_contact
    use adfric_indenter_contact_state, only: contact_t
+   use adfric_indenter_edge_slope, only: measure_edge
    use adfric_indenter_survey, only: survey_t, survey_curve
    use adfric_indenter_curve, only: control_load, control_approach
    use adfric_indenter_shape, only: spot_t
@@ -34,6 +35,7 @@ module adfric_indenter_history_model
       procedure :: check_bodies
       procedure :: find_contacts
       procedure :: unit_of
+      procedure :: measure
    end type indenter_history_t
 
    !> Normal states of an indenter, reduced.
@@ -108,6 +110,31 @@ contains
       units%compliance_ratio = tangential_compliance(values, states%case)
       call move_alloc(states, contacts)
    end subroutine find_contacts
+
+   !> See `model_t`: the largest contact of the path.
+   subroutine measure(self, values, results, measures)
+      !> The model with its path.
+      class(indenter_history_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, none of which is needed; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+      type(indenter_case_t) :: case
+      type(survey_t) :: survey
+      type(contact_t) :: contact
+      real(dp) :: indenter(n_indenter_variables)
+
+      indenter = indenter_values(self, values)
+      call resolve_case(indenter, case)
+      if (.not. is_possible_case(indenter, case)) return
+      call survey_curve(case%curve, case%control, survey)
+      call find_contact(case%curve, survey, case%control, case%given, .true., branch_stable, contact)
+      if (contact%is_found) call measure_edge(indenter, contact%spot%radius*case%length_unit, measures)
+      associate (unused => results)
+      end associate
+   end subroutine measure
 
    !> The values that the model `indenter` would have at the largest load.
    pure function indenter_values(self, values) result(indenter)

@@ -7,10 +7,11 @@ module adfric_indenter_model
    use adfric_base_unset, only: is_set
    use adfric_indenter_case, only: indenter_case_t, resolve_case, is_possible
    use adfric_indenter_check, only: check_indenter_values
-   use adfric_indenter_contact, only: find_contact
+   use adfric_indenter_contact, only: branch_stable, find_contact, part_bodies
    use adfric_indenter_contact_state, only: contact_t
    use adfric_indenter_survey, only: ends_t, survey_t, survey_curve
    use adfric_indenter_curve, only: stability_control
+   use adfric_indenter_edge_slope, only: measure_edge
    use adfric_indenter_friction_point, only: add_friction, add_slip, friction_t, shear_at
    use adfric_indenter_loop, only: find_loop, loop_t
    use adfric_indenter_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_driven, store_peeled
@@ -37,6 +38,7 @@ module adfric_indenter_model
       procedure :: fill_profiles
       procedure :: derive_quantities
       procedure :: unit_of
+      procedure :: measure
    end type indenter_model_t
 
    !> What a point leaves for its profiles.
@@ -125,6 +127,26 @@ contains
       if (is_set(values(v_r_max))) axes(1)%coordinates = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
    end subroutine get_profile_axes
 
+   !> See `model_t`.
+   subroutine measure(self, values, results, measures)
+      !> The model; nothing of it is read here.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      if (is_set(values(v_contact_radius))) then
+         call measure_edge(values, values(v_contact_radius), measures)
+      else
+         call measure_edge(values, results(r_contact_radius), measures)
+      end if
+      associate (unused => self)
+      end associate
+   end subroutine measure
+
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
       !> The model; nothing of it is read here.
@@ -166,12 +188,14 @@ contains
          if (case%radius > 0) contact%spot%radius = case%radius
          ends = found%survey%ends
          if (nint(values(v_state)) == state_static) call peel_contact(values, case, contact, peeled, ends, results)
+         if (.not. contact%is_found .and. contact%is_converged .and. may_part(values)) &
+            & call part_bodies(case%curve, case%control, case%given, contact)
          call store_ends(case, ends, results)
          if (.not. (contact%is_converged .and. ends%is_converged .and. found%survey%ends%is_converged &
             & .and. found%loop%is_converged .and. peeled%is_converged)) status = status_not_converged
          if (contact%is_found .and. status /= status_not_converged) then
             status = status_solved
-            error_estimate = estimate_error(case, contact, found%survey%ends) + peeled%error
+            error_estimate = min(1.0_dp, estimate_error(case, contact, found%survey%ends) + peeled%error + peeled%spring_error)
             call store_contact(case, contact, values, results)
             if (is_set(values(v_position_z))) call store_stress(case, contact, values, results)
             if (peeled%driven%is_found) then
@@ -189,6 +213,15 @@ contains
       associate (unused => self, unused_counts => counts)
       end associate
    end subroutine solve_point
+
+   !> May the state be one of bodies apart, which bears no tangential force? The other branches are those of contacts.
+   pure logical function may_part(values)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      may_part = nint(values(v_branch)) == branch_stable .and. .not. is_set(values(v_base_displacement))
+      if (is_set(values(v_tangential_force))) may_part = may_part .and. .not. abs(values(v_tangential_force)) > 0
+   end function may_part
 
    !> Add the results of friction.
    subroutine store_friction(values, found, results, status)

@@ -18,6 +18,7 @@ module adfric_indenter_peeled_point
    use adfric_indenter_variables
    use adfric_indenter_weak_way, only: weaken
    use adfric_material_contact_modulus, only: has_poisson_ratio
+   use adfric_material_driven_contact, only: driven_error
    use adfric_material_interaction, only: adhesion_ratio
    use adfric_material_interaction_rows, only: slip_energy_ratio_of
    use adfric_material_shrinking_way, only: displacement_of, force_of
@@ -34,8 +35,8 @@ module adfric_indenter_peeled_point
       logical :: is_peeling = .false.
       !> dT/du along the way, reduced.
       real(dp) :: stiffness = 0
-      !> Relative error of the radius by round-off of the force.
-      real(dp) :: error = 0
+      !> Relative error of the radius by round-off of the force, and that of the force on a driven spring.
+      real(dp) :: error = 0, spring_error = 0
       !> Has all been found to round-off?
       logical :: is_converged = .true.
       !> Are the events of the way known, from a point that differs in the force alone?
@@ -216,7 +217,9 @@ contains
       if (.not. peeled%has_drive) call new_spring_drive(peeled%drive, path, case%lateral_stiffness)
       peeled%has_drive = .true.
       peeled%is_converged = peeled%is_converged .and. peeled%drive%is_converged
-      if (peeled%drive%is_converged) call find_driven_state(peeled%drive, case%base_displacement, peeled%driven)
+      if (.not. peeled%drive%is_converged) return
+      call find_driven_state(peeled%drive, case%base_displacement, peeled%driven)
+      peeled%spring_error = driven_error(peeled%drive%jump, case%lateral_stiffness, case%base_displacement, peeled%driven%force)
    end subroutine drive_contact
 
    !> The slope of the force over the displacement, and what round-off of the force does to the radius.

@@ -144,10 +144,12 @@ contains
       !> Distance from the axis, reduced, >= 0.
       real(dp), intent(in) :: r
       real(dp) :: height, slope
+      logical :: is_apart
 
       gap = 0
       associate (a => contact%spot%radius)
-         if (.not. r > a .and. .not. (contact%stress > 0 .and. .not. a > 0)) return
+         is_apart = .not. a > 0 .and. (contact%stress > 0 .or. contact%approach < 0)
+         if (.not. (r > a .or. is_apart)) return
          gap = not_a_number()
          select type (shape)
          type is (sphere_shape_t)
@@ -155,9 +157,10 @@ contains
          type is (power_shape_t)
             if (maxval(shape%exponents(:shape%n_terms))*log(max(r, 1.0_dp)) > largest_logarithm) return
          end select
-         if (contact%stress > 0 .and. .not. a > 0) then
+         if (is_apart) then
             call shape%get_profile(r, height, slope)
-            gap = height - contact%approach - disc_gap(contact%stress, contact%adhesion_radius, r)
+            gap = height - contact%approach
+            if (contact%stress > 0) gap = gap - disc_gap(contact%stress, contact%adhesion_radius, r)
          else
             gap = 2/pi*(inner_opening(shape, contact, r) + outer_opening(shape, contact, r))
             if (contact%stress > 0) then

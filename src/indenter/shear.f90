@@ -62,7 +62,8 @@ contains
       real(dp), intent(in) :: outer_pull
       !> Receives b.
       real(dp), intent(out) :: radius
-      !> Receives tau0 pi b^2 + alpha times the load that r < b carries; 0 without contact, and never below.
+      !> Receives tau0 pi b^2 + alpha times the load that r < b carries; 0 without contact, below 0 where there is no friction
+      !> of this kind.
       real(dp), intent(out) :: force
       type(shear_sums_t) :: sums
 
@@ -248,7 +249,7 @@ contains
 
       stress = 0
       call set_resistance(resistance, contact, sums)
-      if (r > sums%b) return
+      if (r > sums%b .or. .not. sums%b > 0) return
       if (slip%displacement > 0 .and. .not. slip%energy > 0 .and. shape%n_pieces == 0 .and. slip%ratio >= 1) then
          ! a face that sticks as a whole
          if (r < sums%a) stress = slip%displacement/(pi*sqrt((sums%a - r)*(sums%a + r)))

@@ -56,13 +56,13 @@ contains
 
       call clear_ends(survey%ends)
       held_control = stability_control(control)
+      call curve%find_intervals(held_control, survey%intervals, survey%n, survey%ends%is_converged)
+      do k = 1, survey%n
+         call measure_interval(curve, held_control, survey%intervals(k))
+      end do
       if (curve%shape%n_pieces == 0) then
          call get_face_end(curve, held_control, survey%ends%pull_off_load, survey%ends%pull_off_approach)
       else
-         call curve%find_intervals(held_control, survey%intervals, survey%n, survey%ends%is_converged)
-         do k = 1, survey%n
-            call measure_interval(curve, held_control, survey%intervals(k))
-         end do
          call curve%find_discs(held_control, survey%discs, survey%n_discs)
          call find_pull_off(curve, held_control, survey%intervals(:survey%n), survey%discs(:survey%n_discs), survey%ends)
          call find_jumps(curve, held_control, survey%intervals(:survey%n), survey%ends)

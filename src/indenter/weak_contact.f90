@@ -23,11 +23,11 @@ module adfric_indenter_weak_contact
    use adfric_base_kinds, only: dp
    use adfric_indenter_contact, only: take_given
    use adfric_indenter_contact_state, only: contact_t, held_by, set_contact
-   use adfric_indenter_curve, only: control_spring, curve_t, state_t
+   use adfric_indenter_curve, only: at_corner, control_spring, curve_t, state_t
    use adfric_indenter_dugdale_curve, only: dugdale_curve_t
    use adfric_indenter_weak_end, only: find_closed_end
    use adfric_indenter_weak_state, only: find_below
-   use adfric_indenter_weak_way, only: at_corner, middle, node_t, weak_way_t, weaken
+   use adfric_indenter_weak_way, only: middle, node_t, weak_way_t, weaken
    implicit none (type, external)
    private
    public :: weak_way_t, new_weak_way, extend_way, find_known, find_last

@@ -4,9 +4,9 @@ module adfric_indenter_weak_state
    use adfric_base_kinds, only: dp
    use adfric_indenter_contact, only: branch_stable, find_contact, take_given
    use adfric_indenter_contact_state, only: contact_t, held_of, held_slope, set_contact
-   use adfric_indenter_curve, only: curve_t, state_t
+   use adfric_indenter_curve, only: at_corner, curve_t, state_t
    use adfric_indenter_survey, only: survey_t
-   use adfric_indenter_weak_way, only: at_corner, middle, weak_way_t, weaken
+   use adfric_indenter_weak_way, only: middle, weak_way_t, weaken
    implicit none (type, external)
    private
    public :: find_below

@@ -9,9 +9,6 @@ module adfric_indenter_weak_way
    private
    public :: node_t, weak_way_t, weaken, middle
 
-   !> The corner of a flat face as seen from within, where u has no end.
-   real(dp), parameter, public :: at_corner = 1.0e30_dp
-
    !> A state at one X.
    type :: node_t
       !> X.

@@ -7,7 +7,7 @@ module adfric_input_fit
    use adfric_base_unset, only: unset
    use adfric_base_words, only: count_words, get_word
    use adfric_fit_curve_source, only: curve_source_t
-   use adfric_fit_problem, only: fit_t, n_nuisances, nuisance_friction_offset
+   use adfric_fit_problem, only: fit_t, n_nuisances, nuisance_friction_offset, nuisance_tilt
    use adfric_fit_scales, only: find_refusal
    use adfric_fit_stack_model, only: stack_model_t, new_stack_model
    use adfric_input_case, only: case_t, read_groups
@@ -220,6 +220,7 @@ contains
       do i = 1, size(fit%frees)
          if (fit%frees(i)%variable > 0) input%values(fit%frees(i)%variable) = unset
          if (fit%frees(i)%nuisance == nuisance_friction_offset) fit%frees(i)%unit = details%groups(fit%frees(i)%data_set)%y_unit
+         if (fit%frees(i)%nuisance == nuisance_tilt) fit%frees(i)%unit = tilt_unit(details%groups(fit%frees(i)%data_set))
       end do
       fit%base = input%values
       fit%data_sets = details%loaded%data_sets
@@ -239,6 +240,16 @@ contains
       deallocate (run%model)
       call move_alloc(model, run%model)
    end subroutine set_run
+
+   !> Unit of the slope of a base line: that of the ordinate over that of the abscissa.
+   pure function tilt_unit(group) result(unit)
+      !> The `&data` group with its units.
+      type(data_group_t), intent(in) :: group
+      character(:), allocatable :: unit
+
+      unit = group%y_unit//'/'//group%x_unit
+      if (unit == 'N/m/m') unit = 'N/m^2'
+   end function tilt_unit
 
    !> The values, files and axes of the stack's run.
    subroutine extend_plan(input, loaded, run)

@@ -6,7 +6,7 @@ module adfric_input_fit_data_group
    use adfric_base_text, only: join_words, show_number, show_text, to_lower
    use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: get_word
-   use adfric_fit_problem, only: data_set_t, loss_gauss, n_nuisances, nuisance_names
+   use adfric_fit_problem, only: data_set_t, loss_gauss, n_nuisances, nuisance_names, nuisance_tilt
    use adfric_input_text_table, only: text_table_t
    use adfric_input_fit_values, only: reader_t, new_reader
    use adfric_input_namelist_file, only: namelist_file_t
@@ -78,6 +78,7 @@ contains
          self%is_nuisance_given(k) = self%reader%has(file, get_word(nuisance_names, k))
          call self%reader%read_number(file, get_word(nuisance_names, k), self%data_set%nuisance(k), problems)
       end do
+      call check_tilt(file, model, self, problems)
       self%is_whole = allocated(self%file) .and. self%data_set%abscissa > 0 .and. self%data_set%ordinate > 0 &
          .and. problems%count() == n_before
    end subroutine read_data_group
@@ -95,6 +96,23 @@ contains
          if (file%tables(k)%path == self%file) self%table = file%tables(k)
       end do
    end subroutine find_table
+
+   !> A tilt belongs to a load over another abscissa.
+   subroutine check_tilt(file, model, self, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> The group.
+      type(data_group_t), intent(in) :: self
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (.not. self%is_nuisance_given(nuisance_tilt) .or. self%data_set%abscissa == 0 .or. self%data_set%ordinate == 0) return
+      if (model%results(self%data_set%ordinate)%name == 'load' .and. model%variables(self%data_set%abscissa)%name /= 'load') return
+      call self%reader%report(file, 'tilt', 'has no effect on '//model%results(self%data_set%ordinate)%name//' against '// &
+         model%variables(self%data_set%abscissa)%name//', allowed: with the ordinate load', problems)
+   end subroutine check_tilt
 
    !> A file that is not found from here may stand beside the input.
    subroutine look_beside(input, name)

@@ -7,7 +7,7 @@ module adfric_input_fit_free
    use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: get_word
    use adfric_fit_problem, only: free_t, nuisance_load_offset, nuisance_contact_point, &
-      & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_names, n_nuisances
+      & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt, nuisance_names, n_nuisances
    use adfric_input_case, only: case_t, mark_meant
    use adfric_input_fit_data_group, only: data_group_t
    use adfric_input_fit_values, only: reader_t, new_reader
@@ -212,7 +212,7 @@ contains
       case default
          ! that of an offset of the ordinate is known later
          free%unit = '-'
-      case (nuisance_spring_stiffness)
+      case (nuisance_spring_stiffness, nuisance_tilt)
          free%unit = 'N/m'
       end select
       free%is_log = any(free%nuisance == [nuisance_lateral_gain, nuisance_spring_stiffness])

@@ -6,7 +6,7 @@ module adfric_input_fit_identity
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: get_word
    use adfric_fit_problem, only: free_t, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
-      & nuisance_lateral_gain, nuisance_spring_stiffness
+      & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt
    use adfric_input_case, only: case_t
    use adfric_input_fit_data_group, only: data_group_t
    use adfric_input_fit_values, only: reader_t
@@ -72,8 +72,12 @@ contains
       select case (frees(place)%nuisance)
       case (nuisance_load_offset)
          has_effect = is_x_load .or. is_y_load
-      case (nuisance_contact_point, nuisance_spring_stiffness)
+      case (nuisance_contact_point)
+         has_effect = is_approach .or. model%variables(group%data_set%abscissa)%name == 'base_approach'
+      case (nuisance_spring_stiffness)
          has_effect = is_approach
+      case (nuisance_tilt)
+         has_effect = is_y_load .and. .not. is_x_load
       end select
       if (.not. has_effect) call reader%report(file, 'variable', frees(place)%name//' has no effect on '// &
          model%results(group%data_set%ordinate)%name//' against '//model%variables(group%data_set%abscissa)%name// &

@@ -12,7 +12,7 @@ module adfric_input_fit_rows
    !> The groups.
    character(*), parameter :: fit_groups = 'data event free fit'
    !> Number of rows of all groups.
-   integer, parameter :: n_rows = 41
+   integer, parameter :: n_rows = 42
    !> How a variable is fitted, and what the curves of a stack are.
    character(*), parameter :: scale_names = 'log linear', curves_names = 'each together'
 
@@ -24,10 +24,10 @@ contains
 
       allocate (rows(n_rows))
       rows(:15) = rows_of_data()
-      rows(16:21) = rows_of_nuisances()
-      rows(22:25) = rows_of_event()
-      rows(26:32) = rows_of_free()
-      rows(33:) = rows_of_fit()
+      rows(16:22) = rows_of_nuisances()
+      rows(23:26) = rows_of_event()
+      rows(27:33) = rows_of_free()
+      rows(34:) = rows_of_fit()
    end function get_fit_rows
 
    !> The rows of `&data` that say where the points are and what they are.
@@ -56,13 +56,14 @@ contains
    function rows_of_nuisances() result(rows)
       type(variable_t), allocatable :: rows(:)
 
-      allocate (rows(6))
+      allocate (rows(7))
       rows(1) = above_zero('data', 'loss_width', '-', 'width of the loss in standard errors; default 1.345, 1 or 2.385')
       rows(2) = any_number('data', 'load_offset', 'N', 'zero of the load', default=0.0_dp)
       rows(3) = any_number('data', 'friction_offset', 'unit of the ordinate', 'zero of the ordinate', default=0.0_dp)
       rows(4) = any_number('data', 'contact_point', 'm', 'zero of the approach', default=0.0_dp)
       rows(5) = any_number('data', 'lateral_gain', '-', 'factor between the model and the ordinate', default=1.0_dp)
       rows(6) = above_zero('data', 'spring_stiffness', 'N/m', 'spring k: the abscissa is the place of its base, approach + load/k')
+      rows(7) = any_number('data', 'tilt', 'N/m', 'slope of the base line, load per abscissa as measured', default=0.0_dp)
    end function rows_of_nuisances
 
    !> The rows of `&event`.

@@ -8,7 +8,7 @@ module adfric_input_head_unit
    use adfric_base_words, only: has_word
    implicit none (type, external)
    private
-   public :: head_t, split_head, add_unit, is_unit
+   public :: head_t, split_head, add_unit, is_unit_like
 
    !> What stands between a name and a unit without brackets, and what is left out at the end of a name.
    character(*), parameter :: joints = ' _-.,:;', ends = joints//'/'
@@ -17,6 +17,13 @@ module adfric_input_head_unit
    !> Units that are no powers of ten of SI units: they are recognised, and refused.
    character(*), parameter :: foreign_units = 'V mV uV nV kV A mA uA nA pA lb lbf psi ksi kgf gf dyn inch inches ft deg degree ' &
       //'degrees degC degF percent volt volts'
+   !> The sign of degrees.
+   character(*), parameter :: degree = char(194)//char(176)
+   !> The same, where nothing but units stands: in a line of them.
+   character(*), parameter :: other_units = foreign_units//' % min h C F '//degree//' '//degree//'C '//degree &
+      //'F a.u. arb. arb au counts cts ppm'
+   !> What stands between the factors of a unit.
+   character(*), parameter :: between_factors = ' */'
 
    !> A head.
    type :: head_t
@@ -205,5 +212,24 @@ contains
       is_unit = len(text) > 0
       if (is_unit) call read_unit(text, unused, is_unit)
    end function is_unit
+
+   !> Is a text of a line of units a unit, be it known or not?
+   pure logical function is_unit_like(text)
+      !> The text.
+      character(*), intent(in) :: text
+      integer :: first, length
+
+      is_unit_like = is_unit(text)
+      if (is_unit_like) return
+      first = verify(text, between_factors)
+      do while (first > 0)
+         length = scan(text(first:)//' ', between_factors) - 1
+         is_unit_like = is_unit(text(first:first + length - 1)) .or. has_word(other_units, text(first:first + length - 1))
+         if (.not. is_unit_like) return
+         first = first + length
+         length = verify(text(first:), between_factors)
+         first = merge(0, first + length - 1, length == 0)
+      end do
+   end function is_unit_like
 
 end module adfric_input_head_unit

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> `&refine`: where a sweep gets more values than it begins with.
 module adfric_input_refinement
-   use adfric_base_kinds, only: dp
+   use adfric_base_kinds, only: dp, i8
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: join_words, show_count, show_number, show_text
    use adfric_base_words, only: has_word
@@ -9,6 +9,7 @@ module adfric_input_refinement
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_number_list, only: most_values
    use adfric_input_suggestion, only: did_you_mean
+   use adfric_input_sweep_size, only: say_above_limit
    use adfric_input_vocabulary, only: refine_names, report_unknown_names
    use adfric_model_model, only: model_t
    use adfric_model_table, only: kind_integer
@@ -51,7 +52,7 @@ contains
          call file%report_variable(problems, group, 'tolerance', 'not given, needed: the width to which a jump is known, in '// &
          'units of the sweep')
       if (problems%count() > n_before .or. variable == 0) return
-      call check_axes(file, group, model, axes, variable, problems)
+      call check_axes(file, group, model, axes, variable, refinement%limit, problems)
       if (problems%count() == n_before) call find_spacing(file, variable, model, refinement%is_logarithmic)
    end subroutine read_refinement
 
@@ -113,7 +114,7 @@ contains
    end subroutine read_share
 
    !> The run has one sweep, of the variable, whose values rise or fall.
-   subroutine check_axes(file, group, model, axes, variable, problems)
+   subroutine check_axes(file, group, model, axes, variable, limit, problems)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of `&refine` in the file, from 1.
@@ -124,6 +125,8 @@ contains
       type(axis_t), intent(in) :: axes(:)
       !> Place of the variable in the model's table, from 1.
       integer, intent(in) :: variable
+      !> Values that the refined sweep may have.
+      integer(i8), intent(in) :: limit
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: flaw
@@ -149,7 +152,11 @@ contains
             end if
          end associate
       end if
-      if (len(flaw) > 0) call file%report_variable(problems, group, 'variable', flaw)
+      if (len(flaw) > 0) then
+         call file%report_variable(problems, group, 'variable', flaw)
+      else if (n > limit) then
+         call file%report_variable(problems, group, 'limit', say_above_limit(int(n, i8), limit))
+      end if
    end subroutine check_axes
 
    !> Is the sweep of the variable a logarithmic one?

@@ -16,7 +16,7 @@ module adfric_input_run
    use adfric_input_namelist_file, only: namelist_file_t, open_namelist_file, open_namelist_text
    use adfric_input_refinement, only: read_refinement
    use adfric_input_suggestion, only: find_nearest, did_you_mean
-   use adfric_input_sweep, only: find_size_problem
+   use adfric_input_sweep_size, only: check_counts, find_size_problem
    use adfric_input_variation, only: read_variation
    use adfric_input_vocabulary, only: job_names, report_unknown_names
    use adfric_run_run, only: run_t
@@ -124,21 +124,29 @@ contains
       type(problems_t), intent(inout) :: problems
       type(case_t) :: input
       character(:), allocatable :: text
+      integer :: n_before
+      logical :: is_countable
 
       call read_groups(file, run%model, input, problems)
-      if (.not. problems%is_enough()) call read_axes(file, run%model, input, run%plan%axes, problems)
+      n_before = problems%count()
+      call check_counts(file, problems)
+      is_countable = problems%count() == n_before
+      if (is_countable .and. .not. problems%is_enough()) call read_axes(file, run%model, input, run%plan%axes, problems)
+      ! what the sweeps should have given is not missing
+      if (.not. is_countable) input%is_broken = .true.
+      if (.not. is_countable) allocate (run%plan%axes(0))
       ! what has not been read is not missing
       if (problems%is_enough()) return
       call load_datasets(run%model, input, problems)
       call check_consistency(file, run%model, input, run%plan%axes, problems)
-      call read_refinement(file, run%model, run%plan%axes, run%refinement, problems)
+      if (is_countable) call read_refinement(file, run%model, run%plan%axes, run%refinement, problems)
       call read_variation(file, run%model, input, run%variation, problems)
       text = find_size_problem(run%plan)
       if (len(text) > 0) call problems%add('sweep', '', text)
       call move_alloc(input%values, run%plan%base)
       call move_alloc(input%is_given, run%is_given)
       call move_alloc(input%datasets, run%datasets)
-      if (problems%count() == 0) call run%apply_variation()
+      if (problems%count() == 0) call run%complete_model()
    end subroutine read_case
 
    !> The name of the input, without folder and with `.h5` for its extension.

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The `&sweep` groups: which variables take which values.
 module adfric_input_sweep
-   use adfric_base_kinds, only: dp, i8
+   use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count, show_text, to_lower
    use adfric_input_case, only: case_t, mark_meant
@@ -13,13 +13,10 @@ module adfric_input_sweep
    use adfric_input_vocabulary, only: sweep_names, full_name, report_unknown_names
    use adfric_model_model, only: model_t
    use adfric_run_dataset, only: dataset_t
-   use adfric_run_plan, only: axis_t, new_axis, plan_t
+   use adfric_run_plan, only: axis_t, new_axis
    implicit none (type, external)
    private
-   public :: read_sweep, join_sweep, find_size_problem
-
-   !> Largest number of points: up to it a real number counts exactly.
-   real(dp), parameter :: most_points = 2.0_dp**53
+   public :: read_sweep, join_sweep
 
 contains
 
@@ -162,28 +159,5 @@ contains
       if (file%find_assignment(group, name) == 0) name = merge('to  ', 'from', first == size(values))
       call file%report_variable(problems, group, trim(name), model%variables(variable)%name//' '//flaw)
    end subroutine check_swept_range
-
-   !> Is the number of points beyond all counting? Empty if it is not.
-   pure function find_size_problem(plan) result(text)
-      !> The run, of which the sizes of the axes count.
-      type(plan_t), intent(in) :: plan
-      character(:), allocatable :: text
-      character(:), allocatable :: counts
-      real(dp) :: n_points
-      integer(i8) :: lengths(size(plan%axes))
-      integer :: k
-
-      text = ''
-      counts = ''
-      n_points = 1
-      lengths = plan%shape()
-      do k = 1, size(lengths)
-         n_points = min(n_points*real(lengths(k), dp), 2*most_points)
-         if (k > 1) counts = counts//' x '
-         counts = counts//show_count(lengths(k))
-      end do
-      if (n_points > most_points) text = 'the sweep has too many points, given '//counts// &
-         ', allowed: 2**53 points in all'
-   end function find_size_problem
 
 end module adfric_input_sweep

@@ -83,14 +83,19 @@ contains
       last = 0
    end subroutine find_previous_line
 
-   !> Is a line a comment?
+   !> Is a line a comment? A cell with nothing but a sign makes none: a percent sign is a unit, and # the name of a column.
    pure logical function is_comment(line)
       !> A line that is not empty.
       character(*), intent(in) :: line
-      integer :: i
+      integer :: i, k
 
       i = verify(line, blanks)
       is_comment = scan(line(i:i), comment_signs) == 1
+      if (.not. is_comment) return
+      do k = i + 1, len(line)
+         if (scan(line(k:k), ';,'//tab) == 1) is_comment = .false.
+         if (line(k:k) /= ' ') return
+      end do
    end function is_comment
 
    !> Position in a comment of what stands behind the sign.

@@ -2,7 +2,7 @@
 !> The heads of the columns of a table of text: names, each with a unit or without, and how a column is found by its name.
 module adfric_input_table_heads
    use adfric_base_text, only: show_count, show_text, to_lower
-   use adfric_input_head_unit, only: add_unit, head_t, is_unit, split_head
+   use adfric_input_head_unit, only: add_unit, head_t, is_unit_like, split_head
    use adfric_input_suggestion, only: find_nearest
    use adfric_input_table_cells, only: begin_cells, cell_t, count_cells, next_cell, tab, text_of_cell
    use adfric_input_table_numbers, only: is_number_form
@@ -36,6 +36,7 @@ module adfric_input_table_heads
    contains
       procedure :: n_columns
       procedure :: are_units
+      procedure :: has_letters
       procedure :: take_units
       procedure :: find
       procedure :: get
@@ -232,10 +233,22 @@ contains
       are_units = .true.
       do k = 1, self%n_columns()
          are_units = len(self%columns(k)%text) == 0
-         if (.not. are_units) are_units = is_unit(bare_unit(self%columns(k)%text))
+         if (.not. are_units) are_units = is_unit_like(bare_unit(self%columns(k)%text))
          if (.not. are_units) return
       end do
    end function are_units
+
+   !> Is there a head that is more than a sign, such as the hyphen of a pure number?
+   pure logical function has_letters(self)
+      !> The heads, or units.
+      class(heads_t), intent(in) :: self
+      integer :: k
+
+      has_letters = .false.
+      do k = 1, self%n_columns()
+         has_letters = has_letters .or. verify(self%columns(k)%text, '-1[](){} ') > 0
+      end do
+   end function has_letters
 
    !> A unit without the brackets around it.
    pure function bare_unit(text) result(unit)

@@ -160,7 +160,10 @@ contains
       layout%units_at = 0
       layout%rows_at = last + 2
       is_found = layout%heads%n_columns() >= n_least
-      if (.not. layout%heads%are_units()) return
+      if (.not. layout%heads%are_units()) then
+         if (is_found .and. .not. in_comments) call take_units_below(text, .true., layout)
+         return
+      end if
       call find_next_above(text, first, in_comments, upper, last)
       is_right = upper > 0
       if (is_right) call try_heads(text, upper, last, layout%separator, n_least, n_most, heads, is_right)
@@ -171,6 +174,38 @@ contains
       layout%names_at = upper
       layout%units_at = first
    end subroutine search_above
+
+   !> Take the units of the line directly below the names, if it has nothing else.
+   pure subroutine take_units_below(text, in_comment, layout)
+      !> The whole text.
+      character(*), intent(in) :: text
+      !> Is it a comment that may have them?
+      logical, intent(in) :: in_comment
+      !> In: the layout without units. Out: also the units, if they stand there.
+      type(layout_t), intent(inout) :: layout
+      type(heads_t) :: units
+      integer :: first, last, start, n
+      logical :: is_right
+
+      call find_next_line(text, layout%rows_at, first, last)
+      if (first == 0) return
+      if (is_comment(text(first:last)) .neqv. in_comment) return
+      n = layout%heads%n_columns()
+      start = first
+      if (in_comment) start = first - 1 + comment_text(text(first:last))
+      call read_heads(text, start, last, layout%separator, n, n, units, is_right)
+      if (is_right) is_right = units%n_columns() == n
+      if (.not. is_right .and. in_comment) then
+         ! the sign of a comment may be a unit
+         call read_heads(text, first, last, layout%separator, n, n, units, is_right)
+         if (is_right) is_right = units%n_columns() == n
+      end if
+      if (is_right) is_right = units%are_units() .and. units%has_letters()
+      if (.not. is_right) return
+      call layout%heads%take_units(units)
+      layout%units_at = first
+      layout%rows_at = last + 2
+   end subroutine take_units_below
 
    !> Find the next line above that is a comment, or that is none.
    pure subroutine find_next_above(text, start, in_comments, first, last)
@@ -243,6 +278,8 @@ contains
       call count_cells(text, first, last, layout%separator, n_cells, n_filled, is_right)
       call read_heads(text, first, last, layout%separator, n_filled, n_cells, layout%heads, is_right)
       layout%is_single = n_cells == 1
+      if (is_right) call take_units_below(text, .false., layout)
+      if (is_right .and. layout%units_at == 0) call take_units_below(text, .true., layout)
       if (is_right) return
       flaw = 'no header, given '//show_text(text(first:last))//', needed: a line with the names of the columns'
       place = first

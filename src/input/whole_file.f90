@@ -4,7 +4,7 @@ module adfric_input_whole_file
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int64_t, c_null_char
    use adfric_base_error, only: error_t, set_error, input_failure, file_failure
    use adfric_base_kinds, only: i8
-   use adfric_base_text, only: show_count
+   use adfric_base_text, only: show_count, show_text
    use adfric_system_files, only: kind_of_path, path_free, error_text
    use adfric_system_file_bytes, only: size_of_file
    implicit none (type, external)
@@ -82,6 +82,10 @@ contains
       end if
       limit = largest_file
       if (present(largest)) limit = largest
+      if (index(path, c_null_char) > 0) then
+         call set_error(error, code, show_text(path)//': cannot open the '//name//', a null character stands in its name')
+         return
+      end if
       if (kind_of_path(path) == path_free) then
          call set_error(error, code, path//': cannot open the '//name//', there is no such file')
          return

@@ -10,7 +10,7 @@ module adfric_material_driven_contact
    use adfric_numerics_secant_root, only: find_rising_root, rising_equation_t
    implicit none (type, external)
    private
-   public :: find_driven_place
+   public :: find_driven_place, driven_error
 
    !> How far the place of the polynomials is looked for at first, relative, how much farther each time, and how often.
    real(dp), parameter :: first_width = 1.0e-13_dp, wider = 16.0_dp
@@ -68,6 +68,24 @@ contains
          & spot, is_reached)
       if (is_reached) call settle(contact, curve, stiffness, extension, spot, piece, place)
    end subroutine find_driven_place
+
+   !> Relative error of the force on a driven spring: in stick-slip round-off of the displacement of the base is as much for a
+   !> short way as for a long one, and each jump before adds what its own period is off.
+   pure real(dp) function driven_error(jump, stiffness, base, force) result(error)
+      !> What happens on the spring.
+      type(stick_slip_t), intent(in) :: jump
+      !> Stiffness of the spring, > 0, and displacement of its base, >= 0.
+      real(dp), intent(in) :: stiffness, base
+      !> The force, >= 0.
+      real(dp), intent(in) :: force
+      ! digits of the displacement at a jump, which polynomials have found
+      real(dp), parameter :: digits_of_jump = 4096*epsilon(1.0_dp)
+
+      error = 0
+      if (.not. (jump%slides .and. base > jump%base_displacement .and. jump%period > 0 .and. force > 0)) return
+      error = 2*epsilon(error)*base + digits_of_jump*jump%base_displacement*((base - jump%base_displacement)/jump%period)
+      error = min(1.0_dp, stiffness*error/force)
+   end function driven_error
 
    !> The place with a given h, next to one that the polynomials have found.
    pure subroutine settle(contact, curve, stiffness, extension, spot, piece, place)

@@ -54,7 +54,8 @@ contains
       self%zone = width*(self%a + self%b)
    end subroutine set_shear_radii
 
-   !> The force of sliding: tau0 pi b^2 and alpha times what r < b carries; 0 without contact, and never below.
+   !> The force of sliding: tau0 pi b^2 and alpha times what r < b carries; 0 without contact. Where alpha S <= tau0 it is below
+   !> 0 by round-off alone. JKR has no such bound: below 0 there is no friction of this kind.
    pure real(dp) function sliding_force(self, strength, load) result(force)
       !> The contact with its radii, alpha and S.
       class(shear_sums_t), intent(in) :: self
@@ -66,7 +67,6 @@ contains
       force = 0
       if (.not. self%b > 0) return
       force = strength*pi*self%b**2 + self%factor*(load + pi*self%stress*(self%whole_zone - self%zone))
-      force = max(force, 0.0_dp)
    end function sliding_force
 
    !> T of a place e <= a.

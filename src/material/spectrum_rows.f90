@@ -61,7 +61,8 @@ contains
          & least_count=1, most_count=most_arms)
       call set_arm_rows(group, rows(young_moduli:young_moduli + n_arm_rows - 1))
       call set_shift_rows(group, rows(shift:shift + n_shift_rows - 1))
-      rows(temperature) = above_zero(group='operating', name='temperature', unit='K', meaning='temperature of the material')
+      rows(temperature) = above_zero(group='operating', name='temperature', unit='K', &
+         & meaning='temperature of the material; shift needs it')
    end subroutine set_spectrum_rows
 
    !> Keep the values of a list or a dataset; nothing of a variable that is none of the rows.

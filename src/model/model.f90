@@ -61,6 +61,7 @@ module adfric_model_model
       procedure :: derive_quantities
       procedure :: get_derived
       procedure :: describe_case
+      procedure :: measure
       procedure :: describe_doubts
       procedure :: count_profiles
       procedure :: describe_profiles
@@ -349,6 +350,23 @@ contains
       associate (unused => self, unused_too => values)
       end associate
    end function describe_doubts
+
+   !> Measure what the bounds of the theory are held against, in the order of the doubts (`adfric_model_doubt`); what a model does not
+   !> measure stays `not_measured`, here all. Called for every point that is solved, and with results that are NaN for what can be
+   !> known of a case before; a measure that needs them is then NaN. It takes no time to speak of beside a point.
+   subroutine measure(self, values, results, measures)
+      !> The model; all threads measure with the same one.
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      associate (unused => self, unused_too => values, unused_results => results, unused_measures => measures)
+      end associate
+   end subroutine measure
 
    !> Number of profiles of this case: all of the table. A model whose last profiles not every case has overrides it.
    pure integer function count_profiles(self, values)

@@ -4,10 +4,11 @@ module adfric_model_table
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
    use adfric_base_words, only: count_words
+   use adfric_model_doubt, only: doubt_meanings, doubt_name
    use adfric_model_status, only: status_meanings
    implicit none (type, external)
    private
-   public :: variable_t, result_t, profile_t, profile_axis_t, count_t, extra_t, results_of_every_run
+   public :: variable_t, result_t, profile_t, profile_axis_t, count_t, extra_t, results_of_every_run, doubt_row, common_results
    public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset, kind_text
 
    !> Kinds of namelist variables. No model has a text: names of files and the like stand in the groups that every model shares.
@@ -143,6 +144,20 @@ contains
       results(2) = result_t(name='status', unit='-', long_name='whether the point was solved', flag_meanings=status_meanings)
       if (present(states)) results(2)%flag_meanings = states
    end function results_of_every_run
+
+   !> The result of every run of a model that says whether a point lies beyond a bound of its theory.
+   pure type(result_t) function doubt_row() result(row)
+      row = result_t(name=doubt_name, unit='-', long_name='bound of the theory that the point lies beyond', &
+         & flag_meanings=doubt_meanings)
+   end function doubt_row
+
+   !> The results that every model has beside those of its table, the doubt first.
+   pure function common_results() result(results)
+      type(result_t) :: results(3)
+
+      results(1) = doubt_row()
+      results(2:) = results_of_every_run()
+   end function common_results
 
    !> Number of datasets that a variable takes from a group of a file; 0 if it takes no group.
    pure integer function n_columns(self)

@@ -2,7 +2,9 @@
 !> The short table at the end of a run.
 module adfric_output_run_table
    use adfric_base_kinds, only: dp, i8
+   use adfric_base_text, only: show_number
    use adfric_base_words, only: get_word, pad
+   use adfric_model_doubt, only: doubt_limits, doubt_name, doubt_none, n_doubts, quantity_of
    use adfric_model_status, only: status_solved, n_status
    use adfric_model_table, only: result_t
    use adfric_run_summary, only: run_summary_t
@@ -36,7 +38,12 @@ contains
       end do
       if (summary%n_damaged > 0) text = text//count_line('damaged, solved again', summary%n_damaged)
       do i = 1, size(results)
-         if (any(summary%enumerated == i)) text = text//state_lines(results(i), summary%by_state(:, i))
+         if (.not. any(summary%enumerated == i)) cycle
+         if (results(i)%name == doubt_name) then
+            text = text//doubt_lines(results(i), summary%by_state(:, i))
+         else
+            text = text//state_lines(results(i), summary%by_state(:, i))
+         end if
       end do
       do i = 1, size(results)
          if (any(summary%main == i)) text = text//range_line(results(i), summary%lowest(i), summary%highest(i))
@@ -85,6 +92,24 @@ contains
          lines = lines//count_line('  '//words_of(get_word(result%flag_meanings, i + 1)), counts(i))
       end do
    end function state_lines
+
+   !> Lines with the number of points beyond each bound, and the bound; none if there is no such point.
+   function doubt_lines(result, counts) result(lines)
+      !> The row of the doubt.
+      type(result_t), intent(in) :: result
+      !> Number of points of each doubt, from 0 on.
+      integer(i8), intent(in) :: counts(0:)
+      character(:), allocatable :: lines
+      integer :: i
+
+      lines = ''
+      if (all(counts(doubt_none + 1:) == 0)) return
+      lines = 'beyond a bound of the theory'//newline
+      do i = doubt_none + 1, n_doubts
+         if (counts(i) > 0) lines = lines//count_line('  '//words_of(get_word(result%flag_meanings, i + 1)), counts(i)) &
+            & //'    '//quantity_of(i)//' >= '//show_number(doubt_limits(i))//newline
+      end do
+   end function doubt_lines
 
    !> Line with the range of a result.
    function range_line(result, lowest, highest) result(line)

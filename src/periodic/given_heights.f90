@@ -30,6 +30,8 @@ module adfric_periodic_given_heights
       real(dp), allocatable :: depths(:, :)
       !> Root of the mean square of the heights about their mean [m].
       real(dp) :: root_mean_square = 0
+      !> Mean squares of the differences of neighbours along x and y, of the first and the last cell too [m^2].
+      real(dp) :: differences(2) = 0
       !> Cell of the lowest height, along x and y.
       integer :: lowest(2) = 1
    contains
@@ -38,6 +40,7 @@ module adfric_periodic_given_heights
       procedure :: get_cells
       procedure :: get_shape
       procedure :: factor_of
+      procedure :: slope
       procedure :: describe
       procedure :: doubt
       procedure, private :: is_line
@@ -76,6 +79,7 @@ contains
          self%lowest = maxloc(self%depths)
          associate (largest => maxval(self%depths))
             self%root_mean_square = largest*sqrt(variance_of(self%depths/largest))
+            self%differences = largest**2*[mean_square_step(self%depths/largest, 1), mean_square_step(self%depths/largest, 2)]
          end associate
       else
          call problems%add(row%group, row%name, 'all heights are the same')
@@ -89,6 +93,28 @@ contains
 
       variance = sum((values - sum(values)/size(values))**2)/size(values)
    end function variance_of
+
+   !> Mean square of the differences of neighbours, round the period.
+   pure real(dp) function mean_square_step(values, axis) result(square)
+      !> The values.
+      real(dp), intent(in) :: values(:, :)
+      !> 1 along x, 2 along y.
+      integer, intent(in) :: axis
+
+      square = sum((cshift(values, 1, axis) - values)**2)/size(values)
+   end function mean_square_step
+
+   !> Root of the mean square of the slope [-].
+   pure real(dp) function slope(self, values)
+      !> The heights.
+      class(given_heights_t), intent(in) :: self
+      !> Values of the rows; shape `(n_heights_rows)`.
+      real(dp), intent(in) :: values(:)
+
+      slope = sqrt(self%differences(1))*size(self%depths, 1)/values(length_x)
+      if (.not. self%is_line()) slope = hypot(slope, sqrt(self%differences(2))*size(self%depths, 2)/values(length_y))
+      slope = self%factor_of(values)*slope
+   end function slope
 
    !> By what the heights of the input are multiplied [-].
    pure real(dp) function factor_of(self, values) result(factor)

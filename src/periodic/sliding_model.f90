@@ -6,12 +6,14 @@
 !> in the solid (`adfric_periodic_friction`).
 module adfric_periodic_sliding_model
    use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_material_given_spectrum, only: given_spectrum_t
    use adfric_material_spectrum_rows, only: take_spectrum, take_spectrum_attribute, describe_spectrum, doubt_spectrum, &
       & derive_spectrum, n_spectrum_rows
    use adfric_model_derived, only: derived_t, add_derived
+   use adfric_model_doubt, only: doubt_slope_too_steep
    use adfric_model_table, only: variable_t
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_model, only: periodic_model_t
@@ -51,6 +53,7 @@ module adfric_periodic_sliding_model
       procedure :: derive_solid
       procedure :: describe_case
       procedure :: describe_doubts
+      procedure :: measure
    end type sliding_model_t
 
 contains
@@ -349,5 +352,26 @@ contains
 
       velocity = values(self%first_of_solid + s_velocity - 1)
    end function velocity_of
+
+   !> See `model_t`: the steepest slope of waves, the mean one of heights.
+   subroutine measure(self, values, results, measures)
+      !> The model with its heights.
+      class(sliding_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      if (nint(values(v_kind)) == kind_heights) then
+         measures(doubt_slope_too_steep) = self%heights%slope(values(v_heights:v_rms_height))
+      else
+         measures(doubt_slope_too_steep) = two_pi*values(v_amplitude)/values(v_period)
+         if (nint(values(v_kind)) == kind_wave_2d) measures(doubt_slope_too_steep) = sqrt(2.0_dp)*measures(doubt_slope_too_steep)
+      end if
+      associate (unused => results)
+      end associate
+   end subroutine measure
 
 end module adfric_periodic_sliding_model

@@ -5,6 +5,7 @@ module adfric_periodic_surface_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_model_check, only: refuse_swept
+   use adfric_model_doubt, only: doubt_slope_too_steep
    use adfric_model_table, only: variable_t
    use adfric_periodic_elastic_model, only: elastic_model_t
    use adfric_periodic_given_heights, only: given_heights_t, set_heights_rows, n_heights_rows
@@ -31,6 +32,7 @@ module adfric_periodic_surface_model
       procedure :: height_of
       procedure :: describe_surface
       procedure :: describe_doubts
+      procedure :: measure
    end type surface_model_t
 
 contains
@@ -158,5 +160,21 @@ contains
 
       text = self%given%doubt()//self%doubt_adhesion(values)
    end function describe_doubts
+
+   !> See `model_t`: the mean slope of the heights.
+   subroutine measure(self, values, results, measures)
+      !> The model with its heights.
+      class(surface_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      measures(doubt_slope_too_steep) = self%given%slope(values(v_heights:v_rms_height))
+      associate (unused => results)
+      end associate
+   end subroutine measure
 
 end module adfric_periodic_surface_model

@@ -9,6 +9,7 @@ module adfric_periodic_wave_2d_model
    use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
    use adfric_model_check, only: require, refuse_swept
+   use adfric_model_doubt, only: doubt_slope_too_steep
    use adfric_model_rows, only: positive, whole_number
    use adfric_model_table, only: variable_t
    use adfric_periodic_elastic_model, only: elastic_model_t
@@ -33,6 +34,7 @@ module adfric_periodic_wave_2d_model
       procedure :: get_full_pressure
       procedure :: get_peak_pressure
       procedure :: height_of
+      procedure :: measure
    end type wave_2d_model_t
 
 contains
@@ -146,5 +148,21 @@ contains
       associate (unused => self, unused_values => values)
       end associate
    end function get_peak_pressure
+
+   !> See `model_t`: the steepest slope, that of both waves together.
+   subroutine measure(self, values, results, measures)
+      !> The model; nothing is read from it here.
+      class(wave_2d_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      measures(doubt_slope_too_steep) = sqrt(2.0_dp)*two_pi*values(v_amplitude)/values(v_period)
+      associate (unused => self, unused_results => results)
+      end associate
+   end subroutine measure
 
 end module adfric_periodic_wave_2d_model

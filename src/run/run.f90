@@ -10,6 +10,7 @@ module adfric_run_run
    use adfric_model_plausible_range, only: find_plausible_range
    use adfric_run_blocks, only: blocks_t, part_t, new_blocks
    use adfric_run_dataset, only: dataset_t
+   use adfric_run_doubting_model, only: let_doubt
    use adfric_run_plan, only: plan_t
    use adfric_run_refinement, only: refinement_t
    use adfric_run_variation, only: variation_t
@@ -41,7 +42,7 @@ module adfric_run_run
       !> Name of the results file; empty if there is none.
       character(:), allocatable :: output
    contains
-      procedure :: apply_variation
+      procedure :: complete_model
       procedure :: blocks
       procedure :: profile_shape
    end type run_t
@@ -57,6 +58,7 @@ contains
       integer :: i
 
       call move_alloc(model, self%model)
+      call let_doubt(self%model)
       allocate (self%variation%derivatives(0), self%variation%uncertain(0))
       allocate (self%plan%base(size(self%model%variables)), self%plan%axes(0), self%datasets(size(self%model%variables)))
       do i = 1, size(self%plan%base)
@@ -67,14 +69,23 @@ contains
       self%output = ''
    end subroutine new_run
 
-   !> Let the model tell what is wanted beside its results. Once, when all variables have their values.
+   !> Let the model tell what is wanted beside its results, and what is doubted. Once, when all variables have their values.
+   subroutine complete_model(self)
+      !> The run, whose model is another one afterwards.
+      class(run_t), intent(inout) :: self
+
+      if (self%variation%is_wanted()) call apply_variation(self)
+      ! the doubt is no result of the neighbours of a point
+      call let_doubt(self%model)
+   end subroutine complete_model
+
+   !> Let the model tell what is wanted beside its results.
    subroutine apply_variation(self)
-      !> The run, whose model is another one afterwards if anything is wanted.
+      !> The run, whose model is another one afterwards.
       class(run_t), intent(inout) :: self
       real(dp) :: scales(size(self%plan%base)), upper
       integer :: i
 
-      if (.not. self%variation%is_wanted()) return
       do i = 1, size(scales)
          scales(i) = 0
          if (is_set(self%plan%base(i))) scales(i) = maxval(abs(self%plan%values_of(i)))

@@ -4,7 +4,9 @@
 module adfric_run_time_estimate
    use omp_lib, only: omp_get_max_threads, omp_get_num_procs
    use adfric_base_kinds, only: dp, i8
+   use adfric_model_doubt, only: doubt_name, doubt_none, n_doubts
    use adfric_model_profile_receiver, only: profile_receiver_t
+   use adfric_model_status, only: status_solved
    use adfric_run_blocks, only: blocks_t
    use adfric_run_run, only: run_t
    use adfric_system_clock, only: wall_clock
@@ -30,6 +32,8 @@ module adfric_run_time_estimate
       logical :: is_complete = .false.
       !> Is anything known?
       logical :: is_known = .false.
+      !> Number of trial points, and of those beyond each bound of the theory.
+      integer :: n_trials = 0, by_doubt(n_doubts) = 0
    end type time_estimate_t
 
    !> Takes profiles and forgets them.
@@ -50,7 +54,7 @@ contains
       real(dp), intent(in), optional :: patience
       type(blocks_t) :: blocks
       type(child_process_t) :: child
-      real(dp) :: start, trial(2), points, seconds, seconds_of_all, waited, longest
+      real(dp) :: start, trial(2 + n_doubts), points, seconds, seconds_of_all, waited, longest
       logical :: is_there
 
       longest = longest_trial
@@ -71,6 +75,8 @@ contains
          if (.not. is_there) exit
          points = points + trial(1)
          seconds = seconds + trial(2)
+         estimate%n_trials = estimate%n_trials + nint(trial(1))
+         estimate%by_doubt = estimate%by_doubt + nint(trial(3:))
       end do
       waited = wall_clock() - start
       call child%stop(seconds_of_all)
@@ -113,7 +119,7 @@ contains
       type(child_process_t), intent(in) :: child
       real(dp) :: start, seconds
       integer(i8) :: n_done
-      integer :: k, n, n_solved, largest
+      integer :: k, n, n_solved, largest, by_doubt(n_doubts)
       logical :: is_told
 
       start = wall_clock()
@@ -123,19 +129,20 @@ contains
       k = 0
       n_solved = 0
       seconds = 0
+      by_doubt = 0
       is_told = .false.
       do while (wall_clock() - start < time_for_trials .and. n_done < 2*blocks%n_points_of_run)
          k = k + 1
-         call try_block(run, blocks, block_of_trial(blocks, k), n, seconds, n_solved)
+         call try_block(run, blocks, block_of_trial(blocks, k), n, seconds, n_solved, by_doubt)
          n_done = n_done + n_solved
          if (seconds < long_trial .and. n < largest) then
             n = min(2*n, largest)
          else
-            call child%send([real(n_solved, dp), seconds])
+            call child%send([real(n_solved, dp), seconds, real(by_doubt, dp)])
             is_told = .true.
          end if
       end do
-      if (.not. is_told) call child%send([real(n_solved, dp), seconds])
+      if (.not. is_told) call child%send([real(n_solved, dp), seconds, real(by_doubt, dp)])
    end subroutine try_points
 
    !> The block of a trial: the first one in the middle, the others where the run is tried least so far.
@@ -160,7 +167,7 @@ contains
    end function block_of_trial
 
    !> Solve the first points of a block.
-   subroutine try_block(run, blocks, block, n_wanted, seconds, n)
+   subroutine try_block(run, blocks, block, n_wanted, seconds, n, by_doubt)
       !> The run, whose model solves the points.
       class(run_t), intent(in) :: run
       !> The blocks of the run, which say where this one begins and ends.
@@ -173,12 +180,14 @@ contains
       real(dp), intent(out) :: seconds
       !> Number of points that were solved.
       integer, intent(out) :: n
+      !> Receives how many of them lie beyond each bound of the theory.
+      integer, intent(out) :: by_doubt(n_doubts)
       real(dp), allocatable :: values(:, :), results(:, :), errors(:), profiles(:, :, :)
       integer, allocatable :: status(:)
       real(dp) :: counts(size(run%model%counts))
       type(waste_t) :: waste
       real(dp) :: start, finish
-      integer :: shape(3)
+      integer :: shape(3), i, k
 
       n = min(n_wanted, blocks%n_points_of(block))
       allocate (values(size(run%model%variables), n), results(size(run%model%results), n), errors(n), status(n))
@@ -193,6 +202,16 @@ contains
       end if
       call cpu_time(finish)
       seconds = finish - start
+      by_doubt = 0
+      do k = 1, size(run%model%results)
+         if (run%model%results(k)%name /= doubt_name) cycle
+         do i = 1, n
+            if (status(i) /= status_solved) cycle
+            associate (doubt => nint(results(k, i)))
+               if (doubt > doubt_none) by_doubt(doubt) = by_doubt(doubt) + 1
+            end associate
+         end do
+      end do
    end subroutine try_block
 
    !> Forget the profiles of a point.

@@ -29,6 +29,7 @@ module adfric_run_wrapped_model
       procedure :: derive_quantities
       procedure :: describe_case
       procedure :: describe_doubts
+      procedure :: measure
       procedure :: count_profiles
       procedure :: describe_profiles
       procedure :: unit_of
@@ -144,6 +145,7 @@ contains
       type(problems_t), intent(inout) :: problems
 
       call self%inner%take_dataset(place, values, problems)
+      self%largest_block = self%inner%largest_block
    end subroutine take_dataset
 
    !> See `model_t`.
@@ -194,6 +196,20 @@ contains
 
       text = self%inner%describe_doubts(values)
    end function describe_doubts
+
+   !> See `model_t`.
+   subroutine measure(self, values, results, measures)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      call self%inner%measure(values, results(:size(self%inner%results)), measures)
+   end subroutine measure
 
    !> See `model_t`.
    pure integer function count_profiles(self, values)

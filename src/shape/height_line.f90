@@ -12,7 +12,7 @@ module adfric_shape_height_line
    use adfric_shape_wave_pieces, only: get_wave_pieces
    implicit none (type, external)
    private
-   public :: height_line_t, new_cosine_line, new_sampled_line, linear_pieces, cubic_pieces, pieces_per_wave
+   public :: height_line_t, new_cosine_line, new_sampled_line, linear_pieces, cubic_pieces, pieces_per_wave, same_height
 
    !> Interpolation between samples: chords, or the periodic cubic spline. The number is the degree.
    integer, parameter :: linear_pieces = 1, cubic_pieces = 3
@@ -21,6 +21,8 @@ module adfric_shape_height_line
    integer, parameter :: pieces_per_wave = 256
    !> Degree of the pieces of a cosine line.
    integer, parameter :: quintic_pieces = 5
+   !> Heights that differ by less than this share of the heights are the same but for round-off.
+   real(dp), parameter :: same_height = 64*epsilon(1.0_dp)
    !> The fewest samples of a line, by the degree of its pieces.
    integer, parameter :: fewest_samples(5) = [2, 0, 4, 0, 1]
 
@@ -124,25 +126,25 @@ contains
       real(dp), intent(out) :: lowest
       !> Receives the highest height.
       real(dp), intent(out) :: highest
-      !> Receives the number of the piece with the highest height, the first if there are several.
+      !> Receives the number of the piece with the highest height, the first of those that are as high but for round-off.
       integer, intent(out) :: highest_piece
-      real(dp) :: low, high, places(4), height
+      real(dp) :: tops(size(self%coefficients, 2)), low, high, places(4)
       integer :: j, i, n_places
 
       lowest = minval(self%coefficients(0, :))
-      highest_piece = maxloc(self%coefficients(0, :), dim=1)
-      highest = self%coefficients(0, highest_piece)
-      do j = 1, size(self%coefficients, 2)
+      tops = self%coefficients(0, :)
+      highest = maxval(tops)
+      do j = 1, size(tops)
          call get_piece_bounds(self%coefficients(:, j), low, high)
          if (low >= lowest .and. high <= highest) cycle
          call get_turning_places(self%coefficients(:, j), places, n_places)
          do i = 1, n_places
-            height = polynomial_at(self%coefficients(:, j), places(i))
-            lowest = min(lowest, height)
-            if (height > highest) highest_piece = j
-            highest = max(highest, height)
+            lowest = min(lowest, polynomial_at(self%coefficients(:, j), places(i)))
+            tops(j) = max(tops(j), polynomial_at(self%coefficients(:, j), places(i)))
          end do
+         highest = max(highest, tops(j))
       end do
+      highest_piece = findloc(tops >= highest - same_height*(highest - lowest + max(abs(lowest), abs(highest))), .true., dim=1)
    end subroutine get_extremes
 
    !> The line that half as many samples give, for an estimate of what the interpolation costs: every second one where their number

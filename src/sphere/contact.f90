@@ -8,7 +8,7 @@ module adfric_sphere_contact
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: contact_t, theory_t, find_contact, friction_radius
+   public :: contact_t, theory_t, find_contact, part_bodies, friction_radius
    public :: theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale
    public :: control_load, control_approach, control_radius, branch_stable, branch_unstable
 
@@ -114,6 +114,28 @@ contains
          call theory%of_radius(value, contact)
       end select
    end subroutine find_contact
+
+   !> Bodies apart, below the approach of all contacts and of all attraction: there is no load. The other branch is one of
+   !> contacts. DMT has no such state, for its pull ends nowhere.
+   pure subroutine part_bodies(control, value, branch, contact, is_apart)
+      !> One of `control_...`: what is held. A load or a radius parts nothing.
+      integer, intent(in) :: control
+      !> Value of what is held, reduced.
+      real(dp), intent(in) :: value
+      !> One of `branch_...`.
+      integer, intent(in) :: branch
+      !> In: what a theory with an end of adhesion has found, no contact. Out: the state, if there is one.
+      type(contact_t), intent(inout) :: contact
+      !> Is there one?
+      logical, intent(out) :: is_apart
+
+      is_apart = contact%is_converged .and. control == control_approach .and. branch == branch_stable .and. value < 0
+      if (.not. is_apart) return
+      contact = contact_t()
+      contact%is_found = .true.
+      contact%is_stable = .true.
+      contact%approach = value
+   end subroutine part_bodies
 
    !> Radius b of the circle that bears friction, between those of intimate contact and of adhesion (J 3.8); at radius 0
    !> the limit of a contact that shrinks, for without intimate contact there is no friction.

@@ -10,6 +10,7 @@ module adfric_sphere_model
    use adfric_model_derived, only: derived_t, add_derived
    use adfric_model_pointwise, only: pointwise_model_t, point_state_t
    use adfric_model_check, only: refuse_swept
+   use adfric_model_doubt, only: doubt_contact_too_wide
    use adfric_model_status, only: status_solved
    use adfric_model_rows, only: count_row
    use adfric_model_table, only: result_t, profile_t, profile_axis_t
@@ -37,6 +38,7 @@ module adfric_sphere_model
       procedure :: fill_profiles
       procedure :: derive_quantities
       procedure :: unit_of
+      procedure :: measure
    end type sphere_model_t
 
    !> What a point leaves to the next one.
@@ -155,6 +157,24 @@ contains
       allocate (axes(1)%coordinates(n), source=0.0_dp)
       if (is_set(values(v_r_max))) axes(1)%coordinates = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
    end subroutine get_profile_axes
+
+   !> See `model_t`: a paraboloid stands for the sphere. Reduced units have no radius of the sphere.
+   subroutine measure(self, values, results, measures)
+      !> The model; nothing of it is read here.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      if (is_reduced(values)) return
+      measures(doubt_contact_too_wide) = results(r_contact_radius)/values(v_radius)
+      if (is_set(values(v_contact_radius))) measures(doubt_contact_too_wide) = values(v_contact_radius)/values(v_radius)
+      associate (unused => self)
+      end associate
+   end subroutine measure
 
    !> See `pointwise_model_t`.
    subroutine solve_sphere_point(self, values, state, results, error_estimate, status, counts)

@@ -6,7 +6,9 @@ module adfric_sphere_point
    use adfric_base_not_a_number, only: not_a_number
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_sphere_case, only: sphere_case_t, theory_auto
-   use adfric_sphere_contact, only: contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, friction_radius
+   use adfric_sphere_contact, only: contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, friction_radius, &
+      & part_bodies
+   use adfric_material_driven_contact, only: driven_error
    use adfric_material_interaction, only: adhesion_ratio
    use adfric_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
       & find_friction_events, forget_events, given_force, given_displacement
@@ -30,6 +32,8 @@ module adfric_sphere_point
       real(dp) :: ratio = 1
       !> Proved error of the theory, and the error estimate of the point, which contains it.
       real(dp) :: theory_error = 0, error_estimate = 0
+      !> Do the bodies neither touch nor attract each other?
+      logical :: is_apart = .false.
       !> Radius b of friction, and the load at which the contact separates.
       real(dp) :: friction_radius = 0, pull_off_load = 0
       !> gamma = e/b, tangential force and displacement, slip at the edge: mean and largest.
@@ -83,7 +87,9 @@ contains
       !> Receives what is found of the point, reduced.
       type(sphere_point_t), intent(out) :: point
       type(friction_state_t) :: state
+      real(dp) :: spring_error
 
+      spring_error = 0
       call forget_events(point%events)
       if (case%has_friction .and. case%is_sliding) point%ratio = adhesion_ratio(case%slip_energy_ratio, case%interaction)
       point%theory = case%theory
@@ -93,6 +99,7 @@ contains
          call take_drive(case, memory)
          call find_driven_state(memory%drive, case%tangential, state)
          call take_state(state, point)
+         spring_error = driven_error(memory%drive%jump, case%stiffness, case%tangential, state%force)
       else if (is_peeling(case)) then
          call find_static_state(memory%theory, new_friction(case), case%control, case%value, case%branch, &
             & merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
@@ -106,9 +113,12 @@ contains
             point%contact = memory%contact
             call find_contact(memory%theory, case%control, case%value, case%branch, point%contact)
          end if
+         if (.not. (point%contact%is_found .or. point%theory == theory_dmt .or. case%tangential > 0)) &
+            & call part_bodies(case%control, case%value, case%branch, point%contact, point%is_apart)
       end if
       memory%theory%ratio = point%ratio
       call finish_contact(case, memory, point)
+      if (point%status == status_solved) point%error_estimate = min(1.0_dp, point%error_estimate + spring_error)
       if (point%status == status_solved .and. case%pressure_factor > 0 .and. point%friction_radius > 0) then
          call add_sheared(case, memory, needs_events, point)
       else if (point%status == status_solved .and. case%has_friction .and. .not. (is_peeling(case) .or. case%is_base_given)) then
@@ -260,6 +270,7 @@ contains
          point%status = merge(status_no_equilibrium, status_not_converged, point%contact%is_converged)
          return
       end if
+      if (point%is_apart) return
       point%error_estimate = point%theory_error + get_mismatch_of(memory, point, case%control)
       if (.not. point%contact%is_converged .or. .not. point%error_estimate < 1) then
          point%status = status_not_converged
@@ -302,6 +313,10 @@ contains
       call new_sheared_sphere(point%sheared, memory%theory, point%contact, case%strength, case%pressure_factor, &
          & case%edge_fraction, case%poisson)
       associate (sphere => point%sheared)
+         if (.not. sphere%has_force) then
+            point%status = status_no_equilibrium
+            return
+         end if
          if (needs_events) then
             point%events%peak_force = sphere%largest_force
             point%events%peak_displacement = sphere%largest_displacement

@@ -20,6 +20,8 @@
 !> - Maugis-Dugdale: p_H - (2/pi) X lambda arctan(s0/sqrt(a^2 - r^2)) for r < a, which is J 2.12 with the arc cosine of a
 !>   number near 1 rewritten, -X lambda for a <= r <= c, 0 beyond; h_H + (8/3 pi) X lambda g, see `opening`. Without contact
 !>   (a = 0) the gap at the axis, which is 2/(pi lambda) less the rise from there to r = c, is added.
+!>
+!> Bodies apart (a = c = 0) have no pressure, and the gap r^2/2 - delta.
 module adfric_sphere_profiles
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
@@ -86,10 +88,13 @@ contains
          else
             self%width = contact%adhesion_radius
             self%least_gap = axial_gap(theory%lambda, self%tension, contact%adhesion_radius)
+            ! beyond the range of adhesion nothing pulls
+            if (-contact%approach > self%least_gap .and. .not. contact%adhesion_radius > 0) self%tension = 0
          end if
       class default
          self%is_found = .false.
       end select
+      if (.not. max(contact%radius, contact%adhesion_radius) > 0) self%least_gap = max(self%least_gap, -contact%approach)
    end subroutine new_profile
 
    !> Pressure at a distance r >= 0 from the axis; at r = c that of the inner side. NaN for JKR at r = a.

@@ -19,6 +19,7 @@ module adfric_sphere_shear_slip
    use adfric_numerics_scalar_root, only: equation_t, find_root
    use adfric_sphere_contact, only: contact_t, theory_t
    use adfric_sphere_dmt, only: dmt_t
+   use adfric_sphere_jkr, only: jkr_t
    use adfric_sphere_maugis_dugdale, only: maugis_t
    use adfric_material_slip_annulus, only: angle_of_force, gamma_of_force, slip_of_angle
    use adfric_sphere_static_friction, only: slip_factor
@@ -35,6 +36,8 @@ module adfric_sphere_shear_slip
    type, extends(shear_sums_t) :: sheared_sphere_t
       !> Shear strength, Poisson's ratio, and m.
       real(dp) :: strength = 0, poisson = 0, compliance = 1
+      !> Is there a force of sliding? In JKR the infinite tension at the edge may take more than all of it.
+      logical :: has_force = .true.
       !> Force of sliding and displacement at its onset, in the units of J 2.11.
       real(dp) :: largest_force = 0, largest_displacement = 0
    end type sheared_sphere_t
@@ -101,6 +104,11 @@ contains
       self%poisson = poisson
       self%compliance = slip_factor(poisson)/2
       self%largest_force = sliding_force(self, self%strength, force_unit*carried)/force_unit
+      select type (theory)
+      type is (jkr_t)
+         self%has_force = self%largest_force >= 0
+      end select
+      self%largest_force = max(self%largest_force, 0.0_dp)
       call sum_displacement(self, self%a**2, self%a**2, self%largest_displacement, slope)
       self%largest_displacement = self%compliance*self%largest_displacement
    end subroutine new_sheared_sphere

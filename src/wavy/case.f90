@@ -29,6 +29,8 @@ module adfric_wavy_case
       type(adhesion_t) :: given
       !> Is the load given? Else the penetration is.
       logical :: is_load_given = .false.
+      !> Does nothing relax and nothing adhere, so that friction and losses are 0?
+      logical :: is_elastic = .false.
       !> Is the pull-off load asked for? There is none without adhesion.
       logical :: wants_pull_off = .false.
       !> Load [h/K per period] or penetration [h].
@@ -80,6 +82,8 @@ contains
          surface%adhesion = acting_adhesion(self%given, surface%foundation%beta)
       end associate
 
+      self%is_elastic = .not. (values(v_velocity) > 0 .and. values(v_retardation_ratio) > 1) &
+         & .and. .not. self%surface%adhesion%stress > 0
       self%is_load_given = .not. is_set(values(v_penetration))
       if (is_set(values(v_load))) then
          self%load = values(v_load)/self%load_unit

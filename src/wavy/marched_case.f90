@@ -45,6 +45,8 @@ module adfric_wavy_marched_case
       integer :: edge = edge_continuous
       !> Is the branch the one that loading meets?
       logical :: is_approach = .false.
+      !> Does nothing relax and nothing adhere, so that friction and losses are 0?
+      logical :: is_elastic = .false.
       !> Is the load given? Else the penetration is.
       logical :: is_load_given = .false.
       !> Load [k0 h] or penetration [h].
@@ -246,6 +248,7 @@ contains
             self%range = self%range/self%height
          end if
       end if
+      self%is_elastic = .not. (self%pace > 0 .and. any(prony%moduli > 0)) .and. .not. self%stress > 0
       self%is_load_given = .not. is_set(values(v_penetration))
       if (is_set(values(v_load))) self%load = values(v_load)/self%load_unit
       if (is_set(values(v_mean_pressure))) self%load = values(v_mean_pressure)/self%pressure_unit

@@ -41,6 +41,9 @@ module adfric_wavy_marched_points
    real(dp), parameter :: as_good_as_zero = 1.0e-13_dp
    !> Round-off of load and friction, over the sizes of their terms and the pressure with which a glassy column answers to lengths.
    real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
+   !> Round-off of the lengths of slow dashpots in a contact, over that of one length: they are differences from those of
+   !> endless contact, found anew where each part of the contact begins.
+   real(dp), parameter :: share_of_places = 8
    !> Chords through half the samples err four times as much as through all, splines sixteen times: the change is 3 and 15 times the
    !> error, if all goes well, so that of chords counts this often.
    real(dp), parameter :: share_of_chords = 3
@@ -318,6 +321,8 @@ contains
       n = size(equilibrium%forces)
       associate (f => equilibrium%forces)
          friction = mean(f%friction)
+         ! the terms of an elastic column cancel but for round-off
+         if (point%is_elastic) friction = 0
          results(r_load) = mean(f%load)*point%load_unit
          if (is_set(values(v_load))) results(r_load) = values(v_load)
          if (is_set(values(v_mean_pressure))) results(r_load) = values(v_mean_pressure)*point%load_unit/point%pressure_unit
@@ -334,11 +339,12 @@ contains
          losses = mean(f%friction_scale) + mean(f%dissipation) + mean(abs(f%edge_loss))
          results(r_energy_imbalance) = 0
          if (losses > 0) results(r_energy_imbalance) = mean(f%energy_mismatch)/losses
+         if (point%is_elastic) results([r_dissipation, r_energy_imbalance]) = 0
          results(r_contact_count) = sum(f%n_contacts)
          results(r_adhesion_count) = sum(f%n_adhesions)
          results(r_snap_count) = sum(f%n_snaps)
          results(r_saturated_share) = count(regimes_of(f) == regime_saturated)/real(n, dp)
-         results(r_friction_sample_error) = error_of_mean(f%friction)*point%friction_unit
+         results(r_friction_sample_error) = merge(0.0_dp, error_of_mean(f%friction)*point%friction_unit, point%is_elastic)
          results(r_regime) = regime_mixed
          if (all(regimes_of(f) == regime_of(f(1)))) results(r_regime) = regime_of(f(1))
          if (n == 1 .and. f(1)%n_contacts == 0) then
@@ -393,19 +399,26 @@ contains
       type(march_equilibrium_t), intent(in) :: coarse
       !> Is there one?
       logical, intent(in) :: has_samples
-      real(dp) :: errors(2), sizes(2), change, lengths
+      real(dp) :: errors(2), sizes(2), change, lengths, of_places
 
       associate (f => self%equilibrium%forces, rows => self%equilibrium%rows, law => self%surface%law)
-         sizes = max(abs([mean(f%load), mean(f%friction)]), share_of_scale*[mean(f%load_scale), mean(f%friction_scale)])
+         sizes = abs([mean(f%load), mean(f%friction)])
+         sizes(1) = max(sizes(1), share_of_scale*mean(f%load_scale))
          ! a friction that is nothing beside the load has no digits of its own
          sizes(2) = max(sizes(2), negligible*sizes(1))
          ! places are known to the round-off of lengths, to which a column answers at once, and states to their last step
          lengths = 1 + abs(self%equilibrium%depth) + law%stress + law%shift
          errors = 0
          ! where nothing touches all forces are 0
-         if (any(f%n_contacts + f%n_adhesions > 0)) errors = [mean(abs(f%load_mismatch)), mean(abs(f%energy_mismatch))] &
-            & + round_off*([mean(f%load_scale), mean(f%friction_scale)] + self%surface%rows(1)%solid%glassy*lengths) &
-            & + maxval(rows%largest_step)
+         if (any(f%n_contacts + f%n_adhesions > 0)) then
+            associate (glassy => self%surface%rows(1)%solid%glassy, step => maxval(rows%largest_step))
+               errors(1) = mean(abs(f%load_mismatch)) + round_off*(mean(f%load_scale) + glassy*lengths) + step
+               ! a pressure that is off by a constant makes no friction but where contact begins lower than it ends
+               of_places = share_of_places*round_off*lengths + step
+               errors(2) = mean(abs(f%energy_mismatch)) + round_off*mean(f%friction_scale) &
+                  & + of_places*(glassy*mean(f%contact_rise) + law%stress)
+            end associate
+         end if
          change = 0
          if (has_samples) then
             change = 1
@@ -416,6 +429,7 @@ contains
          if (size(f) > 1) change = change + get_change(f(1::2), f(2::2), sizes)
       end associate
       if (self%point%is_load_given) errors(1) = 0
+      if (self%point%is_elastic) errors(2) = 0
       error = min(1.0_dp, maxval(errors/max(sizes, errors, tiny(1.0_dp))) + change)
    end function get_error
 

@@ -12,13 +12,14 @@ module adfric_wavy_model
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d, kind_map
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_given_surface, only: given_surface_t, take_given
-   use adfric_wavy_marched_case, only: is_marched
+   use adfric_wavy_marched_case, only: has_heights, is_marched
    use adfric_wavy_marched_check, only: check_marched_values
    use adfric_wavy_marched_description, only: describe_marched, doubt_marched, derive_marched
    use adfric_wavy_marched_points, only: solve_marched_block, solve_marched_profiles, row_places, column_places
    use adfric_wavy_profiles, only: get_profiles
    use adfric_wavy_strip_description, only: derive_strips, doubt_strips
    use adfric_wavy_strip_points, only: solve_strip_block
+   use adfric_wavy_surface_bounds, only: measure_heights, measure_waves
    use adfric_wavy_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_penetration, v_heights, v_kind, &
       & v_load, v_n_x, v_n_y, v_period, v_profiles
    implicit none (type, external)
@@ -49,6 +50,7 @@ module adfric_wavy_model
       procedure :: solve_profiles
       procedure :: derive_quantities
       procedure :: describe_doubts
+      procedure :: measure
       procedure :: unit_of
    end type wavy_model_t
 
@@ -321,5 +323,25 @@ contains
       end if
       text = doubt_strips(values)
    end function describe_doubts
+
+   !> See `model_t`.
+   subroutine measure(self, values, results, measures)
+      !> The model with its lists and datasets.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      if (has_heights(values)) then
+         call measure_heights(values, self%given, measures)
+      else
+         call measure_waves(values, self%given, measures)
+      end if
+      associate (unused => results)
+      end associate
+   end subroutine measure
 
 end module adfric_wavy_model

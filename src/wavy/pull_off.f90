@@ -29,6 +29,8 @@ module adfric_wavy_pull_off
    real(dp), parameter :: nearby = 1.0e-6_dp
    !> A load that is smaller than another one by this share of the stress is so for certain.
    real(dp), parameter :: distinct = 1.0e-9_dp
+   !> Largest part of the pull-off load that states which are not known may add.
+   real(dp), parameter :: uncertain = 1.0e-7_dp
    !> Share of the golden section.
    real(dp), parameter :: golden = 0.3819660112501051_dp
 
@@ -83,8 +85,12 @@ contains
       self%penetration = -surface%adhesion%stress
       if (self%is_converged) return
       call solve_load(adhered, 0.0_dp, neighbour, memory, unloaded)
-      if (unloaded%totals%n_strips == 0 .or. .not. unloaded%totals%is_converged) return
-      start = neighbour%last
+      if (unloaded%totals%n_strips > 0 .and. unloaded%totals%is_converged) then
+         start = neighbour%last
+      else
+         call find_loaded(adhered, memory, start)
+         if (.not. start%totals%is_converged) return
+      end if
       do k = 1, max_turns
          call follow_to_turn(adhered, memory, start, turns(k), high)
          if (.not. turns(k)%least%totals%is_converged) return
@@ -97,6 +103,26 @@ contains
       end do
       if (outcome == search_empty) call compare_turns(adhered, memory, turns(:k), self)
    end subroutine find_pull_off
+
+   !> A state that carries a load, where that without load is not found to its digits.
+   pure subroutine find_loaded(surface, memory, start)
+      !> The wavy surface: its foundation, adhesion and branch, in reduced units.
+      type(surface_t), intent(in) :: surface
+      !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
+      type(memory_t), intent(inout) :: memory
+      !> Receives the state; not converged if there is none.
+      type(trial_t), intent(out) :: start
+      ! penetrations that are tried: the first one, and by how much each is larger than the one before
+      real(dp), parameter :: first = 1.0e-3_dp, factor = 4
+      integer, parameter :: most_trials = 10
+      integer :: k
+
+      do k = 0, most_trials
+         call try_penetration(surface, first*factor**k, 0.0_dp, memory, start)
+         start%totals%is_converged = start%totals%is_converged .and. start%totals%load >= 0
+         if (start%totals%is_converged) return
+      end do
+   end subroutine find_loaded
 
    !> Is a load so small that no state carries it, on any branch?
    pure logical function is_below_pull_off(self, surface, load)
@@ -123,13 +149,19 @@ contains
       type(turn_t), intent(inout) :: turns(:)
       !> Receives the least load and its penetration.
       type(pull_off_t), intent(inout) :: self
+      real(dp) :: unknown
       integer :: k
 
       do k = size(turns), 1, -1
          associate (turn => turns(k))
             ! the load falls by no more than its slope allows
             if (self%is_converged .and. turn%least%totals%load - turn%slope_bound*(turn%high - turn%low) >= self%load) cycle
-            call narrow(surface, memory, turn%low, turn%high, turn%least)
+            call narrow(surface, memory, turn%low, turn%high, turn%least, unknown)
+            ! between the least load and a state that is not known the load may fall by its slope
+            if (unknown*turn%slope_bound > uncertain*abs(turn%least%totals%load)) then
+               self%is_converged = .false.
+               return
+            end if
             if (.not. has_moving_edges(surface)) call polish(surface, memory, turn%least)
             if (self%is_converged .and. turn%least%totals%load >= self%load) cycle
             self%load = turn%least%totals%load
@@ -231,7 +263,7 @@ contains
 
    !> The least load between two penetrations, one of which is known to carry less: by parabolas, and golden sections where
    !> these gain too little (Brent's method).
-   pure subroutine narrow(surface, memory, lowest, highest, least)
+   pure subroutine narrow(surface, memory, lowest, highest, least, unknown)
       !> The wavy surface: its foundation, adhesion and branch, in reduced units.
       type(surface_t), intent(in) :: surface
       !> Strips found before, as first guesses; they save time and change nothing. Out: those found here.
@@ -240,7 +272,10 @@ contains
       real(dp), intent(in) :: lowest, highest
       !> In: a penetration between them that carries less than both. Out: the penetration that carries least.
       type(trial_t), intent(inout) :: least
+      !> Receives how far the nearest state is that is not known; 0 if all are.
+      real(dp), intent(out) :: unknown
       type(trial_t) :: second, third, next
+      logical :: are_unknown(2)
       real(dp) :: low, high, ends(2), enough, middle, margin, step, before, last, p, q, r
       integer :: k
 
@@ -253,11 +288,13 @@ contains
       if (has_moving_edges(surface)) enough = max(surface%tolerance/10, round_off)
       second = least
       third = least
+      are_unknown = .false.
       last = 0
       before = 0
       do k = 1, max_iterations
          middle = (low + high)/2
-         margin = indistinct*max(1.0_dp, abs(least%penetration))/4
+         ! heights are known to the round-off of 1
+         margin = max(indistinct*abs(least%penetration)/4, 4*epsilon(margin))
          if (abs(least%penetration - middle) <= 2*margin - (high - low)/2) exit
          ! a smooth turn is so flat that its place matters less than its load
          if (maxval(ends) - least%totals%load <= enough*surface%adhesion%stress) exit
@@ -276,9 +313,13 @@ contains
          end if
          step = last
          if (abs(step) < margin) step = sign(margin, last)
-         call try_penetration(surface, least%penetration + step, 0.0_dp, memory, next)
-         if (.not. next%totals%is_converged) exit
-         if (next%totals%load <= least%totals%load) then
+         call try_near(surface, least%penetration + step, least%penetration, 0.0_dp, memory, next)
+         if (.not. next%totals%is_converged) then
+            ! next to the end of a branch, whose state is not known: the search goes on between it and the least load
+            if (step < 0) low = next%penetration
+            if (step > 0) high = next%penetration
+            are_unknown = are_unknown .or. [step < 0, step > 0]
+         else if (next%totals%load <= least%totals%load) then
             if (next%penetration < least%penetration) then
                high = least%penetration
                ends(2) = least%totals%load
@@ -305,6 +346,8 @@ contains
             end if
          end if
       end do
+      unknown = maxval([least%penetration - low, high - least%penetration], are_unknown)
+      unknown = max(unknown, 0.0_dp)
    end subroutine narrow
 
 end module adfric_wavy_pull_off

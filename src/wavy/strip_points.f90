@@ -142,9 +142,6 @@ contains
          if (point%is_load_given) results(r_load) = point%load*point%load_unit
          results(r_penetration) = equilibrium%penetration*point%height
          results(r_friction_force) = t%friction*point%friction_unit
-         if (abs(results(r_load)) > as_good_as_zero*t%load_scale*point%load_unit) then
-            results(r_friction_coefficient) = results(r_friction_force)/results(r_load)
-         end if
          results(r_contact_area) = t%contact*point%area_unit
          results(r_adhesion_area) = t%adhesion*point%area_unit
          results(r_dissipation) = t%dissipation*point%friction_unit
@@ -153,6 +150,10 @@ contains
          losses = max(t%friction_scale + t%dissipation + abs(t%edge_loss), negligible*t%load_scale)
          results(r_energy_imbalance) = 0
          if (losses > 0) results(r_energy_imbalance) = t%energy_mismatch/losses
+         ! the terms of an elastic column cancel but for round-off
+         if (point%is_elastic) results([r_friction_force, r_dissipation, r_energy_imbalance]) = 0
+         if (abs(results(r_load)) > as_good_as_zero*t%load_scale*point%load_unit) &
+            & results(r_friction_coefficient) = results(r_friction_force)/results(r_load)
       end associate
       associate (crest => equilibrium%crest)
          width = 2*crest%half_width

@@ -97,7 +97,7 @@ contains
 
       v(v_velocity) = any_number(group='operating', name='velocity', unit='m/s', meaning='sliding velocity', lower=0.0_dp)
       v(v_temperature) = above_zero(group='operating', name='temperature', unit='K', &
-         & meaning='temperature of the foundation; the reference temperature if not given')
+         & meaning='temperature of the foundation; shift needs it')
       v(v_load) = any_number(group='operating', name='load', unit='N/m; N for wave_3d and map', meaning='load on one period')
       v(v_mean_pressure) = any_number(group='operating', name='mean_pressure', unit='Pa', &
          & meaning='load over the area of one period, instead of the load')

@@ -4,6 +4,7 @@ module fit_cases
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
    use adfric_fit_problem
+   use adfric_indenter_model, only: indenter_model_t, new_indenter_model
    use adfric_model_model, only: model_t
    use adfric_sphere_model, only: sphere_model_t, new_sphere_model
    use adfric_sphere_variables, sphere_friction => r_friction_force, sphere_load => r_load, v_sphere_load => v_load
@@ -19,6 +20,7 @@ module fit_cases
    type :: models_t
       type(sphere_model_t) :: sphere
       type(wavy_model_t) :: wavy
+      type(indenter_model_t) :: indenter
    end type models_t
 
 contains
@@ -29,6 +31,7 @@ contains
 
       call new_sphere_model(models%sphere)
       call new_wavy_model(models%wavy)
+      call new_indenter_model(models%indenter)
    end subroutine new_models
 
    !> Values of a sphere without anything measured.
@@ -275,6 +278,8 @@ contains
          free%nuisance = nuisance_lateral_gain
       case ('spring_stiffness')
          free%nuisance = nuisance_spring_stiffness
+      case ('tilt')
+         free%nuisance = nuisance_tilt
       case default
          free%variable = place_of(fit%model, name)
          free%unit = fit%model%variables(free%variable)%unit

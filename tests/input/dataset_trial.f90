@@ -7,6 +7,7 @@ module dataset_trial
    use adfric_input_namelist_file, only: namelist_file_t, new_namelist_file
    use adfric_input_run, only: run_input_t, read_case
    use adfric_model_table, only: variable_t, kind_dataset
+   use adfric_run_doubting_model, only: doubting_model_t
    use trial_model, only: trial_model_t, new_trial_model
    implicit none (type, external)
    private
@@ -87,6 +88,12 @@ contains
       select type (reader => run%model)
       type is (dataset_model_t)
          model = reader
+      type is (doubting_model_t)
+         ! without problems the run has completed it
+         select type (inner => reader%inner)
+         type is (dataset_model_t)
+            model = inner
+         end select
       end select
       lines = ''
       do k = 1, problems%count()

@@ -163,6 +163,87 @@ class Sets(Fits):
         self.run_program("fit", "--resume", "run.nml", status=3)
 
 
+class Curves(Fits):
+    """Whole curves of load against approach: base line, contact, tilt."""
+
+    TIP = ("&job model = 'indenter', output = 'run.h5' /\n&shape kind = 'paraboloid', radius = {radius} /\n&solid poisson_ratio = 0.5 /\n"
+           "&data file = '{file}', abscissa = '{abscissa}', ordinate = 'load' /\n&free variable = 'young_modulus' /\n"
+           "&free variable = 'contact_point' /\n")
+
+    def test_whole(self):
+        """A base line and contact, unmarked: E = 230 kPa, touch at 330 nm, for the indenter as for the sphere."""
+        file = SETS / "whole_hertz.csv"
+        found = self.fit(self.TIP.format(radius=40e-9, file=file, abscissa="approach"))
+        self.assertEqual(int(found["status"]), 0)
+        self.assertLess(abs(found["young_modulus"] / 230e3 - 1), 0.01)
+        self.assertLess(abs(found["contact_point"] - 330e-9), 1e-9)
+        sphere = self.fit("&job model = 'sphere', output = 'run.h5' /\n&sphere radius = 40e-9, poisson_ratio = 0.5 /\n&model theory = 'hertz' /\n"
+                          f"&data file = '{file}', abscissa = 'approach', ordinate = 'load' /\n&free variable = 'young_modulus' /\n"
+                          "&free variable = 'contact_point' /\n")
+        for name in ("young_modulus", "contact_point"):
+            self.assertLess(abs(found[name] - sphere[name]), 1e-3 * sphere[f"{name}_error"], name)
+
+    def test_adhesion(self):
+        """Contact alone, down to its end, without starts."""
+        text = self.TIP.format(radius=1e-6, file=SETS / "contact_jkr.csv", abscissa="approach") + "&free variable = 'work_of_adhesion' /\n"
+        found = self.fit(text)
+        for name, value in (("young_modulus", 1e6), ("contact_point", 150e-9), ("work_of_adhesion", 1e-3)):
+            self.assertLess(abs(found[name] / value - 1), 0.01, name)
+
+    def test_tilt(self):
+        """A base line with a slope is named; free, it gives E* = 2 GPa; the figure's branch tells nothing that the data do not."""
+        rng = np.random.default_rng(3)
+        load = np.r_[np.zeros(100), np.arange(1, 101) * 5e-10]
+        z = np.r_[np.arange(-99, 1) * 1e-9, (0.75 * load[100:] / (2e9 * np.sqrt(2e-8)))**(2 / 3) + load[100:] / 0.5] + 2e-7
+        measured = load + 3e-3 * z + rng.normal(0, 1e-11, z.size)
+        self.write("base_approach,load\n" + "".join(f"{a!r},{b!r}\n" for a, b in zip(z.tolist(), measured.tolist())), "tip.csv")
+        text = self.TIP.format(radius=2e-8, file="tip.csv", abscissa="base_approach").replace("young_modulus", "contact_modulus")
+        text = text.replace("poisson_ratio = 0.5", "") + "&operating machine_stiffness = 0.5 /\n&free variable = 'load_offset' /\n"
+        self.write(text)
+        output, _ = self.run_program("fit", "--force", "run.nml")
+        self.assertIn("warning: the base line of tip.csv has a slope of ", output)
+        self.assertGreater(abs(self.read("run.h5")["contact_modulus"] / 2e9 - 1), 0.2)
+        self.write(text + "&free variable = 'tilt' /\n")
+        output, _ = self.run_program("fit", "--force", "run.nml")
+        self.assertNotIn("slope", output)
+        found = self.read("run.h5")
+        self.assertLess(abs(found["contact_modulus"] - 2e9), 4 * found["contact_modulus_error"])
+        self.assertLess(abs(found["tilt"] - 3e-3), 4 * found["tilt_error"])
+        with h5py.File(self.folder / "run.h5") as file:
+            self.assertEqual(file["tilt"].attrs["units"], "N/m")
+
+    def test_jump(self):
+        """With adhesion the base line is found from the jump, and check says so before anything is fitted."""
+        rng = np.random.default_rng(4)
+        # JKR in units of its own: P = t^2 - sqrt(6) t, delta = t^(1/3) (t - (2/3) sqrt(6)), t = a^(3/2)
+        t = np.linspace(np.sqrt(6) / 6, 3, 80)
+        unit, depth = np.pi * 1e-3 * 1e-6, (9 * np.pi**2 * 1e-6 * 1e-6 / (16 * 1e12))**(1 / 3)
+        delta, load = depth * np.cbrt(t) * (t - 2 / 3 * np.sqrt(6)), unit * (t**2 - np.sqrt(6) * t)
+        x = np.r_[delta[::-1], delta[0] - np.arange(1, 61) * 1e-9] + 1e-6
+        y = np.r_[load[::-1], np.zeros(60)] + 2e-9 + rng.normal(0, 2e-11, 140)
+        self.write("approach,load\n" + "".join(f"{a!r},{b!r}\n" for a, b in zip(x.tolist(), y.tolist())), "tip.csv")
+        self.write(self.TIP.format(radius=1e-6, file="tip.csv", abscissa="approach").replace("young_modulus", "contact_modulus")
+                   .replace("poisson_ratio = 0.5", "") + "&free variable = 'work_of_adhesion' /\n&free variable = 'load_offset' /\n")
+        output, _ = self.run_program("check", "run.nml")
+        self.assertIn("60 points of data[1], found from the jump of the load", output)
+        output, _ = self.run_program("fit", "--force", "run.nml")
+        self.assertIn("60 points, found from the jump of the load", output)
+        found = self.read("run.h5")
+        self.assertEqual(int(np.sum(found["branch"] == 0)), 60)
+        for name, value in (("contact_modulus", 1e6), ("work_of_adhesion", 1e-3), ("contact_point", 1e-6)):
+            self.assertLess(abs(found[name] - value), 4 * found[f"{name}_error"], name)
+
+    def test_drawn_curve(self):
+        """Of data over decades the curve is even in ratios, and nowhere do chords of it leave the model."""
+        self.write((SOURCE / "inputs/fit_velocity.nml").read_text().replace("fit_velocity.csv", str(SOURCE / "inputs/fit_velocity.csv")))
+        self.run_program("fit", "run.nml", "--output", "run.h5")
+        found = self.read("run.h5")
+        x, y = np.log(found["curve_x"]), found["curve"]
+        self.assertLess(np.diff(x).max() / np.diff(x).min(), 6)
+        chord = y[:-2] + (y[2:] - y[:-2]) * (x[1:-1] - x[:-2]) / (x[2:] - x[:-2])
+        self.assertLess(np.abs(y[1:-1] - chord).max(), 0.01 * np.ptp(y))
+
+
 class Stacks(Fits):
     """A map of 144 curves."""
 
@@ -257,6 +338,8 @@ class Refusals(Fits):
         ("abscissa = 'load'", "abscissa = 'load', from = 1, to = 0", "&data[1] to: no range"),
         ("abscissa = 'load'", "abscissa = 'load', from = 1", "&data[1] file: no point can be used, given 4 points in tip.csv, 1 of them without"),
         ("abscissa = 'load'", "abscissa = 'load', loss_width = 2", "loss_width: has no meaning"),
+        ("abscissa = 'load'", "abscissa = 'load', tilt = 1", "&data[1] tilt: has no effect on friction_force against load"),
+        ("variable = 'shear_strength'", "variable = 'tilt'", "tilt has no effect on friction_force against load"),
         ("abscissa = 'load'", "abscissa = 'load', loss = 'hubert'", "unknown choice", "did you mean 'huber'?"),
         ("abscissa = 'load'", "abscissa = 'load', sigma_column = '', loss = 'huber'", "loss: needs standard errors"),
         ("variable = 'shear_strength'", "variable = 'shear_strenth'", "&free[1] variable: unknown variable", "did you mean 'shear_strength'?"),

@@ -104,6 +104,22 @@ class OddFiles(Runs):
                         self.assertEqual(errors, f"{part}: cannot read: this is no regular file\n")
         self.assertFalse((self.folder / "all.h5").exists())
 
+    def test_tables_that_are_no_files(self):
+        # a pipe that nobody writes to, and devices: none is waited for
+        (self.folder / "folder.csv").mkdir()
+        os.mkfifo(self.folder / "pipe.csv")
+        for table in ("pipe.csv", "folder.csv", "pipe.csv:/x"):
+            name = table if ":" in table else f"{table}:load"
+            self.write(POINTS.replace("from = 1, to = 2, count = 900", f"values = '{name}'"))
+            with self.subTest(table=table):
+                _, errors = self.run_program("check", "run.nml", status=2)
+                self.assertRegex(errors, r"^run\.nml: &sweep\[1\] values: .*(no regular file|directory)")
+                self.assertEqual(errors.count("\n"), 1)
+        for name in ("pipe.csv", "/dev/zero", "/dev/null"):
+            with self.subTest(input=name):
+                _, errors = self.run_program("check", name, status=2)
+                self.assertTrue(errors.startswith(f"{name}: "), errors)
+
     def test_link_stays(self):
         self.write(POINTS)
         (self.folder / "store").mkdir()

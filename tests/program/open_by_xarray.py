@@ -56,6 +56,18 @@ class OpenByXarray(unittest.TestCase):
                            check=True, capture_output=True)
             self.assertGreater(path.with_suffix(".png").stat().st_size, 0)
 
+    def test_doubt(self):
+        results = self.run_input("""
+&job model = 'indenter', output = 'run.h5' /
+&shape kind = 'paraboloid', radius = 1e-6 /
+&solid contact_modulus = 1e6 /
+&sweep variable = 'approach', values = -1e-7, 1e-8, 2.4e-7, 2.6e-7 /
+""")
+        self.assertEqual(results.doubt.dtype, np.int8)
+        meanings = dict(zip(results.doubt.attrs["flag_values"], results.doubt.attrs["flag_meanings"].split()))
+        self.assertEqual([meanings[int(k)] for k in results.doubt], ["none", "none", "none", "contact_too_wide"])
+        self.assertEqual(results.status.values.tolist(), [0, 0, 0, 0])
+
     def test_wave_2d(self):
         results = self.run_input(WAVE_2D)
         self.assertEqual(results.friction_force.dims, ("stress", "load"))

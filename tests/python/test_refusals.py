@@ -35,6 +35,9 @@ class Refusals(InFolder):
         self.check_values(InputError, ("theory", "hertzz", "did you mean 'hertz'"), theory="hertzz")
         self.check_values(InputError, ("name of a variable", "without characters that are 0"), **{"load\0x": 1.0})
         self.check_values(InputError, ("theory", "without characters that are 0"), theory="jkr\0x")
+        for path in ("a.nml\0b.nml", b"a.nml\0"):
+            with self.assert_raises_text(InputError, "path", "without characters that are 0"):
+                adfric.Case.read(path)
         with self.assert_raises_text(KeyError, "did you mean 'sphere'"):
             adfric.models()["spheer"]
         for name in (3, None, b"sphere"):

@@ -16,7 +16,7 @@ module search_rules
    use adfric_wavy_variables, only: r_adhesion_area, r_contact_area, r_friction_coefficient, r_friction_force, r_load, &
       & r_penetration, v_kind, v_stress
    use model_calls, only: solve_values
-   use random_dice, only: dice_t
+   use random_dice, only: dice_t, new_dice
    use search_data, only: give_data, rescale_data
    use search_draw, only: drawn_case_t
    use search_units, only: n_dimensions, dimensions_of, unit_in_case
@@ -60,6 +60,7 @@ contains
       type(dice_t), intent(inout) :: dice
       character(:), allocatable, intent(out) :: fault
       type(result_t), allocatable :: results(:)
+      real(dp) :: powers(n_dimensions)
       integer :: i
 
       ! of this size already, or gfortran 12 warns
@@ -70,7 +71,14 @@ contains
          if (len(fault) == 0) call judge_point(results, answer, i, is_under_load(model, drawn%values(:, i)), fault)
       end do
       if (len(fault) == 0) call judge_alone(model, results, drawn, answer, fault)
-      if (len(fault) == 0) call judge_other_units(model, results, drawn, answer, dice, fault)
+      if (len(fault) == 0) then
+         call draw_powers_of_two(dice, powers)
+         call judge_other_units(model, results, drawn, answer, powers, fault)
+      end if
+      if (len(fault) == 0) then
+         call draw_scales(drawn, powers)
+         call judge_other_units(model, results, drawn, answer, powers, fault)
+      end if
       if (len(fault) == 0) call judge_order(model, results, drawn, answer, fault)
       if (len(fault) == 0) call judge_profiles(model, drawn, answer, fault)
    end subroutine find_fault
@@ -153,26 +161,53 @@ contains
       end do
    end subroutine judge_alone
 
+   !> Units that are squares and cubes of powers of two cost no digits.
+   subroutine draw_powers_of_two(dice, powers)
+      type(dice_t), intent(inout) :: dice
+      !> Of two, for Pa, m, s.
+      real(dp), intent(out) :: powers(n_dimensions)
+      integer :: k, number
+
+      do k = 1, n_dimensions
+         call dice%choose(7, number)
+         powers(k) = 6*(number - 4)
+      end do
+   end subroutine draw_powers_of_two
+
+   !> Any units: stresses, lengths and times by 1e-12 to 1e12, one at a time or all together. All numbers are rounded anew.
+   subroutine draw_scales(drawn, powers)
+      !> The case tells the dice, so that it stands as it was for the next one.
+      type(drawn_case_t), intent(in) :: drawn
+      !> Of two, for Pa, m, s; any numbers.
+      real(dp), intent(out) :: powers(n_dimensions)
+      real(dp), parameter :: most_decades = 12, twos = log(10.0_dp)/log(2.0_dp)
+      type(dice_t) :: dice
+      integer :: k, which
+
+      call new_dice(dice, sum(abs(exponent(drawn%values))))
+      call dice%choose(n_dimensions + 1, which)
+      powers = 0
+      do k = 1, n_dimensions
+         if (which <= n_dimensions .and. which /= k) cycle
+         call dice%between(-most_decades*twos, most_decades*twos, powers(k))
+      end do
+   end subroutine draw_scales
+
    !> In other units of stress, length and time everything is the same.
-   subroutine judge_other_units(model, results, drawn, answer, dice, fault)
+   subroutine judge_other_units(model, results, drawn, answer, powers, fault)
       class(model_t), intent(in) :: model
       type(result_t), intent(in) :: results(:)
       type(drawn_case_t), intent(in) :: drawn
       type(answer_t), intent(in) :: answer
-      type(dice_t), intent(inout) :: dice
+      !> Of two, for Pa, m, s.
+      real(dp), intent(in) :: powers(:)
       character(:), allocatable, intent(inout) :: fault
       type(drawn_case_t) :: other
       class(model_t), allocatable :: other_model
       type(answer_t) :: scaled
-      real(dp) :: powers(n_dimensions)
       logical :: is_valid
-      integer :: i, k, number
+      integer :: i, k
 
-      do k = 1, n_dimensions
-         call dice%choose(7, number)
-         ! units that are squares and cubes of powers of two cost no digits
-         powers(k) = 6*(number - 4)
-      end do
       call rescale(model, drawn, powers, other, is_valid)
       if (.not. is_valid) return
       if (size(other%data) > 0) then
@@ -190,7 +225,8 @@ contains
       end do
       do i = 1, size(answer%status)
          call compare(model, results, drawn%values(:, i), answer, i, scaled, i, fault)
-         if (len(fault) > 0) fault = 'in other units: '//fault
+         if (len(fault) > 0) fault = 'in units '//show(2**powers(1))//' Pa, '//show(2**powers(2))//' m, '//show(2**powers(3))// &
+            & ' s: '//fault
          if (len(fault) > 0) return
       end do
    end subroutine judge_other_units
@@ -270,15 +306,16 @@ contains
       end do
    end subroutine compare
 
-   !> What a difference of a result is measured by, where the result itself is smaller: a component of a field by the whole field;
-   !> load and friction by a share of the tractions they are made of, and friction that is nothing beside the load by that
-   !> (`docs/wavy.md`).
+   !> What a difference of a result is measured by, where the result itself is smaller: a component of a field by the whole
+   !> field; load and approach of a contact by a share of those of pull-off (`docs/indenter.md`); load and friction of a wave by a
+   !> share of the tractions they are made of, and friction that is nothing beside the load by that (`docs/wavy.md`).
    real(dp) function least_size(model, results, values, found, k) result(least)
       class(model_t), intent(in) :: model
       type(result_t), intent(in) :: results(:)
       real(dp), intent(in) :: values(:), found(:)
       !> Number of the result.
       integer, intent(in) :: k
+      real(dp), parameter :: share_of_pull_off = 0.06_dp
       integer :: i
 
       least = 0
@@ -288,6 +325,11 @@ contains
          end do
       else if (model%name == 'wavy_sliding') then
          least = least_wavy_size(model, values, found, k)
+      else
+         do i = 1, size(results)
+            if (results(i)%name /= 'pull_off_'//results(k)%name .or. ieee_is_nan(found(i))) cycle
+            least = share_of_pull_off*abs(found(i))
+         end do
       end if
    end function least_size
 

@@ -28,6 +28,9 @@ module adfric_wavy_march_forces
       real(dp) :: load_mismatch = 0, energy_mismatch = 0
       !> Sizes of the terms of load and friction.
       real(dp) :: load_scale = 0, friction_scale = 0
+      !> By how much the heights change from the beginning to the end of contacts, whatever its sign; a pressure that is off by
+      !> a constant changes friction by that, and not more.
+      real(dp) :: contact_rise = 0
       !> Numbers of contacts, adhesion zones, free zones, and of edges where the surface snaps off.
       integer :: n_contacts = 0, n_adhesions = 0, n_free = 0, n_snaps = 0
       !> Middle and length of the contact if there is one, in periods from where the period begins, along the way.
@@ -100,6 +103,7 @@ contains
       forces%friction_scale = forces%friction_scale + size_of_work
       forces%dissipation = forces%dissipation + (work - stored)
       forces%contact = forces%contact + zone%duration
+      forces%contact_rise = forces%contact_rise + abs(zone%last_height - zone%first_height)
       displacement = displacement + depth*zone%duration + heights
    end subroutine add_contact
 
@@ -115,7 +119,7 @@ contains
       real(dp), intent(out) :: heights
       !> Receives the integral of the pressure over heights, without the penetration, and the size of its terms.
       real(dp), intent(out) :: work, size_of_work
-      real(dp) :: from_height, to_height
+      real(dp) :: from_height, to_height, kept
       real(dp) :: c(0:way%degree), first_moments(way%degree), part, from, to, first(way%solid%n), growth(way%solid%n), &
          & disturbance(way%solid%n)
       integer :: j, m
@@ -124,6 +128,8 @@ contains
       work = 0
       size_of_work = 0
       disturbance = first_disturbance
+      ! what slow arms keep of their disturbance all but cancels what endless contact has; both act over the same change of height
+      kept = sum(way%solid%stiffness*disturbance, way%is_slow)
       from_height = 0
       to_height = 0
       do j = start%piece, finish%piece
@@ -142,17 +148,17 @@ contains
             do m = 1, way%degree
                first_moments(m) = sum(way%moments(:, m)*disturbance)
             end do
-            part = way%work_sum(j) - way%work_sum(j - 1) + sum(first_moments*c(1:))
-            disturbance = disturbance*way%decay(:, 1)
             ! whole pieces follow each other, so that heights have to be known at the ends only
             if (j == start%piece .or. (j == start%piece + 1 .and. start%theta > 0)) from_height = c(0)
             to_height = way%coefficients(0, modulo(j, way%n) + 1)
-            size_of_work = size_of_work + abs(work_of_heights(way, c(0), to_height))
+            part = way%work(j) + sum((first_moments - kept)*c(1:))
+            disturbance = disturbance*way%decay(:, 1)
+            size_of_work = size_of_work + abs(work_of_heights(way, c(0), to_height, kept))
          end if
          work = work + part
          size_of_work = size_of_work + abs(part)
       end do
-      work = work + work_of_heights(way, from_height, to_height)
+      work = work + work_of_heights(way, from_height, to_height, kept)
    end subroutine integrate_contact
 
    !> Coefficients of a part of a piece, from 0 to 1 on the part.

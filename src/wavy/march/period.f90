@@ -8,7 +8,7 @@ module adfric_wavy_march_period
    use adfric_base_kinds, only: dp
    use adfric_wavy_march_law, only: march_law_t
    use adfric_wavy_march_solid, only: product_of
-   use adfric_wavy_march_way, only: way_t, decay_of, expm1_of, height_at, stretches_at, pressure_sum_at
+   use adfric_wavy_march_way, only: way_t, decay_of, expm1_of, height_at, stretches_at, pressure_since
    use adfric_wavy_march_zone_end, only: place_t, end_contact, end_open_zone, period_over, zone_closes
    implicit none (type, external)
    private
@@ -229,8 +229,8 @@ contains
          grown = (zone%last_height - zone%first_height) - (last - first)
          where (way%is_slow) grown = last_growth - first_growth
          zone%load = depth*zone%duration - sum(s%stiffness*s%time*disturbance*lost) &
-            & + pressure_sum_at(way, zone%finish%piece, zone%finish%theta, last, last_growth) &
-            & - pressure_sum_at(way, zone%start%piece, zone%start%theta, first, first_growth)
+            & + pressure_since(way, zone%start%piece - 1, zone%finish%piece, zone%finish%theta, last, last_growth) &
+            & - pressure_since(way, zone%start%piece - 1, zone%start%piece, zone%start%theta, first, first_growth)
          period%growth = period%growth + grown - disturbance*lost
       end associate
    end subroutine pass_contact

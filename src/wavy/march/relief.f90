@@ -6,7 +6,7 @@
 module adfric_wavy_march_relief
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
-   use adfric_shape_height_line, only: height_line_t, new_cosine_line, new_sampled_line
+   use adfric_shape_height_line, only: height_line_t, new_cosine_line, new_sampled_line, same_height
    use adfric_shape_period_seam, only: seam_t
    use adfric_shape_periodic_heights, only: preparation_t, prepare_heights
    use adfric_shape_polynomial, only: get_turning_places, polynomial_at
@@ -112,9 +112,10 @@ contains
       end do
    end subroutine reduce
 
-   !> Where a piece is highest, 0 to 1; its ends are where others are higher, unless it begins with its highest place.
+   !> Where a piece is highest, 0 to 1. Of a crest between two pieces round-off decides which one it belongs to, so the end
+   !> counts as well as the beginning.
    pure real(dp) function highest_place(c) result(place)
-      !> Coefficients of the piece; shape `(0:degree)`.
+      !> Coefficients of the piece, in units of the height; shape `(0:degree)`.
       real(dp), intent(in) :: c(0:)
       real(dp) :: places(4), highest
       integer :: i, n_places
@@ -127,6 +128,7 @@ contains
          place = places(i)
          highest = polynomial_at(c, place)
       end do
+      if (sum(c) > highest + same_height) place = 1
    end function highest_place
 
 end module adfric_wavy_march_relief

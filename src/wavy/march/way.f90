@@ -10,13 +10,14 @@
 !> slow arms lose no digits.
 module adfric_wavy_march_way
    use adfric_base_kinds, only: dp
+   use adfric_numerics_exact_pairs, only: get_sum
    use adfric_numerics_libm, only: expm1
    use adfric_numerics_phi_functions, only: get_phi_functions, get_exponential_moments
    use adfric_shape_height_line, only: height_line_t
    use adfric_wavy_march_solid, only: solid_t
    implicit none (type, external)
    private
-   public :: way_t, new_way, height_at, steepness_at, stretches_at, pressure_sum_at, decay_of, expm1_of, &
+   public :: way_t, new_way, height_at, steepness_at, stretches_at, pressure_since, decay_of, expm1_of, &
       & get_double_moment, work_of_heights, n_levels, block_length, negligible_term
 
    !> Levels of blocks: pieces, and blocks of them.
@@ -63,11 +64,15 @@ module adfric_wavy_march_way
       real(dp), allocatable :: forcing(:, :)
       !> m times the moments m - 1 of the decay in a piece, times stiffness; shape `(n_arms, degree)`.
       real(dp), allocatable :: moments(:, :)
-      !> The same for what goes into `work_sum`: of slow arms, minus the integral of what the dashpot grows by; shape `(n_arms, degree)`.
+      !> The same for what goes into `work`: of slow arms, minus the integral of what the dashpot grows by; shape `(n_arms,
+      !> degree)`.
       real(dp), allocatable :: work_moments(:, :)
-      !> Integrals up to each place: of the endless pressure over time; over heights, of what fast arms push and of minus what the
-      !> growths of slow ones do. The rest is a function of the heights alone, see `work_of_heights`. Shape `(0:n)`.
-      real(dp), allocatable :: pressure_sum(:), work_sum(:)
+      !> Integrals of the endless pressure over time up to each place, with what their rounding left: contact of a few pieces is
+      !> a small difference of large sums. Shape `(0:n)`.
+      real(dp), allocatable :: pressure_sum(:), pressure_rest(:)
+      !> Integrals over the heights of each piece, of what fast arms push and of minus what the growths of slow ones do. The
+      !> rest is a function of the heights alone, see `work_of_heights`. Shape `(n)`.
+      real(dp), allocatable :: work(:)
       !> Bounds over blocks of each level; shape `(n_levels)`.
       type(block_bounds_t), allocatable :: bounds(:)
       !> Stiffness of the springs that heights alone stretch, those of slow arms and the relaxed one, and what the lengths of slow
@@ -189,7 +194,7 @@ contains
       integer :: j
 
       allocate (self%head(self%solid%n, (self%n + head_distance - 1)/head_distance))
-      allocate (self%pressure_sum(0:self%n), self%work_sum(0:self%n), self%bounds(1)%pressure(self%n))
+      allocate (self%pressure_sum(0:self%n), self%pressure_rest(0:self%n), self%work(self%n), self%bounds(1)%pressure(self%n))
       allocate (self%first_length(self%solid%n), source=0.0_dp)
       allocate (self%moments(self%solid%n, self%degree), self%work_moments(self%solid%n, self%degree))
       call set_weights(self, total, work, weights, mean_of)
@@ -209,7 +214,7 @@ contains
       self%elastic_offset = sum(self%solid%stiffness*self%first_length)
       state = first
       self%pressure_sum(0) = 0
-      self%work_sum(0) = 0
+      self%pressure_rest(0) = 0
       do j = 1, self%n
          if (mod(j - 1, head_distance) == 0) self%head(:, (j - 1)/head_distance + 1) = state
          call add_piece(self, j, state, total, work, mean_of)
@@ -337,7 +342,7 @@ contains
       real(dp), intent(in), contiguous :: state(:)
       !> Weights, see `set_weights`.
       real(dp), intent(in), contiguous :: total(:), work(:, :), mean_of(:)
-      real(dp) :: stretch(self%solid%n), pressure, energy, slopes(0:self%degree - 1), least_slope, above, below
+      real(dp) :: stretch(self%solid%n), pressure, energy, rest, slopes(0:self%degree - 1), least_slope, above, below
       integer :: m
 
       associate (c => self%coefficients(:, j), low => self%bounds(1)%lowest(j), &
@@ -355,8 +360,9 @@ contains
          do m = 0, self%degree
             pressure = pressure + c(m + 1)/(m + 1)
          end do
-         self%pressure_sum(j) = self%pressure_sum(j - 1) + pressure*self%step
-         self%work_sum(j) = self%work_sum(j - 1) + energy
+         call get_sum(self%pressure_sum(j - 1), pressure*self%step, self%pressure_sum(j), rest)
+         self%pressure_rest(j) = self%pressure_rest(j - 1) + rest
+         self%work(j) = energy
          least_slope = minval(to_bernstein(slopes))
          above = high - self%coefficients(0, j)
          below = low - self%coefficients(0, j)
@@ -423,13 +429,15 @@ contains
 
    !> Integral over heights of the pressure that follows from the heights alone, without the penetration: of the relaxed spring, and
    !> of slow arms whose dashpots stay as they are where the period begins.
-   pure real(dp) function work_of_heights(self, first, last) result(work)
+   pure real(dp) function work_of_heights(self, first, last, stress) result(work)
       !> The way.
       type(way_t), intent(in) :: self
       !> Heights where the integral begins and ends.
       real(dp), intent(in) :: first, last
+      !> A stress that stays and adds to the pressure.
+      real(dp), intent(in) :: stress
 
-      work = (last - first)*(self%elastic_stiffness*(last + first)/2 - self%elastic_offset)
+      work = (last - first)*(self%elastic_stiffness*(last + first)/2 - (self%elastic_offset - stress))
    end function work_of_heights
 
    !> Derivative of the height with respect to theta.
@@ -539,10 +547,12 @@ contains
       stretch = stretch + (start - b)*decay_of(z*theta)
    end function relaxed_stretch
 
-   !> Integral of the pressure of endless contact at no penetration over time, from the beginning of the period.
-   pure real(dp) function pressure_sum_at(self, j, theta, stretch, growth) result(total)
+   !> Integral of the pressure of endless contact at no penetration over time, from the end of one piece to a place in another one.
+   pure real(dp) function pressure_since(self, first, j, theta, stretch, growth) result(total)
       !> The way.
       type(way_t), intent(in) :: self
+      !> Number of the piece whose end the integral begins at; 0 for the beginning of the period.
+      integer, intent(in) :: first
       !> The piece.
       integer, intent(in) :: j
       !> Share of it that is passed, 0 to 1.
@@ -552,7 +562,7 @@ contains
       real(dp) :: at_head(self%solid%n), grown(self%solid%n), lengths(self%solid%n), height
       integer :: m
 
-      total = self%pressure_sum(j - 1)
+      total = (self%pressure_sum(j - 1) - self%pressure_sum(first)) + (self%pressure_rest(j - 1) - self%pressure_rest(first))
       if (.not. theta > 0) return
       call stretches_at(self, j, 0.0_dp, at_head, grown)
       height = 0
@@ -563,6 +573,6 @@ contains
       lengths = (height_at(self, j, theta) - self%coefficients(0, j)) - (stretch - at_head)
       where (self%is_slow) lengths = growth - grown
       total = total + height*theta*self%step + sum(self%solid%stiffness*self%solid%time*lengths)
-   end function pressure_sum_at
+   end function pressure_since
 
 end module adfric_wavy_march_way

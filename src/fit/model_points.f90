@@ -1,0 +1,264 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Points of a measured curve as any model sees them: ordinates at abscissas, and the fold, where contact ends.
+!>
+!> A model that knows its pull-off (results `pull_off_load` and `pull_off_approach`) has no contact at an abscissa below that of the fold.
+!> A point of contact there has the ordinate of the fold, whatever the model says of bodies apart: so the ordinate is a continuous
+!> function of abscissa and variables. Without adhesion the fold is touch, with load 0.
+module adfric_fit_model_points
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use adfric_base_kinds, only: dp
+   use adfric_fit_path, only: path_t, set_path
+   use adfric_fit_problem, only: free_t
+   use adfric_fit_sphere_basis, only: basis_t, set_basis
+   use adfric_model_model, only: model_t
+   use adfric_model_status, only: status_solved
+   use adfric_sphere_contact, only: theory_hertz
+   implicit none (type, external)
+   private
+   public :: model_points_t, new_model_points, fold_t, is_beyond_fold
+
+   !> Regime of a point beyond the fold, and of one that has no solution.
+   integer, parameter :: regime_beyond = huge(1)
+   integer, parameter, public :: regime_none = -1
+   !> Least and largest error that a result is held to have.
+   real(dp), parameter :: least_error = 1.0e-13_dp, largest_error = 1.0e-4_dp
+   !> Points that the model is asked for at once.
+   integer, parameter :: most_at_once = 1024
+   !> Distance from the fold, as a part of its abscissa, from which an ordinate at the fold is extrapolated.
+   real(dp), parameter :: beside_fold = 1.0e-10_dp
+
+   !> Where contact ends.
+   type :: fold_t
+      !> Does the model know it?
+      logical :: is_known = .false.
+      !> Abscissa and ordinate.
+      real(dp) :: x = 0, y = 0
+   end type fold_t
+
+   !> What is asked of the model.
+   type :: model_points_t
+      !> The model.
+      class(model_t), pointer :: model => null()
+      !> Places of abscissa and ordinate, and of the result `regime`; 0: none.
+      integer :: abscissa = 0, ordinate = 0, regime = 0
+      !> Places of the results that say where the fold is, and of the variable that is the stiffness of a spring; 0: none.
+      integer :: pull_off_load = 0, pull_off_approach = 0, spring = 0
+      !> Place of the result `pull_off_load`, for events.
+      integer :: pull_off_result = 0
+      !> Is the abscissa a load, and is the ordinate one?
+      logical :: is_by_load = .false., is_load = .false.
+      !> Is it the approach of a smooth sphere, whose fold has a closed form?
+      logical :: is_sphere = .false.
+   contains
+      procedure :: ask
+      procedure :: find_fold
+   end type model_points_t
+
+contains
+
+   !> Take the model, the abscissa and the ordinate.
+   subroutine new_model_points(self, model, base, abscissa, ordinate, is_sphere)
+      !> Receives what is asked for.
+      type(model_points_t), intent(out) :: self
+      !> The model.
+      class(model_t), pointer, intent(in) :: model
+      !> Values of all variables of the model; those of free ones have no meaning.
+      real(dp), intent(in) :: base(:)
+      !> Places of the abscissa in the variables, and of the ordinate in the results.
+      integer, intent(in) :: abscissa, ordinate
+      !> Is it a smooth sphere, as `adfric_fit_path` has it?
+      logical, intent(in) :: is_sphere
+      integer :: k, branch
+
+      self%model => model
+      self%abscissa = abscissa
+      self%ordinate = ordinate
+      self%is_by_load = model%variables(abscissa)%name == 'load'
+      self%is_load = model%results(ordinate)%name == 'load'
+      do k = 1, size(model%results)
+         select case (model%results(k)%name)
+         case ('regime')
+            self%regime = k
+         case ('pull_off_load')
+            self%pull_off_load = k
+         case ('pull_off_approach')
+            self%pull_off_approach = k
+         end select
+      end do
+      self%pull_off_result = self%pull_off_load
+      branch = model%index_of('operating', 'branch')
+      if (branch > 0) then
+         if (nint(base(branch)) /= 1) self%pull_off_load = 0
+      end if
+      select case (model%variables(abscissa)%name)
+      case ('load', 'approach')
+      case ('base_approach')
+         self%spring = model%index_of('operating', 'machine_stiffness')
+      case default
+         self%pull_off_load = 0
+      end select
+      self%is_sphere = is_sphere .and. model%variables(abscissa)%name == 'approach'
+   end subroutine new_model_points
+
+   !> Is a regime that of a point beyond the fold?
+   elemental logical function is_beyond_fold(regime)
+      !> The regime.
+      integer, intent(in) :: regime
+
+      is_beyond_fold = regime == regime_beyond
+   end function is_beyond_fold
+
+   !> Ask the model for the ordinates at abscissas.
+   subroutine ask(self, values, x, y, regimes, error, fold)
+      !> What is asked for.
+      class(model_points_t), intent(in) :: self
+      !> Values of all variables of the model.
+      real(dp), intent(in) :: values(:)
+      !> Abscissas.
+      real(dp), intent(in) :: x(:)
+      !> Receives the ordinates.
+      real(dp), intent(out) :: y(:)
+      !> Receives the regimes, 0 where the model has none, -1 where there is no solution.
+      integer, intent(out) :: regimes(:)
+      !> Receives the relative error of a result: the largest one, or the mean where there is a fold, beside which it is large.
+      real(dp), intent(out) :: error
+      !> Receives the fold.
+      type(fold_t), intent(out) :: fold
+      real(dp), allocatable :: all_values(:, :), results(:, :), error_estimate(:)
+      real(dp) :: counts(size(self%model%counts)), largest, total
+      integer, allocatable :: status(:)
+      integer :: first, last, i, k, n, n_solved
+
+      y = 0
+      regimes = regime_none
+      largest = least_error
+      total = 0
+      n_solved = 0
+      n = min(size(x), most_at_once)
+      allocate (all_values(size(values), n), results(size(self%model%results), n), error_estimate(n), status(n))
+      if (self%is_sphere) call find_sphere_fold(values, fold)
+      do first = 1, size(x), most_at_once
+         last = min(first + most_at_once - 1, size(x))
+         n = last - first + 1
+         do k = 1, n
+            all_values(:, k) = values
+            all_values(self%abscissa, k) = x(first + k - 1)
+         end do
+         call self%model%solve_block(all_values(:, :n), results(:, :n), error_estimate(:n), status(:n), counts)
+         if (first == 1 .and. .not. self%is_sphere) call read_fold(self, values, results(:, 1), fold)
+         do k = 1, n
+            i = first + k - 1
+            if (fold%is_known .and. .not. x(i) > fold%x) then
+               regimes(i) = regime_beyond
+               cycle
+            end if
+            if (status(k) /= status_solved) cycle
+            if (.not. ieee_is_finite(results(self%ordinate, k))) cycle
+            y(i) = results(self%ordinate, k)
+            regimes(i) = 0
+            if (self%regime > 0) regimes(i) = nint(results(self%regime, k))
+            n_solved = n_solved + 1
+            if (.not. ieee_is_finite(error_estimate(k))) cycle
+            largest = max(largest, error_estimate(k))
+            total = total + error_estimate(k)
+         end do
+      end do
+      error = min(largest, largest_error)
+      if (.not. fold%is_known) return
+      if (n_solved > 0) error = min(max(total/n_solved, least_error), largest_error)
+      if (any(is_beyond_fold(regimes))) call find_ordinate(self, values, fold)
+      where (is_beyond_fold(regimes)) y = fold%y
+   end subroutine ask
+
+   !> The fold alone.
+   subroutine find_fold(self, values, fold)
+      !> What is asked for.
+      class(model_points_t), intent(in) :: self
+      !> Values of all variables of the model.
+      real(dp), intent(in) :: values(:)
+      !> Receives the fold.
+      type(fold_t), intent(out) :: fold
+      real(dp) :: all_values(size(values), 1), results(size(self%model%results), 1), error_estimate(1), &
+         & counts(size(self%model%counts))
+      integer :: status(1)
+
+      if (self%is_sphere) then
+         call find_sphere_fold(values, fold)
+         call find_ordinate(self, values, fold)
+      else if (self%pull_off_load > 0) then
+         all_values(:, 1) = values
+         all_values(self%abscissa, 1) = 0
+         call self%model%solve_block(all_values, results, error_estimate, status, counts)
+         call read_fold(self, values, results(:, 1), fold)
+         if (fold%is_known) call find_ordinate(self, values, fold)
+      end if
+   end subroutine find_fold
+
+   !> The fold that the results of a point name: load and approach at which contact separates.
+   pure subroutine read_fold(self, values, results, fold)
+      !> What is asked for.
+      class(model_points_t), intent(in) :: self
+      !> Values of all variables of the model.
+      real(dp), intent(in) :: values(:)
+      !> Results of a point.
+      real(dp), intent(in) :: results(:)
+      !> Receives the fold.
+      type(fold_t), intent(inout) :: fold
+
+      fold%is_known = self%pull_off_load > 0 .and. self%pull_off_approach > 0
+      if (.not. fold%is_known) return
+      associate (load => results(self%pull_off_load), approach => results(self%pull_off_approach))
+         fold%is_known = ieee_is_finite(load) .and. ieee_is_finite(approach)
+         if (.not. fold%is_known) return
+         fold%x = approach
+         if (self%is_by_load) fold%x = load
+         if (self%spring > 0) fold%x = approach + load/values(self%spring)
+         fold%y = load
+         if (self%model%results(self%ordinate)%name == 'approach') fold%y = approach
+      end associate
+   end subroutine read_fold
+
+   !> An ordinate at the fold that no result names: near it the ordinate is a straight line over the root of the distance.
+   subroutine find_ordinate(self, values, fold)
+      !> What is asked for.
+      class(model_points_t), intent(in) :: self
+      !> Values of all variables of the model.
+      real(dp), intent(in) :: values(:)
+      !> The fold, which receives its ordinate.
+      type(fold_t), intent(inout) :: fold
+      real(dp) :: all_values(size(values), 2), results(size(self%model%results), 2), error_estimate(2), &
+         & counts(size(self%model%counts)), size_of
+      integer :: status(2)
+
+      if (self%is_load .or. self%model%results(self%ordinate)%name == 'approach') return
+      size_of = abs(fold%x)
+      fold%y = 0
+      if (.not. size_of > 0) return
+      all_values(:, 1) = values
+      all_values(:, 2) = values
+      all_values(self%abscissa, :) = fold%x + beside_fold*size_of*[1, 4]
+      call self%model%solve_block(all_values, results, error_estimate, status, counts)
+      fold%is_known = all(status == status_solved) .and. all(ieee_is_finite(results(self%ordinate, :)))
+      if (fold%is_known) fold%y = 2*results(self%ordinate, 1) - results(self%ordinate, 2)
+   end subroutine find_ordinate
+
+   !> The fold of a sphere under a given approach. DMT ends at touch with its pull.
+   pure subroutine find_sphere_fold(values, fold)
+      !> Values of all variables of the model `sphere`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the fold.
+      type(fold_t), intent(inout) :: fold
+      type(basis_t) :: basis
+      type(path_t) :: path
+      type(free_t) :: none(0)
+      real(dp) :: no_slopes(0)
+
+      call set_basis(basis, values, none, no_slopes)
+      call set_path(path, basis%theory, .true., basis%lambda, 0.0_dp)
+      fold%is_known = .true.
+      fold%x = basis%approach*path%held_at_fold
+      fold%y = basis%force*path%fold%p
+      if (basis%theory == theory_hertz) fold%y = 0
+   end subroutine find_sphere_fold
+
+end module adfric_fit_model_points

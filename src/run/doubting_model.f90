@@ -1,0 +1,138 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A model that holds another one, and says of each point whether it lies within the bounds of its theory: the last result is the
+!> doubt. To whoever runs it, it is a model like any other.
+module adfric_run_doubting_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_model_doubt, only: doubt_estimate_above_tenth, find_doubt, n_doubts, not_measured
+   use adfric_model_model, only: model_t
+   use adfric_model_profile_receiver, only: profile_receiver_t
+   use adfric_model_status, only: status_solved
+   use adfric_model_table, only: doubt_row, result_t
+   use adfric_run_wrapped_model, only: wrapped_model_t
+   implicit none (type, external)
+   private
+   public :: doubting_model_t, let_doubt
+
+   !> A model with one result more.
+   type, extends(wrapped_model_t) :: doubting_model_t
+   contains
+      procedure :: solve_block
+      procedure :: solve_block_and_profiles
+      procedure :: describe_results
+   end type doubting_model_t
+
+contains
+
+   !> Let a model doubt; one that does so already stays as it is.
+   subroutine let_doubt(model)
+      !> In: the model. Out: a model that holds it.
+      class(model_t), allocatable, intent(inout) :: model
+      type(doubting_model_t), allocatable :: doubting
+
+      select type (model)
+      type is (doubting_model_t)
+         return
+      end select
+      allocate (doubting)
+      call doubting%wrap(model)
+      call append_doubt(doubting%inner%results, doubting%results)
+      call move_alloc(doubting, model)
+   end subroutine let_doubt
+
+   !> A table with the doubt behind its rows.
+   subroutine append_doubt(rows, results)
+      !> Rows of the inner model.
+      type(result_t), intent(in) :: rows(:)
+      !> Receives them, and the doubt.
+      type(result_t), allocatable, intent(out) :: results(:)
+      integer :: i
+
+      allocate (results(size(rows) + 1))
+      do i = 1, size(rows)
+         results(i) = rows(i)
+      end do
+      results(size(results)) = doubt_row()
+   end subroutine append_doubt
+
+   !> See `model_t`.
+   subroutine solve_block(self, values, results, error_estimate, status, counts)
+      !> The model; all threads solve with the same one.
+      class(doubting_model_t), intent(in) :: self
+      !> Values of the variables for each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
+      real(dp), intent(out) :: results(:, :)
+      !> Relative error of the main result, estimated; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> One of `status_...` for each point; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> Receives what was counted at the points of the block; shape `(n_counts)`.
+      real(dp), intent(out) :: counts(:)
+
+      call self%inner%solve_block(values, results(:size(results, 1) - 1, :), error_estimate, status, counts)
+      call add_doubts(self, values, error_estimate, status, results)
+   end subroutine solve_block
+
+   !> See `model_t`.
+   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
+      !> The model; all threads solve with the same one.
+      class(doubting_model_t), intent(in) :: self
+      !> Values of the variables for each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
+      real(dp), intent(out) :: results(:, :)
+      !> Relative error of the main result, estimated; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> One of `status_...` for each point; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> Receives what was counted at the points of the block; shape `(n_counts)`.
+      real(dp), intent(out) :: counts(:)
+      !> Room for the profiles of one point, of their shape; what stands in it at the end has no meaning.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      !> Takes the profiles of one solved point after the other, and says whether more are wanted.
+      class(profile_receiver_t), intent(inout) :: receiver
+
+      call self%inner%solve_block_and_profiles(values, results(:size(results, 1) - 1, :), error_estimate, status, counts, &
+         & profiles, receiver)
+      call add_doubts(self, values, error_estimate, status, results)
+   end subroutine solve_block_and_profiles
+
+   !> Add the doubt of each point that is solved.
+   subroutine add_doubts(self, values, error_estimate, status, results)
+      !> The model.
+      class(doubting_model_t), intent(in) :: self
+      !> Values of the variables for each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Relative error of each point.
+      real(dp), intent(in) :: error_estimate(:)
+      !> Status of each point.
+      integer, intent(in) :: status(:)
+      !> In: results of the inner model. Out: with the doubts, NaN where a point is not solved; shape `(n_results, n_points)`.
+      real(dp), intent(inout) :: results(:, :)
+      real(dp) :: measures(n_doubts)
+      integer :: i, n
+
+      n = size(results, 1)
+      do i = 1, size(status)
+         results(n, i) = not_a_number()
+         if (status(i) /= status_solved) cycle
+         measures = not_measured
+         call self%inner%measure(values(:, i), results(:n - 1, i), measures)
+         measures(doubt_estimate_above_tenth) = error_estimate(i)
+         results(n, i) = find_doubt(measures)
+      end do
+   end subroutine add_doubts
+
+   !> See `model_t`.
+   function describe_results(self, values) result(results)
+      !> The model, whose table of results is read.
+      class(doubting_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      call append_doubt(self%inner%describe_results(values), results)
+   end function describe_results
+
+end module adfric_run_doubting_model
