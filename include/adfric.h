@@ -130,11 +130,28 @@ typedef int64_t adfric_case;
 /** Open a case of a model. Its variables have their defaults, or no value. */
 int adfric_open(const char *model, adfric_case *opened);
 
-/** Open a case as an input describes it, with its sweeps and its datasets. */
+/** Open a case as an input describes it, with its sweeps and its datasets, or a fit with its data (adfric_read_fit). */
 int adfric_read(const char *path, adfric_case *opened);
 
 /** The same of the text of an input. Names of files in it are seen from the current folder. */
 int adfric_read_text(const char *text, adfric_case *opened);
+
+/** A table of measured numbers that a fit takes in place of a file. */
+typedef struct {
+   const char *name;           /**< what the input calls it: &data file = 'NAME' */
+   const char *const *columns; /**< names of its columns */
+   const char *const *units;   /**< their units, such as "nN", empty for SI units; NULL: SI units throughout */
+   const double *values;       /**< the numbers, those of a column side by side, NaN where there is none */
+   int64_t n;                  /**< number of rows, > 0 */
+   int32_t n_columns;          /**< number of columns, > 0 */
+} adfric_table;
+
+/** Open a fit as the text of an input of `adfric fit` describes it. It is a case whose values are those of its input, and that is
+    solved once. Its points are curves; a single fit has arrays of ADFRIC_EXTRA beside its results.
+    @param text      the input
+    @param n_tables  number of tables, >= 0
+    @param tables    the tables, which are copied; NULL where there are none. Another name in the input is that of a file */
+int adfric_read_fit(const char *text, int32_t n_tables, const adfric_table *tables, adfric_case *opened);
 
 /** Close a case. Its results stay as they are. */
 int adfric_close_case(adfric_case self);
@@ -203,8 +220,16 @@ typedef int (*adfric_progress)(void *context, int64_t n_done, int64_t n_points);
     @param found      receives the results, which are to be closed */
 int adfric_solve(adfric_case self, int32_t n_threads, adfric_progress progress, void *context, adfric_results *found);
 
+/** Solve a case of one point, and give some of its results as numbers alone: for loops, where adfric_results would take longer than
+    the point.
+    @param n_names  number of results
+    @param names    their names, among them "status" and "error_estimate"; of a result that is one of several states the number of
+                    the state is given
+    @param values   receives them, NaN where there is no value */
+int adfric_solve_point(adfric_case self, int32_t n_names, const char *const *names, double *values);
+
 /** Stop the call of adfric_solve that another thread makes with this case at the moment; it gives back ADFRIC_STOPPED as soon as
-    the points that are being solved are done. Where there is none, nothing happens. A handler of signals may call it: it waits
+    the points that are being solved are done, or the iterations of points that take long. Where there is none, nothing happens. A handler of signals may call it: it waits
     for nothing, and leaves adfric_message as it is. */
 int adfric_stop(adfric_case self);
 
@@ -216,7 +241,9 @@ enum {
    ADFRIC_RESULT = 2,     /**< a result at every point */
    ADFRIC_PROFILE = 3,    /**< a profile at every point */
    ADFRIC_PARAMETER = 4,  /**< a variable that is not swept, or what follows from such ones: one value */
-   ADFRIC_LIST = 5        /**< a variable that is a list of numbers */
+   ADFRIC_LIST = 5,       /**< a variable that is a list of numbers */
+   ADFRIC_EXTRA = 6,      /**< what a fit has beside its results: intervals, minima, residuals, curves */
+   ADFRIC_WORDS = 7       /**< words along a dimension of these: states whose meanings are the words */
 };
 
 /** An array of results. All that it points to belongs to the results and is there until they are closed. */

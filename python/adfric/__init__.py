@@ -11,7 +11,10 @@ run       an input, as `adfric run` does -> xarray.Dataset
 open      a results file -> xarray.Dataset
 plot      figures of results
 models    the models, their variables and results
+fit       a model to measured curves -> Fit
 read_surface  a measured surface -> xarray.DataArray
+read_curve  force curves of an instrument -> xarray.Dataset
+read_master_curve  moduli over the frequency -> xarray.Dataset
 Case      a model that is solved several times
 contacts  many single contacts, microseconds each
 """
@@ -21,11 +24,13 @@ from .cases import Case, run, solve
 from .errors import Error, FailedError, InputError, StoppedError
 from .figures import plot
 from .files import open_file as open  # noqa: A004
+from .fits import Fit, fit
 from .library import library as _library
+from .measured import read_curve, read_master_curve
 from .surfaces import read_surface
 from .tables import Model, Result, Variable, models
 
 __version__ = _library.adfric_version().decode().split()[0]
 # but for open, which would take the place of Python's own
-__all__ = ["Case", "Error", "FailedError", "InputError", "Model", "Result", "StoppedError", "Variable", "contacts", "models", "plot",
-           "read_surface", "run", "solve"]
+__all__ = ["Case", "Error", "FailedError", "Fit", "InputError", "Model", "Result", "StoppedError", "Variable", "contacts", "fit",
+           "models", "plot", "read_curve", "read_master_curve", "read_surface", "run", "solve"]

@@ -3,6 +3,8 @@
 
 import contextlib
 import ctypes
+import functools
+import hashlib
 import keyword
 import os
 import signal
@@ -12,8 +14,10 @@ import weakref
 import numpy as np
 
 from . import library as _library
-from .errors import InputError, StoppedError
-from .library import library, path_for, text_for, text_of
+from .errors import FailedError, InputError, StoppedError
+from .files import name_of
+from .journal import Journal
+from .library import library, text_for, text_of
 from .results import dataset_of
 from .tables import models
 from .values import (in_unit, is_logical, is_number, is_whole_number, number_of, numbers_of, single_of, whole_number_of)
@@ -104,25 +108,28 @@ class Case:
 
     def __init__(self, model):
         """Open a case of a model; its variables have their defaults, or no value."""
-        self._open(library.adfric_open, text_for(model, "model"))
+        self._open(library.adfric_open, text_for(model, "model"), ("model", model))
 
     @classmethod
     def read(cls, path):
         """Open a case as an input describes it, with its sweeps and its datasets."""
-        return cls._opened(library.adfric_read, path_for(os.fspath(path)))
+        name = name_of(path, "path")
+        self = cls._opened(library.adfric_read, os.fsencode(name), ("input", os.path.abspath(name)))
+        self._digest = digest_of(name)
+        return self
 
     @classmethod
     def read_text(cls, text):
         """Open a case of the text of an input."""
-        return cls._opened(library.adfric_read_text, text_for(text, "text"))
+        return cls._opened(library.adfric_read_text, text_for(text, "text"), ("text", text))
 
     @classmethod
-    def _opened(cls, function, argument):
+    def _opened(cls, function, argument, origin):
         self = cls.__new__(cls)
-        self._open(function, argument)
+        self._open(function, argument, origin)
         return self
 
-    def _open(self, function, argument):
+    def _open(self, function, argument, origin):
         handle = ctypes.c_int64()
         function(argument, handle)
         self._handle = handle.value
@@ -131,6 +138,18 @@ class Case:
         self._swept = {}
         # units that were stated, by name
         self._units = {}
+        # where it is from, and what was set since then
+        self._origin = origin
+        self._digest = None
+        self._journal = Journal()
+
+    def __reduce__(self):
+        """A case is pickled by where it is from and what was set; an input is read once more, and must be the same."""
+        self._open_handle()
+        kind, source = self._origin
+        if kind == "tables":
+            raise TypeError("a fit of tables in memory cannot be pickled: call adfric.fit there")
+        return restored, (kind, source, self._digest, self._journal.entries())
 
     def __enter__(self):
         return self
@@ -181,7 +200,10 @@ class Case:
         handle, key = self._open_handle(), text_for(name, "name of a variable")
         variable = table.get(name) or next((one for one in table.values() if f"{one.group}%{one.name}" == name), None)
         value, unit = in_unit(value, variable.unit if variable else "", name)
-        value = single_of(value)
+        self._take(handle, key, name, single_of(value), unit, variable)
+
+    def _take(self, handle, key, name, value, unit, variable):
+        """Set a variable to what its unit has been taken from."""
         if value is None:
             library.adfric_unset(handle, key)
         elif is_logical(value):
@@ -193,8 +215,16 @@ class Case:
         elif is_number(value):
             library.adfric_set_real(handle, key, number_of(value, name))
         else:
-            self._set_numbers(handle, key, numbers_of(value, name), variable)
+            value = numbers_of(value, name)
+            is_dataset = variable is not None and variable.kind == "array"
+            if is_dataset:
+                # one that is refused is not given any more
+                self._journal.note(name, None, None)
+            self._set_numbers(handle, key, value, variable)
+            # what the caller does to it afterwards is not for this case
+            value = value.copy()
         self._units[name] = unit
+        self._journal.note(name, value, unit)
 
     def _set_numbers(self, handle, key, values, variable):
         """Set an array, or sweep a variable that is a number."""
@@ -226,6 +256,7 @@ class Case:
         handle, texts = self._open_handle(), [text_for(name, "name of a variable") for name in names]
         values = np.ascontiguousarray([self._swept[name] for name in names])
         library.adfric_sweep_together(handle, len(texts), (ctypes.c_char_p*len(texts))(*texts), values.shape[1], values.ctypes.data)
+        self._journal.note_together(names)
 
     @property
     def n_points(self):
@@ -237,6 +268,24 @@ class Case:
     def check(self):
         """Check all values together, as `solve` does before it solves."""
         library.adfric_check(self._open_handle())
+
+    def find(self, *names, **variables):
+        """Set variables, solve the case, which has one point, and give back results as numbers alone: for loops, where a dataset would
+        take longer than the point.
+
+        >>> for load in loads:
+        ...     radius, status = tip.find("contact_radius", "status", load=load)
+
+        A result without a value is NaN; of one that is one of several states, as `status` is, the number of the state is given. A single
+        name gives its number, several a list of theirs. Ctrl-C is heard when the point is solved.
+        """
+        if variables:
+            self.set(**variables)
+        if not names:
+            raise InputError("names: given none, allowed: names of results")
+        values = (ctypes.c_double*len(names))()
+        library.adfric_solve_point(self._open_handle(), len(names), names_for(names), values)
+        return values[0] if len(names) == 1 else values[:]
 
     def solve(self, *, threads=0, progress=None):
         """Solve all points; see `adfric.solve`. Ctrl-C ends it as soon as the points that are being solved are done."""
@@ -262,6 +311,36 @@ class Case:
             if unit is not None and name in found and unit != found[name].attrs["units"]:
                 raise InputError(f"{name}: given in {unit}, allowed: {found[name].attrs['units']}")
         return found
+
+
+def restored(kind, source, digest, entries):
+    """The case that was pickled, in another process."""
+    if kind == "input" and digest_of(source) != digest:
+        raise InputError(f"{source}: the input has changed since the case was pickled")
+    self = {"model": Case, "input": Case.read, "text": Case.read_text}[kind](source)
+    table = models()[self.model].variables
+    for name, value, unit in entries:
+        if name is None:
+            self.sweep_together(value)
+            continue
+        variable = table.get(name) or next((one for one in table.values() if f"{one.group}%{one.name}" == name), None)
+        self._take(self._open_handle(), text_for(name, "name of a variable"), name, value, unit, variable)
+    return self
+
+
+def digest_of(path):
+    """A checksum of a file."""
+    try:
+        with open(path, "rb") as file:
+            return hashlib.sha256(file.read()).hexdigest()
+    except OSError as problem:
+        raise FailedError(f"{path}: cannot be read: {problem.strerror}") from None
+
+
+@functools.lru_cache(maxsize=256)
+def names_for(names):
+    """Names as the library takes them."""
+    return (ctypes.c_char_p*len(names))(*(text_for(name, "name of a result") for name in names))
 
 
 @contextlib.contextmanager

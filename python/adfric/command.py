@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from .errors import FailedError, InputError, StoppedError
-from .files import open_file
+from .files import name_of, open_file
 
 PROGRAM = os.environ.get("ADFRIC_PROGRAM") or Path(__file__).parent/"bin"/"adfric"
 # Exit statuses of `adfric run` that have results.
@@ -24,6 +24,7 @@ def main():
 
 def run_command(path, output, force, threads):
     """Run an input by the command, and open the results file that it has written."""
+    path, output = name_of(path, "path"), name_of(output, "output")
     arguments = [PROGRAM, "run", "--quiet", "--output", output, *(["--force"] if force else []), "--", path]
     environment = dict(os.environ, **({"OMP_NUM_THREADS": str(threads)} if threads else {}))
     done = subprocess.run(arguments, stderr=subprocess.PIPE, env=environment, check=False)

@@ -2,12 +2,12 @@
 """Figures of results."""
 
 import io
-import os
 from pathlib import Path
 
 import xarray as xr
 
 from .errors import FailedError, InputError
+from .files import name_of
 
 
 def plot(results, *, x=None, y=None, data=None, output=None):
@@ -36,11 +36,15 @@ def plot(results, *, x=None, y=None, data=None, output=None):
     except ImportError as problem:
         raise ImportError(f"adfric.plot needs matplotlib and h5py: {problem}") from None
     several = results if isinstance(results, (list, tuple)) else [results]
+    if not several:
+        raise InputError("results: given an empty list, allowed: at least one dataset or results file")
+    data = None if data is None else Path(name_of(data, "data"))
+    output = None if output is None else Path(name_of(output, "output"))
     try:
-        runs = [Results(Path(one)) if isinstance(one, (str, os.PathLike)) else results_of(one, Results) for one in several]
-        figure = make_figure(runs, x, [y] if isinstance(y, str) else y, None if data is None else Path(data))
+        runs = [results_of(one, Results) if isinstance(one, xr.Dataset) else read(one, Results) for one in several]
+        figure = make_figure(runs, x, [y] if isinstance(y, str) else y, data)
         if output is not None:
-            save_figure(figure, Path(output))
+            save_figure(figure, output)
     except BadFile as problem:
         raise InputError(str(problem)) from None
     except OSError as problem:
@@ -48,10 +52,15 @@ def plot(results, *, x=None, y=None, data=None, output=None):
     return figure
 
 
+def read(path, kind):
+    """The results of a file."""
+    if not isinstance(path, (str, bytes)) and not hasattr(path, "__fspath__"):
+        raise InputError(f"results: given {type(path).__name__}, allowed: a dataset or the path of a results file")
+    return kind(Path(name_of(path, "results")))
+
+
 def results_of(dataset, kind):
     """The results of a dataset, as the figures want them: from an image of its file."""
-    if not isinstance(dataset, xr.Dataset):
-        raise InputError(f"results: given {type(dataset).__name__}, allowed: a dataset or the path of a results file")
     image = io.BytesIO()
     dataset.to_netcdf(image, engine="h5netcdf")
     image.seek(0)

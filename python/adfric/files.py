@@ -8,6 +8,17 @@ import xarray as xr
 from .errors import FailedError, InputError
 
 
+def name_of(path, what):
+    """The name of a file as the system takes it."""
+    try:
+        name = os.fsdecode(os.fspath(path))
+    except (TypeError, ValueError):
+        raise InputError(f"{what}: given {path!r}, allowed: the name of a file") from None
+    if "\0" in name:
+        raise InputError(f"{what}: given {name!r}, allowed: a name without characters that are 0")
+    return name
+
+
 def open_file(path):
     """Open a results file.
 
@@ -22,7 +33,7 @@ def open_file(path):
     xarray.Dataset
         All of it, in memory; the file is closed.
     """
-    name = os.fspath(path)
+    name = name_of(path, "path")
     if not os.path.isfile(name):
         raise FailedError(f"{name}: there is no such file")
     try:

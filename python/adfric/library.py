@@ -14,7 +14,7 @@ ERRORS = {BAD_INPUT: InputError, FAILED: FailedError, STOPPED: StoppedError}
 # Kinds of variables.
 REAL, INTEGER, LOGICAL, WORD, ARRAY = 1, 2, 3, 4, 5
 # What an array of results is.
-COORDINATE, RESULT, PROFILE, PARAMETER, LIST = 1, 2, 3, 4, 5
+COORDINATE, RESULT, PROFILE, PARAMETER, LIST, EXTRA, WORDS = 1, 2, 3, 4, 5, 6, 7
 
 Progress = ctypes.CFUNCTYPE(c_int, c_void_p, c_int64, c_int64)
 
@@ -50,6 +50,13 @@ class Array(ctypes.Structure):
                 ("values", c_void_p), ("states", c_void_p), ("rank", c_int32), ("first_flag", c_int32), ("role", c_int32)]
 
 
+class Table(ctypes.Structure):
+    """adfric_table"""
+
+    _fields_ = [("name", c_char_p), ("columns", POINTER(c_char_p)), ("units", POINTER(c_char_p)), ("values", c_void_p), ("n", c_int64),
+                ("n_columns", c_int32)]
+
+
 class AttributeInfo(ctypes.Structure):
     """adfric_attribute_info"""
 
@@ -67,6 +74,7 @@ ARGUMENTS = {
     "adfric_open": (c_char_p, POINTER(CASE)),
     "adfric_read": (c_char_p, POINTER(CASE)),
     "adfric_read_text": (c_char_p, POINTER(CASE)),
+    "adfric_read_fit": (c_char_p, c_int32, POINTER(Table), POINTER(CASE)),
     "adfric_close_case": (CASE,),
     "adfric_set_real": (CASE, c_char_p, c_double),
     "adfric_set_integer": (CASE, c_char_p, c_int64),
@@ -80,6 +88,7 @@ ARGUMENTS = {
     "adfric_point_count": (CASE, POINTER(c_int64)),
     "adfric_check": (CASE,),
     "adfric_solve": (CASE, c_int32, Progress, c_void_p, POINTER(RESULTS)),
+    "adfric_solve_point": (CASE, c_int32, POINTER(c_char_p), POINTER(c_double)),
     "adfric_array_count": (RESULTS, POINTER(c_int32)),
     "adfric_array_at": (RESULTS, c_int32, POINTER(Array)),
     "adfric_attribute_count": (RESULTS, POINTER(c_int32)),
@@ -127,14 +136,6 @@ def text_for(text, what):
     if "\0" in text:
         raise InputError(f"{what}: given {text!r}, allowed: a text without characters that are 0")
     return text.encode("utf-8", "surrogateescape")
-
-
-def path_for(path):
-    """The name of a file for the library, where a 0 is its end: no other file than the one that is named may be opened."""
-    name = os.fsencode(path)
-    if b"\0" in name:
-        raise InputError(f"path: given {path!r}, allowed: a name without characters that are 0")
-    return name
 
 
 def text_of(text):

@@ -39,9 +39,19 @@ def dataset_of(handle):
     info = _library.Array()
     for place in range(n.value):
         library.adfric_array_at(handle, place, info)
-        is_coordinate = info.role in (_library.COORDINATE, _library.PARAMETER)
+        is_coordinate = info.role in (_library.COORDINATE, _library.PARAMETER, _library.WORDS)
         (coordinates if is_coordinate else variables)[text_of(info.name)] = variable_of(owner, info)
+    if all(not variable.dims for variable in (*variables.values(), *coordinates.values())):
+        return single_point(variables, coordinates, attributes_of(handle))
     return xr.Dataset(variables, coordinates, attributes_of(handle))
+
+
+def single_point(variables, coordinates, attributes):
+    """A dataset without dimensions. There is nothing to be aligned, and what xarray does to find that takes as long as many points."""
+    try:
+        return xr.Dataset._construct_direct({**coordinates, **variables}, set(coordinates), dims={}, attrs=attributes, indexes={})
+    except (AttributeError, TypeError):
+        return xr.Dataset(variables, coordinates, attributes)
 
 
 def variable_of(owner, info):
@@ -51,6 +61,8 @@ def variable_of(owner, info):
     dimensions = tuple(text_of(name) for name in info.dimensions[:info.rank])
     attributes = {"units": text_of(info.unit), "long_name": text_of(info.long_name)}
     meanings = words_of(info.flag_meanings)
+    if info.role == _library.WORDS:
+        return xr.Variable(dimensions, np.array(meanings), attributes)
     if meanings:
         attributes["flag_values"] = np.arange(info.first_flag, info.first_flag + len(meanings), dtype=BYTE)
         attributes["flag_meanings"] = " ".join(meanings)

@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 
 from .errors import FailedError, InputError
+from .files import name_of
 
 
 def read_surface(path, *, unit=None, height_unit=None, spacing=None, channel=None, transpose=False, periodic=None, region=None,
@@ -52,6 +53,7 @@ def read_surface(path, *, unit=None, height_unit=None, spacing=None, channel=Non
         from .importing.source import in_metres
     except ImportError as problem:
         raise ImportError(f"adfric.read_surface needs SurfaceTopography and h5py: {problem}") from None
+    path = name_of(path, "path")
     given = SimpleNamespace(unit=unit, height_unit=height_unit, channel=channel, transpose=transpose, periodic=periodic,
                             region=region, detrend=detrend, average=average, most_missing=most_missing,
                             spacing=None if spacing is None else list(np.atleast_1d(spacing)), file=Path(path))

@@ -18,7 +18,8 @@ def read_numpy(path, channel):
             arrays = {"": loaded}
         else:
             with loaded:
-                arrays = {name: loaded[name] for name in loaded.files}
+                # what is no array comes as bytes
+                arrays = {name: array for name in loaded.files if isinstance(array := loaded[name], np.ndarray)}
     except OSError as problem:
         raise FileFailure(f"{path}: cannot read: {problem.strerror or first_line(problem)}") from None
     except (ValueError, EOFError, zipfile.BadZipFile) as problem:

@@ -16,6 +16,7 @@ from .doubts import is_doubted, shade_doubts
 from .labels import axis_label, point_label, scale_of
 from .results import RENAMED, BadFile, Field, NothingToDraw
 from .jumps import draw_curve, find_jumps, way_of
+from .printable import literal
 from .rubber import contact_share
 from .sphere import draw_limits
 from .style import COLOURS, DASHES, MISSED, is_logarithmic, label_few_decades, make_panels
@@ -63,7 +64,7 @@ def draw_chosen(runs, x_name, y_names, table):
             _draw_run(panel, results, (x_name, y_name), scales, look)
         if y_name in points:
             panel.plot(points[x_name] * scales[x_name][0], points[y_name] * scales[y_name][0], "o", color=MISSED, markersize=4,
-                       fillstyle="none", label=table.stem)
+                       fillstyle="none", label=literal(table.stem))
         _finish_panel(panel, runs, x_name, y_name, scales)
     handles, labels = panels[0].get_legend_handles_labels()
     if len(labels) > 1:
@@ -100,7 +101,7 @@ def _looks_of(runs, names, x_name):
         for number, curve in enumerate(some):
             colour = number if len(some) > 1 else place % len(COLOURS)
             rest = {"color": COLOURS[colour]} if "linestyle" in style else {"linestyle": DASHES[(place + number) % len(DASHES)]}
-            looks[-1].append((", ".join(part for part in (name, curve.label) if part), {**style, **rest}))
+            looks[-1].append((", ".join(part for part in (literal(name), curve.label) if part), {**style, **rest}))
     return looks
 
 

@@ -4,7 +4,7 @@
 import sys
 
 from .options import read_command_line
-from .printable import printable
+from .printable import literal, printable
 from .results import BadFile, NothingToDraw, Results
 
 FORMATS = (".png", ".pdf", ".svg")
@@ -49,7 +49,7 @@ def make_figure(runs, x=None, y=None, data=None):
             figure, title = choose_figure(runs[0])(runs[0]), runs[0].title
         # a run without a title has that of its model
         if title and title != runs[0].model:
-            figure.suptitle(title, fontsize="medium")
+            figure.suptitle(literal(title), fontsize="medium")
         if doubts := describe_doubts(runs):
             figure.supxlabel(doubts, fontsize="small", color="0.35")
     return figure

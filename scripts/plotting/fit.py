@@ -77,7 +77,7 @@ def draw_fit(results):
     """The figure of a fit, or of a stack of fits."""
     if results.several:
         return draw_stack(results)
-    columns = read_columns(results.path)
+    columns = read_columns(results.source)
     sets = [DataSet(columns, suffix) for suffix in suffixes_of(columns)]
     profiles = [name for name in _names(columns) if f"{name}_profile" in columns]
     figure, panels = _make_panels(len(sets), bool(profiles))

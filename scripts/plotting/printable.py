@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Text from outside as it may be shown on a terminal, as src/base/printable.f90 does."""
+"""Text from outside as it may be shown on a terminal, as src/base/printable.f90 does, and in a figure."""
 
 
 def printable(text):
     """The text with what a terminal would obey, or would not show, written as `\\x1b` or `\\u202e`."""
     return "".join(letter if letter.isprintable() else escaped(letter) for letter in str(text))
+
+
+def literal(text):
+    """The text as a figure shows it letter by letter: between dollar signs would stand a formula."""
+    return str(text).replace("$", r"\$")
 
 
 def escaped(letter):

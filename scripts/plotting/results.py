@@ -21,6 +21,10 @@ class BadFile(Exception):
     """A file that cannot be drawn; the text names the file and the reason."""
 
 
+class LostScale(Exception):
+    """A dataset is attached to a scale that is not in the file any more."""
+
+
 class NothingToDraw(BadFile):
     """A results file without a figure."""
 
@@ -37,6 +41,7 @@ class Field:
 class Results:
     """What a results file holds.
 
+    source    what is read: the file, or its image in memory
     axes      swept variables, the slowest first
     fields    results by name, of the shape of the sweep
     states    the same for enumerated results, as words; None where there is no value
@@ -51,11 +56,14 @@ class Results:
     def __init__(self, path, image=None):
         """Read a file; or its image in memory, which messages call by the path."""
         self.path = path
+        self.source = path if image is None else image
         if image is None and not path.is_file():
             raise BadFile(f"{path}: no such file")
         try:
             with h5py.File(image or path, "r") as file:
                 self._read(file)
+        except LostScale:
+            raise BadFile(f"{path}: not a results file of adfric: its axes are missing") from None
         except OSError as problem:
             if "unable to lock file" in str(problem):
                 raise BadFile(f"{path}: a run is writing this file") from None
@@ -168,8 +176,18 @@ def _words(dataset):
 
 def _scales(dataset):
     """Names of the axes of a dataset."""
-    return [dimension[0].name.rsplit("/", 1)[-1] if len(dimension) else f"dimension {k}"
-            for k, dimension in enumerate(dataset.dims)]
+    return [_scale_of(dimension, k) for k, dimension in enumerate(dataset.dims)]
+
+
+def _scale_of(dimension, k):
+    """Name of the scale of a dimension. One that was deleted leaves a reference to nothing, or an object without a name."""
+    try:
+        name = dimension[0].name if len(dimension) else f"dimension {k}"
+    except (KeyError, OSError, RuntimeError, ValueError):
+        raise LostScale from None
+    if name is None:
+        raise LostScale
+    return name.rsplit("/", 1)[-1]
 
 
 def _text(value):

@@ -12,6 +12,7 @@ import numpy as np
 from plot_files import SCRIPTS, STATES, PlotCase, make_file
 
 from plotting import figures, halfspace, labels, sliding
+from plotting.command import make_figure
 from plotting.results import Results
 from plotting.style import plt
 
@@ -185,6 +186,32 @@ class PlotTest(PlotCase):
             file.attrs.update(model="wavy_sliding", adfric_version="0.0.0")
             file["status"] = np.zeros(3, dtype="i1")
         self.assert_refused("its axes are missing")
+
+    def test_deleted_scales(self):
+        """Datasets stay attached to a scale that somebody has deleted: of the sweep, or of the surface alone."""
+        for name in ("load", "x"):
+            make_file(self.file, [("stress", [0.0, 5e3]), ("load", [0.0, 1.0])], [("x", [-1.0, 0.0, 1.0])])
+            with h5py.File(self.file, "r+") as file:
+                del file[name]
+            with self.subTest(name=name):
+                self.assert_refused("its axes are missing")
+
+    def test_dollars(self):
+        """What stands between dollar signs in a title or a name is no formula, and never an error of one."""
+        make_file(self.file, [("load", [0.0, 1.0, 2.0])])
+        for title in ("5 $ a piece", r"$\frac$ and $x$", "from $1 to $2", r"a\$b"):
+            with h5py.File(self.file, "r+") as file:
+                file.attrs["title"] = title
+            with self.subTest(title=title):
+                figure = make_figure([Results(self.file)])
+                shown, is_formula = figure.get_suptitle(), figure._suptitle._preprocess_math(figure.get_suptitle())
+                self.assertEqual((title, False), is_formula, shown)
+                self.assertEqual(self.plot(), (0, ""))
+        others = [self.folder / "$x$.h5", self.folder / "$y$.h5"]
+        for path in others:
+            make_file(path, [("load", [0.0, 1.0, 2.0])])
+        labels = [text.get_text() for text in make_figure([Results(path) for path in others]).axes[0].get_legend().get_texts()]
+        self.assertEqual([r"\$x\$", r"\$y\$"], labels)
 
     def test_unknown_format(self):
         make_file(self.file, [("load", [0.0, 1.0])])

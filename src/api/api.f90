@@ -18,17 +18,20 @@ module adfric_api
    use adfric, only: known_models
    use adfric_api_solution, only: solve_by_threads, stopped
    use adfric_api_state, only: open_model, read_state, state_t
+   use adfric_api_numbers, only: find_extra
    use adfric_api_results, only: describe_name, find_axis, find_profile, find_result, list_of
    use adfric_base_error, only: error_t, file_failure, input_failure
    use adfric_base_kinds, only: dp, i8
    use adfric_base_text, only: name_length
    use adfric_base_words, only: count_words, get_word
+   use adfric_input_text_table, only: data_table_t => text_table_t, new_data_table => new_table_of_numbers
    use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_solved
    use adfric_model_table, only: profile_axis_t
    use adfric_run_progress, only: progress_t
    implicit none (type, external)
    private
-   public :: simulation_t, open_simulation, read_simulation, list_models, error_t, dp, i8, name_length, progress_t
+   public :: simulation_t, open_simulation, read_simulation, open_fit, data_table_t, new_data_table, list_models
+   public :: error_t, dp, i8, name_length, progress_t
    public :: input_failure, file_failure, stopped
    public :: status_solved, status_no_equilibrium, status_not_converged
 
@@ -79,7 +82,24 @@ contains
       !$omp end critical (adfric_api)
    end subroutine open_simulation
 
-   !> Open a simulation as an input describes it, with its sweeps and its datasets.
+   !> Open a fit as the text of an input describes it. `&data file` names one of the tables, or a file. It is solved once; its results
+   !> are those of the results file of `adfric fit`, and what a single fit has beside them.
+   subroutine open_fit(self, text, tables, error)
+      !> Receives the fit; closed if there is an error.
+      type(simulation_t), intent(out) :: self
+      !> Text of the input.
+      character(*), intent(in) :: text
+      !> The tables, made by `new_data_table`; there may be none.
+      type(data_table_t), intent(in) :: tables(:)
+      !> Says what is wrong with the input or the data, a line each.
+      type(error_t), allocatable, intent(out) :: error
+
+      !$omp critical (adfric_api)
+      call read_state(self%state, text, is_text=.true., error=error, tables=tables)
+      !$omp end critical (adfric_api)
+   end subroutine open_fit
+
+   !> Open a simulation as an input describes it, with its sweeps and its datasets, or a fit.
    subroutine read_simulation(self, path, error)
       !> Receives the simulation; closed if there is an error.
       type(simulation_t), intent(out) :: self
@@ -294,6 +314,7 @@ contains
       class(progress_t), intent(inout), optional :: progress
 
       call self%check(error)
+      self%state%is_spent = self%state%is_fit
       if (.not. allocated(error)) call solve_by_threads(self%state%run, self%state%found, error, n_threads, progress)
    end subroutine solve
 
@@ -301,7 +322,7 @@ contains
    subroutine get_real(self, name, values, error)
       !> The simulation, which is solved.
       class(simulation_t), intent(in) :: self
-      !> Name of the result, 'error_estimate', 'status', or the name of an axis.
+      !> Name of the result, 'error_estimate', 'status', the name of an axis, or of what a single fit has beside its results.
       character(*), intent(in) :: name
       !> Receives the values in the unit that `describe` says, NaN where there is none; shape `(n_points)`, the variable that was
       !> swept last varies fastest; of an axis `(n_coordinates)`.
@@ -314,11 +335,14 @@ contains
       !$omp critical (adfric_api)
       call self%state%check_solved(error)
       axis = 0
-      if (.not. allocated(error)) axis = find_axis(self%state%run%model, name)
+      if (.not. (allocated(error) .or. self%state%is_fit)) axis = find_axis(self%state%run%model, name)
       if (axis > 0) then
          call self%state%run%model%get_profile_axes(self%state%run%plan%base, axes)
          values = axes(axis)%coordinates
       else if (.not. allocated(error)) then
+         call find_extra(self%state%run%model, name, values)
+      end if
+      if (.not. (allocated(error) .or. allocated(values))) then
          call find_result(self%state%run%model, self%state%found, name, values, error)
       end if
       !$omp end critical (adfric_api)
@@ -390,7 +414,7 @@ contains
    subroutine list(self, what, names, error)
       !> The simulation, which is open.
       class(simulation_t), intent(in) :: self
-      !> 'variables', 'results', 'profiles' or 'axes'.
+      !> 'variables', 'results', 'profiles', 'axes', or 'extras': what a single fit that is solved has beside its results.
       character(*), intent(in) :: what
       !> Receives the names; axes from the slowest to the fastest.
       character(name_length), allocatable, intent(out) :: names(:)

@@ -11,7 +11,7 @@ module adfric_api_results
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_vocabulary, only: full_name
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_choice, profile_t, profile_axis_t, result_t, results_of_every_run
+   use adfric_model_table, only: extra_t, kind_choice, profile_t, profile_axis_t, result_t, results_of_every_run
    use adfric_run_memory_sink, only: memory_sink_t
    implicit none (type, external)
    private
@@ -24,7 +24,7 @@ module adfric_api_results
    end interface find_result
 
    !> What there are lists of.
-   character(*), parameter :: lists = 'variables results profiles axes'
+   character(*), parameter :: lists = 'variables results profiles axes extras'
 
 contains
 
@@ -97,7 +97,7 @@ contains
    end subroutine find_states
 
    !> Place of an axis of the profiles; 0 if there is none of that name.
-   pure integer function find_axis(model, name) result(axis)
+   integer function find_axis(model, name) result(axis)
       !> The model, whose axes are searched.
       class(model_t), intent(in) :: model
       !> Name of the axis.
@@ -240,6 +240,7 @@ contains
       long_name = 'coordinate '//get_word(model%profile_axes, axis)//' of the profiles'
       if (.not. is_complete) return
       call model%get_profile_axes(input%values, axes)
+      if (axis > size(axes)) return
       unit = axes(axis)%unit
       long_name = axes(axis)%long_name
    end subroutine describe_axis
@@ -272,12 +273,13 @@ contains
    end subroutine list_of
 
    !> Names of what a model has, separated by a blank.
-   pure function names_of(model, what) result(words)
+   function names_of(model, what) result(words)
       !> The model, whose tables have the names.
       class(model_t), intent(in) :: model
       !> One of `lists`.
       character(*), intent(in) :: what
       character(:), allocatable :: words
+      type(extra_t), allocatable :: extras(:)
       integer :: i
 
       words = ''
@@ -294,6 +296,11 @@ contains
       case ('profiles')
          do i = 1, size(model%profiles)
             words = words//' '//model%profiles(i)%name
+         end do
+      case ('extras')
+         call model%get_extras(extras)
+         do i = 1, size(extras)
+            words = words//' '//extras(i)%name
          end do
       case default
          words = model%profile_axes

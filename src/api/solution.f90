@@ -4,7 +4,9 @@ module adfric_api_solution
    use omp_lib, only: omp_get_active_level, omp_get_max_active_levels, omp_get_max_threads, omp_set_num_threads
    use adfric_base_error, only: error_t, file_failure, input_failure, set_error
    use adfric_base_text, only: show_count
+   use adfric_base_watch, only: watch_t
    use adfric_output_resources, only: check_memory
+   use adfric_run_blocks, only: blocks_t
    use adfric_run_memory_sink, only: memory_sink_t, new_memory_sink, status_not_put
    use adfric_run_progress, only: progress_t, silent_progress_t
    use adfric_run_run, only: run_t
@@ -48,7 +50,7 @@ contains
          return
       end if
       ! a caller within a parallel region of its own has the threads that OpenMP leaves it
-      if (omp_get_active_level() >= omp_get_max_active_levels()) n = 1
+      if (omp_get_active_level() >= omp_get_max_active_levels() .or. takes_one_thread(run)) n = 1
       if (n > 1) call check_threads(n - 1, error)
       if (allocated(error)) return
       ! of this thread alone, and only up to the end of this procedure
@@ -63,6 +65,16 @@ contains
       if (present(summary)) summary = told
    end subroutine solve_by_threads
 
+   !> Would more threads than the one that calls find nothing to do?
+   logical function takes_one_thread(run)
+      !> The run, with its model and its points.
+      class(run_t), intent(in) :: run
+      type(blocks_t) :: blocks
+
+      blocks = run%blocks()
+      takes_one_thread = blocks%n_blocks() <= 1 .and. .not. run%model%shares_points
+   end function takes_one_thread
+
    !> Solve every point by the threads that there are.
    subroutine solve_all(run, found, progress, summary, error)
       !> The run, whose values have been checked.
@@ -70,11 +82,12 @@ contains
       !> Receives the results; of no use if there is an error.
       type(memory_sink_t), allocatable, intent(out) :: found
       !> Is told from time to time how many points are solved, and may end the call.
-      class(progress_t), intent(inout) :: progress
+      class(progress_t), intent(inout), target :: progress
       !> Receives counts and times.
       type(run_summary_t), intent(out) :: summary
       !> Allocated if the machine has too little memory, or the caller has ended the call.
       type(error_t), allocatable, intent(out) :: error
+      class(watch_t), pointer :: watch
 
       allocate (found)
       !$omp critical (adfric_api)
@@ -82,9 +95,13 @@ contains
       if (.not. allocated(error)) call new_memory_sink(found, run, error)
       !$omp end critical (adfric_api)
       if (allocated(error)) return
+      watch => progress
+      call run%model%obey(watch)
       call run%model%prepare()
       call run_sweep(run, found, progress, summary, error)
       call run%model%release()
+      nullify (watch)
+      call run%model%obey(watch)
       if (allocated(error)) return
       if (all(found%status /= status_not_put)) return
       if (summary%signal /= 0) then

@@ -9,8 +9,10 @@ module adfric_api_state
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count
    use adfric_input_case, only: case_t, new_case
+   use adfric_input_text_table, only: text_table_t
    use adfric_input_consistency, only: check_consistency
-   use adfric_input_namelist_file, only: namelist_file_t, new_namelist_file
+   use adfric_input_fit, only: fit_input_t, has_fit_groups, read_fit
+   use adfric_input_namelist_file, only: namelist_file_t, no_namelist_file
    use adfric_input_run, only: read_case, read_job, read_job_of_text, run_input_t, say_unknown_model
    use adfric_input_sweep_size, only: find_size_problem
    use adfric_model_model, only: model_t
@@ -30,6 +32,10 @@ module adfric_api_state
       type(case_t) :: input
       !> What was found.
       type(memory_sink_t), allocatable :: found
+      !> Is it a fit, whose values are those of its input?
+      logical :: is_fit = .false.
+      !> Has it been solved, so that the files of its curves are closed?
+      logical :: is_spent = .false.
    contains
       procedure :: close => close_state
       procedure :: give
@@ -61,8 +67,8 @@ contains
       end if
    end subroutine open_model
 
-   !> Open what an input describes: the model, its values, sweeps and datasets.
-   subroutine read_state(self, input, is_text, error)
+   !> Open what an input describes: the model, its values, sweeps and datasets, or a fit with its data.
+   subroutine read_state(self, input, is_text, error, tables)
       !> Receives the model with its values; closed if there is an error.
       type(state_t), intent(out) :: self
       !> Name of the input, or its text.
@@ -71,8 +77,11 @@ contains
       logical, intent(in) :: is_text
       !> Says what is wrong with the input, a line each.
       type(error_t), allocatable, intent(out) :: error
+      !> Tables of a fit that the caller has in memory, by their names.
+      type(text_table_t), intent(in), optional :: tables(:)
       type(namelist_file_t) :: file
       type(run_input_t) :: run
+      type(fit_input_t) :: details
       type(problems_t) :: problems
 
       if (is_text) then
@@ -84,7 +93,13 @@ contains
       if (len(run%model_name) > 0) then
          call new_model(run%model, run%model_name, error)
          if (allocated(error)) return
-         call read_case(file, run, problems)
+         self%is_fit = has_fit_groups(file) .or. present(tables)
+         if (self%is_fit) then
+            if (present(tables)) file%tables = tables
+            call read_fit(file, run, details, problems)
+         else
+            call read_case(file, run, problems)
+         end if
       end if
       call error_of(problems, error, file%path)
       if (.not. allocated(error) .and. run%refinement%is_wanted()) call set_error(error, input_failure, &
@@ -98,29 +113,37 @@ contains
       type(state_t), intent(inout) :: self
       !> What the input describes; nothing is left of it.
       type(run_input_t), intent(inout) :: run
+      logical :: is_fit
       integer :: i
 
-      call open_state(self, run%model)
+      is_fit = self%is_fit
+      call open_state(self, run%model, is_fit)
+      self%is_fit = is_fit
       self%input%values = run%plan%base
       self%input%is_given = run%is_given
       do i = 1, size(self%input%values)
          self%input%is_swept(i) = run%plan%is_swept(i)
       end do
+      if (is_fit) self%run%datasets = run%datasets
       call move_alloc(run%datasets, self%input%datasets)
       call move_alloc(run%plan%axes, self%run%plan%axes)
+      if (allocated(run%digest)) self%run%digest = run%digest
+      self%run%plan%base = self%input%values
       self%run%title = run%title
       self%run%text = run%text
       self%run%output = run%output
    end subroutine take_input
 
    !> Open a model.
-   subroutine open_state(self, model)
+   subroutine open_state(self, model, is_fit)
       !> Receives the model, with no value but the defaults.
       type(state_t), intent(out) :: self
       !> The model, which is taken over.
       class(model_t), allocatable, intent(inout) :: model
+      !> Is it a fit? Not present: it is none.
+      logical, intent(in), optional :: is_fit
 
-      call new_run(self%run, model)
+      call new_run(self%run, model, is_fit)
       call new_case(self%input, self%run%model)
    end subroutine open_state
 
@@ -246,17 +269,22 @@ contains
       !> Says what is missing, contradictory or impossible, a line each.
       type(error_t), allocatable, intent(out) :: error
       type(namelist_file_t) :: nothing
-      type(problems_t) :: problems, unused
+      type(problems_t) :: problems
       type(dataset_t) :: none
       character(:), allocatable :: text
       integer :: i
 
+      if (self%is_fit) then
+         ! it was checked when it was opened
+         if (self%is_spent) call set_error(error, input_failure, 'a fit is solved once, allowed: to open it once more')
+         return
+      end if
       self%run%plan%base = self%input%values
       do i = 1, size(self%input%datasets)
          self%run%datasets(i) = none
          if (self%input%is_given(i)) self%run%datasets(i) = self%input%datasets(i)
       end do
-      call new_namelist_file(nothing, '', '', unused)
+      call no_namelist_file(nothing)
       call check_consistency(nothing, self%run%model, self%input, self%run%plan%axes, problems)
       text = find_size_problem(self%run%plan)
       if (len(text) > 0) call problems%add('', '', text)
@@ -302,6 +330,10 @@ contains
       place = 0
       call self%check_open(error)
       if (allocated(error)) return
+      if (self%is_fit) then
+         call set_error(error, input_failure, trim(name)//': a fit is as its input describes it, allowed: another input')
+         return
+      end if
       call find_place(self%run%model, name, place, problems)
       call error_of(problems, error)
    end subroutine find_variable

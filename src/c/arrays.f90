@@ -5,11 +5,12 @@ module adfric_c_arrays
    use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_int8_t, c_loc, c_null_ptr, c_ptr
    use adfric_base_error, only: error_t, file_failure, set_error
    use adfric_base_kinds, only: dp, i8
-   use adfric_base_words, only: has_word
+   use adfric_base_words, only: count_words, get_word, has_word
    use adfric_c_coordinates, only: coordinates_t, new_coordinates
    use adfric_c_texts, only: keep_text, too_little_memory
    use adfric_hdf5_datasets, only: to_state
-   use adfric_output_constants, only: add_derived_constants, constant_t
+   use adfric_model_table, only: extra_t
+   use adfric_output_constants, only: add_derived_constants, constant_t, file_unit
    use adfric_output_layout, only: field_t, layout_t, new_layout, number_places, scale_t
    use adfric_run_memory_sink, only: memory_sink_t
    use adfric_run_run, only: run_t
@@ -18,7 +19,8 @@ module adfric_c_arrays
    public :: array_info_t, arrays_t, new_arrays
 
    !> What an array is, as in adfric.h.
-   integer(c_int32_t), parameter :: role_coordinate = 1, role_result = 2, role_profile = 3, role_parameter = 4, role_list = 5
+   integer(c_int32_t), parameter :: role_coordinate = 1, role_result = 2, role_profile = 3, role_parameter = 4, role_list = 5, &
+      & role_extra = 6, role_words = 7
 
    !> `adfric_array` of adfric.h.
    type, bind(c) :: array_info_t
@@ -70,19 +72,22 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(layout_t) :: layout
       type(coordinates_t) :: coordinates
+      type(extra_t), allocatable :: extras(:)
 
       call new_layout(layout, run)
+      call run%model%get_extras(extras)
       call add_derived_constants(run, layout%constants)
       call new_coordinates(coordinates, run, error)
       call move_alloc(found, self%found)
       self%names = ''
       allocate (self%items(size(coordinates%scales) + size(layout%profile_axes) + size(layout%constants) + 2*size(layout%lists) &
-         & + size(layout%fields) + size(layout%profiles)))
+         & + size(layout%fields) + size(layout%profiles) + size(extras)))
       call add_coordinates(self, coordinates, layout, error)
       call add_constants(self, layout%constants, error)
       call add_lists(self, layout%lists, error)
       call add_fields(self, coordinates, layout, error)
       call add_profiles(self, coordinates, layout, run, error)
+      call add_extras(self, extras, error)
    end subroutine new_arrays
 
    !> Add one more array, which gets its values afterwards.
@@ -337,5 +342,47 @@ contains
          self%items(self%n)%info%values = c_loc(self%found%profiles(1, 1, i, 1))
       end do
    end subroutine add_profiles
+
+   !> Add what a fit has beside its results. Words are states with the words for their meanings.
+   subroutine add_extras(self, extras, error)
+      !> The arrays.
+      type(arrays_t), target, intent(inout) :: self
+      !> What there is.
+      type(extra_t), intent(in) :: extras(:)
+      !> Receives that there is too little memory.
+      type(error_t), allocatable, intent(inout) :: error
+      type(field_t) :: field
+      type(c_ptr), allocatable :: dimensions(:)
+      integer :: i, k
+
+      do i = 1, size(extras)
+         associate (extra => extras(i))
+            field%name = extra%name
+            field%unit = file_unit(extra%unit)
+            field%long_name = extra%long_name
+            field%first_flag = extra%first_flag
+            field%flag_meanings = ''
+            if (allocated(extra%flag_meanings)) field%flag_meanings = extra%flag_meanings
+            if (allocated(dimensions)) deallocate (dimensions)
+            allocate (dimensions(count_words(extra%dimensions)))
+            do k = 1, size(dimensions)
+               call keep_text(get_word(extra%dimensions, k), dimensions(k), error)
+            end do
+            if (allocated(extra%words)) then
+               field%flag_meanings = extra%words
+               field%first_flag = 0
+               call add(self, field, role_words, dimensions, [int(count_words(extra%words), i8)], error)
+               call set_states(self, [(real(k, dp), k=0, count_words(extra%words) - 1)], error)
+            else if (len(field%flag_meanings) > 0) then
+               call add(self, field, role_extra, dimensions, int(extra%counts, i8), error)
+               call set_states(self, extra%values, error)
+            else
+               call add(self, field, merge(role_coordinate, role_extra, extra%dimensions == extra%name), dimensions, &
+                  & int(extra%counts, i8), error)
+               call set_values(self, extra%values, error)
+            end if
+         end associate
+      end do
+   end subroutine add_extras
 
 end module adfric_c_arrays

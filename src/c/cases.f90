@@ -8,7 +8,7 @@ module adfric_c_cases
    use adfric_c_texts, only: keep_text, read_text, refuse_null, status_of, too_little_memory
    implicit none (type, external)
    private
-   public :: take_case
+   public :: take_case, keep_case
 
    !> Where a case is from.
    integer, parameter :: from_model = 1, from_file = 2, from_text = 3
@@ -60,7 +60,6 @@ contains
       type(state_t), pointer :: state
       type(error_t), allocatable :: error
       character(:), allocatable :: text
-      integer(c_int64_t), pointer :: handle
       integer :: failure
 
       nullify (state)
@@ -78,14 +77,27 @@ contains
             call read_state(state, text, is_text=from == from_text, error=error)
          end if
       end if
+      call keep_case(state, opened, error)
+      !$omp end critical (adfric_api)
+      status = status_of(error)
+   end subroutine make_case
+
+   !> Give a case a handle, or end it after an error.
+   subroutine keep_case(state, opened, error)
+      !> The case; null if there is none. It is gone after an error.
+      type(state_t), pointer, intent(inout) :: state
+      !> Receives the handle.
+      type(c_ptr), intent(in) :: opened
+      !> In: what was wrong before, if anything was. Out: also that there is no memory for a handle.
+      type(error_t), allocatable, intent(inout) :: error
+      integer(c_int64_t), pointer :: handle
+
       if (.not. allocated(error)) then
          call c_f_pointer(opened, handle)
          call add_handle(kind_case, c_loc(state), handle, error)
       end if
       if (allocated(error) .and. associated(state)) deallocate (state)
-      !$omp end critical (adfric_api)
-      status = status_of(error)
-   end subroutine make_case
+   end subroutine keep_case
 
    !> See adfric.h.
    integer(c_int) function close_case(self) bind(c, name='adfric_close_case') result(status)

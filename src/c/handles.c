@@ -2,13 +2,14 @@
 /* What the C interface keeps between calls: which handles are open, the last message of each thread, texts that are given out, and
    the tables of the models. */
 
-#define _POSIX_C_SOURCE 200809L
+#define _GNU_SOURCE
 
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 /* ---- Handles ---- */
 
@@ -28,6 +29,7 @@ struct slot {
    int n_users;               /* threads that use it; -1: one that uses it alone */
    int next_free;             /* number of the next free slot, -1 if there is none */
    atomic_int is_stoppable, is_stopping;
+   int64_t outer;             /* what the thread works on that has called for this work, beside it */
 };
 
 /* Chunks stay where they are and are never given back, so that a handler of signals may look at them. */
@@ -134,12 +136,38 @@ void adfric_end_handle(int64_t handle)
 
 /* ---- Stopping ---- */
 
+/* What this thread has called for, and when it may look up from it again. */
+static _Thread_local int64_t called_for = 0;
+static _Thread_local struct timespec due_at;
+
+/* Time between two looks [ns]. */
+enum { nanoseconds_of_look = 50000000, nanoseconds_of_second = 1000000000 };
+
 /* From now on, or no longer, the work on an object that was taken can be stopped. */
 void adfric_let_stop(int64_t handle, int may)
 {
    struct slot *slot = slot_at(number_of(handle));
    atomic_store(&slot->is_stopping, 0);
    atomic_store(&slot->is_stoppable, may);
+   if (may) slot->outer = called_for;
+   called_for = may ? handle : slot->outer;
+}
+
+/* Is it this thread that has called for the work on an object, and is it time for it to look up? A coarse clock takes next to no
+   time. */
+int adfric_is_due(int64_t handle)
+{
+   struct timespec now;
+   if (called_for != handle) return 0;
+   if (clock_gettime(CLOCK_MONOTONIC_COARSE, &now) != 0) return 0;
+   if (now.tv_sec < due_at.tv_sec || (now.tv_sec == due_at.tv_sec && now.tv_nsec < due_at.tv_nsec)) return 0;
+   due_at = now;
+   due_at.tv_nsec += nanoseconds_of_look;
+   if (due_at.tv_nsec >= nanoseconds_of_second) {
+      due_at.tv_sec++;
+      due_at.tv_nsec -= nanoseconds_of_second;
+   }
+   return 1;
 }
 
 /* Shall the work on an object that was taken stop? */

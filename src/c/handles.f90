@@ -5,7 +5,7 @@ module adfric_c_handles
    use adfric_base_error, only: error_t, file_failure, input_failure, set_error
    implicit none (type, external)
    private
-   public :: kind_case, kind_results, add_handle, take_object, leave_object, end_handle, let_stop, shall_stop, ask_to_stop
+   public :: kind_case, kind_results, add_handle, take_object, leave_object, end_handle, let_stop, shall_stop, ask_to_stop, is_due
 
    !> Kinds of objects, as in handles.c.
    integer(c_int), parameter :: kind_case = 0, kind_results = 1
@@ -82,6 +82,14 @@ module adfric_c_handles
          !> The handle by which it was taken.
          integer(c_int64_t), intent(in), value :: handle
       end function shall_stop
+
+      !> Is it this thread that has called for the work on an object, and was this not asked for a while? 1: it is so.
+      integer(c_int) function is_due(handle) bind(c, name='adfric_is_due')
+         import :: c_int, c_int64_t
+         implicit none (type, external)
+         !> The handle by which it was taken.
+         integer(c_int64_t), intent(in), value :: handle
+      end function is_due
 
    end interface
 

@@ -3,7 +3,7 @@
 module adfric_c_listener
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_procpointer, c_funptr, c_int, c_int64_t, c_null_ptr, c_ptr
    use adfric_base_kinds, only: dp, i8
-   use adfric_c_handles, only: ask_to_stop, shall_stop
+   use adfric_c_handles, only: ask_to_stop, is_due, shall_stop
    use adfric_run_progress, only: progress_t
    use adfric_system_clock, only: wall_clock
    implicit none (type, external)
@@ -35,6 +35,8 @@ module adfric_c_listener
       procedure(progress_i), pointer, nopass :: tell => null()
       !> What the caller gave for it.
       type(c_ptr) :: context = c_null_ptr
+      !> What the caller was told last: number of points that are solved, and of all.
+      integer(i8) :: n_done = 0, n_total = 0
       !> When the function was called last [s].
       real(dp) :: told_at = -1
    contains
@@ -69,20 +71,34 @@ contains
       !> Number of all points.
       integer(i8), intent(in) :: n_total
       real(dp) :: now
-      integer(c_int) :: unused
 
+      self%n_done = n_done
+      self%n_total = n_total
       if (.not. associated(self%tell)) return
       now = wall_clock()
       if (self%told_at >= 0 .and. now - self%told_at < least_interval .and. n_done < n_total) return
       self%told_at = now
-      if (self%tell(self%context, n_done, n_total) /= 0) unused = ask_to_stop(self%handle)
+      call tell_caller(self)
    end subroutine report
 
-   !> See `progress_t`.
+   !> Tell the caller how far the call is; what he answers may stop it.
+   subroutine tell_caller(self)
+      !> The listener, with a function of the caller.
+      class(listener_t), intent(in) :: self
+      integer(c_int) :: unused
+
+      if (self%tell(self%context, self%n_done, self%n_total) /= 0) unused = ask_to_stop(self%handle)
+   end subroutine tell_caller
+
+   !> See `progress_t`: the thread that calls hears the caller meanwhile, who is told nothing new.
    logical function wants_end(self)
       !> The listener.
       class(listener_t), intent(in) :: self
 
+      wants_end = shall_stop(self%handle) /= 0
+      if (wants_end .or. .not. associated(self%tell)) return
+      if (is_due(self%handle) == 0) return
+      call tell_caller(self)
       wants_end = shall_stop(self%handle) /= 0
    end function wants_end
 

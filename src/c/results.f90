@@ -1,8 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The functions of adfric.h that solve a case, and that give out and close results.
 module adfric_c_results
-   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_funptr, c_int, c_int32_t, c_int64_t, c_loc, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_funptr, c_int, c_int32_t, c_int64_t, c_loc, c_null_funptr, &
+      & c_null_ptr, c_ptr
    use omp_lib, only: omp_get_max_threads
+   use adfric_api_numbers, only: find_number
    use adfric_api_results, only: refuse
    use adfric_api_solution, only: solve_by_threads
    use adfric_api_state, only: state_t
@@ -59,6 +61,76 @@ contains
       status = status_of(error)
    end function solve
 
+   !> See adfric.h.
+   integer(c_int) function solve_point(self, n_names, names, values) bind(c, name='adfric_solve_point') result(status)
+      !> Handle of the case.
+      integer(c_int64_t), intent(in), value :: self
+      !> Number of names.
+      integer(c_int32_t), intent(in), value :: n_names
+      !> Names of results.
+      type(c_ptr), intent(in), value :: names
+      !> Receives their values.
+      type(c_ptr), intent(in), value :: values
+      type(state_t), pointer :: state
+      type(error_t), allocatable :: error
+      real(c_double), pointer :: numbers(:)
+      type(c_ptr), pointer :: list(:)
+
+      call refuse_null(names, 'names', error)
+      if (.not. allocated(error)) call refuse_null(values, 'values', error)
+      if (.not. allocated(error)) call take_case(self, state, error)
+      if (.not. allocated(error)) then
+         call c_f_pointer(names, list, [max(n_names, 0_c_int32_t)])
+         call c_f_pointer(values, numbers, [max(n_names, 0_c_int32_t)])
+         call let_stop(self, 1_c_int)
+         call solve_single(state, self, list, numbers, error)
+         call let_stop(self, 0_c_int)
+         call leave_object(self)
+      end if
+      status = status_of(error)
+   end function solve_point
+
+   !> Solve a case of one point.
+   subroutine solve_single(state, handle, names, values, error)
+      !> The case.
+      type(state_t), intent(inout) :: state
+      !> Its handle.
+      integer(c_int64_t), intent(in) :: handle
+      !> Names of results.
+      type(c_ptr), intent(in) :: names(:)
+      !> Receives their values; left as they are if there is an error.
+      real(c_double), intent(inout) :: values(:)
+      !> Says what is wrong, or that the call was stopped.
+      type(error_t), allocatable, intent(out) :: error
+      type(memory_sink_t), allocatable :: sink
+      type(listener_t) :: listener
+      character(:), allocatable :: name
+      real(c_double) :: found(size(names))
+      integer :: k
+
+      call new_listener(listener, handle, c_null_funptr, c_null_ptr)
+      !$omp critical (adfric_api)
+      if (state%run%plan%n_points() == 1) then
+         call state%check_case(error)
+      else
+         call set_error(error, input_failure, 'the case has '//show_count(state%run%plan%n_points())// &
+            & ' points, allowed: one, or adfric_solve')
+      end if
+      !$omp end critical (adfric_api)
+      if (allocated(error)) return
+      state%is_spent = state%is_fit
+      call solve_by_threads(state%run, sink, error, progress=listener)
+      if (allocated(error)) return
+      !$omp critical (adfric_api)
+      do k = 1, size(names)
+         call read_text(names(k), 'name', name, error)
+         if (.not. allocated(error)) call find_number(state%run%model, sink, name, found(k), error)
+         if (allocated(error)) exit
+      end do
+      !$omp end critical (adfric_api)
+      if (.not. allocated(error)) values(:) = found
+   end subroutine solve_single
+
    !> Solve a case, and give what it finds a handle.
    subroutine solve_case(state, n_threads, listener, found, error)
       !> The case.
@@ -82,6 +154,7 @@ contains
          call state%check_case(error)
       end if
       !$omp end critical (adfric_api)
+      state%is_spent = state%is_fit
       if (.not. allocated(error)) call solve_by_threads(state%run, sink, error, merge(n_threads, omp_get_max_threads(), &
          & n_threads > 0), listener, summary)
       if (.not. allocated(error)) call keep_results(state, sink, summary, found, error)

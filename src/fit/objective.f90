@@ -7,6 +7,7 @@
 module adfric_fit_objective
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
+   use adfric_base_watch, only: watch_t
    use adfric_fit_curve, only: curve_t
    use adfric_fit_loss, only: get_loss, loss_width_of
    use adfric_fit_model_curve, only: model_curve_t, new_model_curve
@@ -53,6 +54,8 @@ module adfric_fit_objective
       integer, allocatable :: rows_before(:)
       !> Evaluations so far.
       integer :: evaluations = 0
+      !> Who may end the search before its time; null: nobody. The model has no value then, anywhere.
+      class(watch_t), pointer :: watch => null()
    contains
       procedure :: evaluate
       procedure :: set_values
@@ -77,6 +80,7 @@ contains
       real(dp), intent(in) :: unknown_unit
       integer :: k, n
 
+      if (associated(fit%model)) self%watch => fit%model%watch
       self%n_free = size(fit%frees)
       self%frees = fit%frees
       self%unit = unit
@@ -231,10 +235,13 @@ contains
       integer :: k, n
 
       self%evaluations = self%evaluations + 1
-      call take_estimate(self, q, v, slopes)
-      call self%set_values(v)
       n_rows = 0
       cost = 0
+      is_valid = .true.
+      if (associated(self%watch)) is_valid = .not. self%watch%wants_end()
+      if (.not. is_valid) return
+      call take_estimate(self, q, v, slopes)
+      call self%set_values(v)
       do k = 1, size(self%number)
          self%rows_before(k) = n_rows
          associate (at => self%number(k))

@@ -8,6 +8,7 @@ module adfric_fit_stack_model
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count
+   use adfric_base_watch, only: watch_t
    use adfric_base_words, only: get_word
    use adfric_fit_curve_source, only: curve_source_t
    use adfric_fit_extras, only: get_solution_extras
@@ -50,6 +51,7 @@ module adfric_fit_stack_model
       procedure :: get_profile_axes
       procedure :: prepare
       procedure :: release
+      procedure :: obey
       procedure :: solve_block
       procedure :: solve_profiles
       procedure :: list_states
@@ -90,6 +92,7 @@ contains
       allocate (self%profiles(0), self%counts(0))
       self%profile_axes = 'x'
       self%largest_block = most_curves
+      self%shares_points = fit%model%shares_points
    end subroutine new_stack_model
 
    !> The table of variables.
@@ -187,7 +190,19 @@ contains
       if (.not. self%is_single() .or. allocated(self%solution)) return
       allocate (self%solution)
       call solve_fit(self%fit, self%solution)
+      if (self%is_stopped()) deallocate (self%solution)
    end subroutine prepare
+
+   !> See `model_t`.
+   subroutine obey(self, watch)
+      !> The stack.
+      class(stack_model_t), intent(inout) :: self
+      !> Who is asked; null: nobody.
+      class(watch_t), pointer, intent(in) :: watch
+
+      self%watch => watch
+      call self%fitted_model%obey(watch)
+   end subroutine obey
 
    !> See `model_t`.
    subroutine release(self)
@@ -239,6 +254,7 @@ contains
       call self%source%get_curves(curve_number(self, values(:, 1)), curves, is_read)
       if (.not. is_read) return
       do i = 1, size(status)
+         if (self%is_stopped()) return
          fit%data_sets = curves(:, i)
          call solve_fit(fit, solution)
          call keep(self, solution, results(:, i), error_estimate(i), status(i))

@@ -62,7 +62,7 @@ contains
       do g = 1, size(groups)
          loaded%data_sets(g) = groups(g)%data_set
          loaded%data_sets(g)%name = groups(g)%file
-         if (is_dataset(groups(g)%file)) then
+         if (is_dataset(groups(g)%file) .and. .not. allocated(groups(g)%table)) then
             call load_stack(groups(g), model, is_together, loaded, g, variable, flaw)
          else
             call load_table(groups(g), model, loaded, g, variable, flaw)

@@ -7,6 +7,7 @@ module adfric_input_fit_data_group
    use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: get_word
    use adfric_fit_problem, only: data_set_t, loss_gauss, n_nuisances, nuisance_names, nuisance_tilt
+   use adfric_input_text_table, only: text_table_t
    use adfric_input_fit_values, only: reader_t, new_reader
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: did_you_mean
@@ -24,6 +25,8 @@ module adfric_input_fit_data_group
       type(reader_t) :: reader
       !> Name of the file, with that of a dataset within it or without; not allocated if it is wrong.
       character(:), allocatable :: file
+      !> The table of that name, where somebody has it in memory.
+      type(text_table_t), allocatable :: table
       !> Names of the columns; not allocated where none is given, empty where none is wanted.
       character(:), allocatable :: abscissa_column, ordinate_column, sigma_column, abscissa_sigma_column, branch_column, &
          segment_column
@@ -63,7 +66,8 @@ contains
       call new_reader(self%reader, file, group, rows, problems)
       call self%reader%read_text(file, 'file', self%file, problems)
       call self%reader%report_missing(file, 'file', problems)
-      if (allocated(self%file)) call look_beside(file%path, self%file)
+      if (allocated(self%file)) call find_table(file, self)
+      if (allocated(self%file) .and. .not. allocated(self%table)) call look_beside(file%path, self%file)
       call read_abscissa(file, model, self, problems)
       call read_ordinate(file, model, self, problems)
       call read_columns(file, self, problems)
@@ -78,6 +82,20 @@ contains
       self%is_whole = allocated(self%file) .and. self%data_set%abscissa > 0 .and. self%data_set%ordinate > 0 &
          .and. problems%count() == n_before
    end subroutine read_data_group
+
+   !> Find the table in memory that the group names, if it names one.
+   subroutine find_table(file, self)
+      !> The input with its tables.
+      type(namelist_file_t), intent(in) :: file
+      !> The group; receives the table.
+      type(data_group_t), intent(inout) :: self
+      integer :: k
+
+      if (.not. allocated(file%tables)) return
+      do k = 1, size(file%tables)
+         if (file%tables(k)%path == self%file) self%table = file%tables(k)
+      end do
+   end subroutine find_table
 
    !> A tilt belongs to a load over another abscissa.
    subroutine check_tilt(file, model, self, problems)

@@ -311,7 +311,10 @@ contains
       do g = 1, size(self%files)
          ! the same lock as that of the sink (src/run/delivery.f90)
          !$omp critical (adfric_run_sink)
+         ! nor may a caller of the library open another file meanwhile (src/api)
+         !$omp critical (adfric_api)
          call self%files(g)%read_columns(first, curves, is_read)
+         !$omp end critical (adfric_api)
          !$omp end critical (adfric_run_sink)
          if (.not. is_read) return
          do i = 1, size(curves)

@@ -34,7 +34,11 @@ contains
 
       flaw = ''
       variable = 'file'
-      call open_text_table(table, group%file, error)
+      if (allocated(group%table)) then
+         table = group%table
+      else
+         call open_text_table(table, group%file, error)
+      end if
       if (allocated(error)) then
          flaw = error%message
          form = ''

@@ -5,13 +5,14 @@ module adfric_input_namelist_file
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count
    use adfric_base_words, only: has_word
+   use adfric_input_text_table, only: text_table_t
    use adfric_input_assignment_scan, only: assignment_t, scan_assignments
    use adfric_input_group_scan, only: group_t, repeatable, scan_groups
    use adfric_input_source_text, only: source_t, new_source, find_control_character
    use adfric_input_whole_file, only: read_whole_file
    implicit none (type, external)
    private
-   public :: namelist_file_t, open_namelist_file, open_namelist_text, new_namelist_file
+   public :: namelist_file_t, open_namelist_file, open_namelist_text, new_namelist_file, no_namelist_file
 
    !> A namelist file.
    type :: namelist_file_t
@@ -25,6 +26,8 @@ module adfric_input_namelist_file
       type(group_t), allocatable :: groups(:)
       !> The assignments of all groups, in the order of the file.
       type(assignment_t), allocatable :: assignments(:)
+      !> Tables that somebody has in memory; their names go before those of files.
+      type(text_table_t), allocatable :: tables(:)
    contains
       procedure :: find_group
       procedure :: find_assignment
@@ -98,6 +101,17 @@ contains
       call report_repeated_groups(self, problems)
       call report_repeated_variables(self, problems)
    end subroutine new_namelist_file
+
+   !> What stands for the file of a case that is from none.
+   subroutine no_namelist_file(self)
+      !> Receives a file without a name, a text and groups.
+      type(namelist_file_t), intent(out) :: self
+
+      self%path = ''
+      self%text = ''
+      call new_source(self%source, '')
+      allocate (self%groups(0), self%assignments(0))
+   end subroutine no_namelist_file
 
    !> Report groups that stand twice.
    subroutine report_repeated_groups(self, problems)

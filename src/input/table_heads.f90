@@ -8,7 +8,7 @@ module adfric_input_table_heads
    use adfric_input_table_numbers, only: is_number_form
    implicit none (type, external)
    private
-   public :: heads_t, read_heads
+   public :: heads_t, read_heads, set_heads
 
    !> Stands for a blank within a name where names are separated by blanks.
    character, parameter :: inner_blank = achar(31)
@@ -84,6 +84,23 @@ contains
       end function is_number_right
 
    end subroutine read_heads
+
+   !> Heads that somebody has, without a line of text.
+   pure subroutine set_heads(self, names, units)
+      !> Receives the heads.
+      type(heads_t), intent(out) :: self
+      !> The heads, with a unit or without; blanks at their ends do not count.
+      character(*), intent(in) :: names(:)
+      !> Units from elsewhere, empty where there is none; shape of the names.
+      character(*), intent(in) :: units(:)
+      integer :: k
+
+      allocate (self%columns(size(names)))
+      do k = 1, size(names)
+         call set_text(self%columns(k), trim(adjustl(names(k))))
+         self%columns(k)%unit = trim(adjustl(units(k)))
+      end do
+   end subroutine set_heads
 
    !> Split a line into heads.
    pure subroutine split_line(line, separator, n_most, self, is_right)

@@ -1,15 +1,16 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A table of numbers in a text file, as instruments, spreadsheets and scripts write it (`docs/tables.md`).
+!> A table of numbers in a text file, as instruments, spreadsheets and scripts write it (`docs/tables.md`), or in memory.
 !>
 !> The text is kept, and a column is converted when it is taken.
 module adfric_input_text_table
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_error, only: error_t, set_error, input_failure
    use adfric_base_kinds, only: dp
-   use adfric_base_text, only: newline, show_count, show_text
+   use adfric_base_text, only: newline, show_count, show_number, show_text
    use adfric_base_units, only: unit_t, to_si
    use adfric_input_head_unit, only: head_t
    use adfric_input_table_cells, only: cell_t, count_cells, find_cell, find_next_line, is_comment
+   use adfric_input_table_heads, only: set_heads
    use adfric_input_table_layout, only: layout_t, find_layout
    use adfric_input_table_numbers, only: convert_cell
    use adfric_input_table_text, only: decode_text
@@ -17,12 +18,14 @@ module adfric_input_text_table
    use adfric_input_whole_file, only: read_whole_file
    implicit none (type, external)
    private
-   public :: text_table_t, open_text_table, new_text_table
+   public :: text_table_t, open_text_table, new_text_table, new_table_of_numbers
 
    !> More than anybody has in one table of text: something else was given by mistake [bytes].
    integer, parameter :: largest_table = 1000*1024**2
    !> Rows that there is room for at first.
    integer, parameter :: first_room = 64
+   !> No number of physics is larger.
+   real(dp), parameter :: largest = 1.0e60_dp
 
    !> A table.
    type :: text_table_t
@@ -34,6 +37,8 @@ module adfric_input_text_table
       type(layout_t), private :: layout
       !> Position in the text of the first character of each row.
       integer, allocatable, private :: rows(:)
+      !> The numbers of a table that has no text; shape `(n_rows, n_columns)`.
+      real(dp), allocatable, private :: numbers(:, :)
    contains
       procedure :: n_rows
       procedure :: has_column
@@ -87,6 +92,32 @@ contains
       end if
    end subroutine new_text_table
 
+   !> A table of numbers that somebody has in memory.
+   subroutine new_table_of_numbers(self, name, columns, units, numbers, error)
+      !> Receives the table; only to be used if there is no error.
+      type(text_table_t), intent(out) :: self
+      !> Its name, by which an input knows it.
+      character(*), intent(in) :: name
+      !> Heads of its columns, with a unit as in a file or without; blanks at their ends do not count.
+      character(*), intent(in) :: columns(:)
+      !> Units that the heads have not, empty for SI units.
+      character(*), intent(in) :: units(:)
+      !> The numbers, NaN where there is none; shape `(n_rows, n_columns)`.
+      real(dp), intent(in) :: numbers(:, :)
+      !> Allocated if the shapes do not go together, or there is no row.
+      type(error_t), allocatable, intent(out) :: error
+
+      self%path = name
+      if (size(columns) /= size(numbers, 2) .or. size(units) /= size(columns) .or. size(numbers) == 0) then
+         call set_error(error, input_failure, name//': given numbers of shape ('//show_count(size(numbers, 1))//', '// &
+            show_count(size(numbers, 2))//') with '//show_count(size(columns))//' names and '//show_count(size(units))// &
+            ' units of columns, needed: at least one row, and one name and unit of each column')
+         return
+      end if
+      call set_heads(self%layout%heads, columns, units)
+      allocate (self%numbers, source=numbers)
+   end subroutine new_table_of_numbers
+
    !> Find where each row begins. All of them have a cell for each name, and nothing behind.
    subroutine find_rows(self, error)
       !> The table, which receives its rows.
@@ -131,7 +162,11 @@ contains
       !> The table.
       class(text_table_t), intent(in) :: self
 
-      n_rows = size(self%rows)
+      if (allocated(self%numbers)) then
+         n_rows = size(self%numbers, 1)
+      else
+         n_rows = size(self%rows)
+      end if
    end function n_rows
 
    !> Is there a column of this name, or are there several?
@@ -176,6 +211,10 @@ contains
       class(text_table_t), intent(in) :: self
       character(:), allocatable :: text
 
+      if (allocated(self%numbers)) then
+         text = 'columns in memory'
+         return
+      end if
       select case (self%layout%separator)
       case (',')
          text = 'commas'
@@ -254,6 +293,10 @@ contains
          return
       end if
       allocate (values(self%n_rows()))
+      if (allocated(self%numbers)) then
+         call take_numbers(self, k, name, values, error)
+         return
+      end if
       do i = 1, size(values)
          call find_cell(self%text, self%rows(i), self%layout%separator, k, cell)
          associate (word => self%text(cell%first:cell%last))
@@ -265,6 +308,30 @@ contains
          return
       end do
    end subroutine get_numbers
+
+   !> Take a column of a table that has no text.
+   subroutine take_numbers(self, column, name, values, error)
+      !> The table.
+      type(text_table_t), intent(in) :: self
+      !> Place of the column, from 1.
+      integer, intent(in) :: column
+      !> Its name, for messages.
+      character(*), intent(in) :: name
+      !> Receives the numbers; shape `(n_rows)`.
+      real(dp), intent(out) :: values(:)
+      !> Allocated if a number is out of range.
+      type(error_t), allocatable, intent(out) :: error
+      integer :: i
+
+      values(:) = self%numbers(:, column)
+      do i = 1, size(values)
+         if (ieee_is_nan(values(i))) cycle
+         if (abs(values(i)) <= largest) cycle
+         call set_error(error, input_failure, self%path//': column '//show_text(name)//': out of range, given '// &
+            show_number(values(i))//' in row '//show_count(i)//', allowed: a number, or nan where there is none')
+         return
+      end do
+   end subroutine take_numbers
 
    !> Line of the file in which a row stands, from 1.
    pure integer function line_of_row(self, row)

@@ -7,6 +7,7 @@ module adfric_model_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
+   use adfric_base_watch, only: watch_t
    use adfric_model_derived, only: derived_t
    use adfric_model_profile_receiver, only: profile_receiver_t
    use adfric_model_status, only: status_solved, status_meanings
@@ -37,6 +38,10 @@ module adfric_model_model
       character(:), allocatable :: extra_names
       !> Most points of a block, for points that take long and have little of their neighbours: other threads take the rest.
       integer :: largest_block = huge(1)
+      !> May several threads share the work of one point?
+      logical :: shares_points = .false.
+      !> Whom points that take long ask whether the run shall end; null: nobody.
+      class(watch_t), pointer :: watch => null()
    contains
       procedure(check_values_i), deferred :: check_values
       procedure(wants_profiles_i), deferred :: wants_profiles
@@ -45,6 +50,8 @@ module adfric_model_model
       procedure(solve_profiles_i), deferred :: solve_profiles
       procedure :: prepare
       procedure :: release
+      procedure :: obey
+      procedure :: is_stopped
       procedure :: solve_block_and_profiles
       procedure :: take_dataset
       procedure :: take_attribute
@@ -156,6 +163,25 @@ contains
       associate (unused => self)
       end associate
    end subroutine release
+
+   !> From now on somebody may end the solution of points before its time, or nobody any more.
+   subroutine obey(self, watch)
+      !> The model; one around another hands it on.
+      class(model_t), intent(inout) :: self
+      !> Who is asked, as long as he is there; null: nobody.
+      class(watch_t), pointer, intent(in) :: watch
+
+      self%watch => watch
+   end subroutine obey
+
+   !> Shall the solution of points end before its time?
+   logical function is_stopped(self)
+      !> The model; every thread asks.
+      class(model_t), intent(in) :: self
+
+      is_stopped = .false.
+      if (associated(self%watch)) is_stopped = self%watch%wants_end()
+   end function is_stopped
 
    !> Solve neighbouring points as `solve_block` does, to the same bits, and hand over the profiles of those that are solved. A
    !> model whose points would be solved once more for their profiles overrides it.

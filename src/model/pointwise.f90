@@ -6,7 +6,7 @@ module adfric_model_pointwise
    use adfric_base_not_a_number, only: not_a_number
    use adfric_model_model, only: model_t
    use adfric_model_profile_receiver, only: profile_receiver_t
-   use adfric_model_status, only: status_solved, status_not_converged
+   use adfric_model_status, only: status_solved, status_not_converged, status_stopped
    use adfric_model_table, only: profile_axis_t
    implicit none (type, external)
    private
@@ -140,6 +140,11 @@ contains
       counts = 0
       do i = 1, size(values, 2)
          call self%solve_point(values(:, i), state, results(:, i), error_estimate(i), status(i), counts)
+         if (self%is_stopped()) then
+            ! the point may have ended before its time
+            status(i:) = status_stopped
+            return
+         end if
          if (status(i) /= status_solved) error_estimate(i) = not_a_number()
          if (status(i) /= status_solved .or. .not. present(receiver)) cycle
          ! all points of a run share the axes

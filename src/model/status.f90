@@ -3,8 +3,8 @@
 module adfric_model_status
    implicit none (type, external)
    private
-   public :: status_solved, status_no_equilibrium, status_not_converged, status_not_identifiable, status_out_of_memory, n_status
-   public :: status_meanings, explain_status
+   public :: status_solved, status_no_equilibrium, status_not_converged, status_not_identifiable, status_out_of_memory
+   public :: status_stopped, n_status, status_meanings, explain_status
 
    !> Status of a point, as it stands in the file. The last one is of fits alone.
    integer, parameter :: status_solved = 0, status_no_equilibrium = 1, status_not_converged = 2
@@ -12,6 +12,8 @@ module adfric_model_status
    integer, parameter :: n_status = 4
    !> What a model gives back for a point that there is too little memory for. It stands in no file: such a run ends with an error.
    integer, parameter :: status_out_of_memory = -1
+   !> What a model gives back for a point that it has not solved, since the run shall end. It stands in no file either.
+   integer, parameter :: status_stopped = -2
    !> Names of the states, in the order of their numbers from 0.
    character(*), parameter :: status_meanings = 'solved no_equilibrium not_converged'
 

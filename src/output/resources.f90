@@ -7,7 +7,7 @@ module adfric_output_resources
    use adfric_run_run, only: run_t
    use adfric_run_runner, only: memory_needed
    use adfric_system_files, only: folder_of, free_space
-   use adfric_system_memory, only: free_memory
+   use adfric_system_memory, only: free_memory, has_free
    implicit none (type, external)
    private
    public :: check_resources, check_disk, check_memory, file_size_of, show_bytes
@@ -53,7 +53,7 @@ contains
       real(dp) :: needed
 
       needed = n_alike*memory_needed(run)
-      if (needed > free_memory()) call set_error(error, input_failure, 'the run is too large for the memory, needed: ' &
+      if (.not. has_free(needed)) call set_error(error, input_failure, 'the run is too large for the memory, needed: ' &
          //show_bytes(needed)//', free: '//show_bytes(free_memory()))
    end subroutine check_memory
 

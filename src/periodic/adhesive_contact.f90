@@ -99,6 +99,10 @@ contains
       do k = 1, most_rounds
          call solve_with_share(state, operator, gap_solver, share, change, has_contact)
          if (.not. has_contact) return
+         if (operator%is_stopped()) then
+            found = state
+            exit
+         end if
          if (has_found) has_found = is_bound(found%cohesion%share, is_adhered, share)
          if (has_found .and. k >= next_proof .and. .not. is_widening) then
             next_proof = k + 1 + k/3
@@ -352,6 +356,7 @@ contains
       call gap_solver%forget()
       call gap_solver%set_region(operator, is_open, .false., .false., .false.)
       do k = 1, most_steps
+         if (operator%is_stopped()) exit
          call gap_solver%improve(operator, is_open, 0.0_dp, x, pressure, mean_pressure, extremes, is_stuck, cohesion)
          if (is_stuck .or. extremes%left <= linear_tolerance*largest) exit
       end do

@@ -69,7 +69,10 @@ contains
       shortest = least_step*(maxval(state%shape) - minval(state%shape))
       ! a first cell in range is drawn in at once
       if (is_free(state)) step = sign(min(abs(step), shortest), step)
+      has_found = .false.
+      is_last = .false.
       do k = 1, most_steps
+         if (operator%is_stopped()) exit
          is_last = abs(step) >= abs(mean_gap - state%mean_gap)
          if (is_free(state) .and. mean_gap >= state%mean_gap) then
             call part(state, mean_gap)
@@ -205,6 +208,7 @@ contains
       has_found = .false.
       change = huge(1.0_dp)
       do k = 1, rounds_at_most
+         if (operator%is_stopped()) exit
          call next%cohesion%hold()
          call solve_again(next, operator, gap_solver, passing_tolerance)
          share(:, :) = next%cohesion%share

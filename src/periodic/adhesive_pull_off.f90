@@ -78,6 +78,7 @@ contains
       pull_off%mean_pressure = 0
       reach = beyond
       do k = 1, most_loads
+         if (solver%grids(size(solver%grids))%operator%is_stopped()) return
          call solve_adhesive_state(solver, shape, load, branch, tolerance, turned, state, solution, error)
          if (allocated(error)) return
          pull_off%n_pairs = pull_off%n_pairs + solution%n_pairs
@@ -130,6 +131,7 @@ contains
       associate (grid => solver%grids(size(solver%grids)))
          n_before = grid%operator%n_applied
          do k = 1, most_steps
+            if (grid%operator%is_stopped()) exit
             gap = way%gaps(way%n) + step
             if (has_bracket(way)) gap = lowest_place(way)
             ! nothing lies between states that are one but for round-off

@@ -134,6 +134,7 @@ contains
       state%is_converged = .false.
       most_iterations = merge(newton_iterations, max_iterations, follows_gap(state))
       do while (state%n_iterations < most_iterations .and. state%n_rounds < max_rounds)
+         if (operator%is_stopped()) exit
          call judge(state, extremes, goal, verdict)
          call search%note_step(verdict)
          has_ended = verdict%left <= goal*state%pressure_scale/2 .or. is_stuck .or. search%is_stalled()

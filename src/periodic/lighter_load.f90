@@ -164,6 +164,7 @@ contains
       n_checks = 0
       n_rounds = 0
       do while (self%n_iterations < max_iterations .and. n_rounds < max_rounds)
+         if (operator%is_stopped()) exit
          call judge(search, self%is_open, pressure, gap, tolerance)
          call region%note_step(search%verdict)
          has_ended = search%verdict%left <= aim() .or. is_stuck .or. region%is_stalled()

@@ -196,6 +196,7 @@ contains
       self%counts(1) = count_row(name='iterations_per_point', long_name='iterations on the finest grid')
       self%profile_axes = 'y x'
       self%largest_block = most_neighbours
+      self%shares_points = .true.
    end subroutine set_tables
 
    !> See `model_t`.
@@ -291,6 +292,7 @@ contains
          call self%set_solid(values, state%surface)
          goal = get_goal(self, values, state%surface%solid%modulus)
          call self%set_interface(values, state%surface%solid%modulus, goal)
+         goal%watch => self%watch
          ! what follows may end without a solution of its own
          state%solution%n_iterations = 0
          if (allocated(state%slip)) deallocate (state%slip)

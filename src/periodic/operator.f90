@@ -11,6 +11,7 @@ module adfric_periodic_operator
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t, set_error, input_failure
+   use adfric_base_watch, only: watch_t
    use adfric_numerics_spectral_filter, only: spectral_filter_t, new_spectral_filter
    use adfric_periodic_kernel, only: kernel_t
    implicit none (type, external)
@@ -42,7 +43,10 @@ module adfric_periodic_operator
       real(dp), allocatable, private :: lag(:, :)
       !> The compliance that the mean is given, since it has none; over the gain.
       real(dp), private :: compliance_of_mean = 0
+      !> Whom iterations ask whether they shall end; null: nobody.
+      class(watch_t), pointer :: watch => null()
    contains
+      procedure :: is_stopped
       procedure :: mean_stiffness
       procedure :: resist_mean
       procedure :: apply_stiffness
@@ -117,6 +121,15 @@ contains
       self%lag = aimag(stiffness)/self%filter%gain
       self%is_symmetric = .false.
    end subroutine set_stiffness
+
+   !> Shall iterations end before their time? What they have found is of no use then.
+   logical function is_stopped(self)
+      !> The operator.
+      class(periodic_operator_t), intent(in) :: self
+
+      is_stopped = .false.
+      if (associated(self%watch)) is_stopped = self%watch%wants_end()
+   end function is_stopped
 
    !> Say whether a constant has the stiffness of a layer, or none.
    pure subroutine resist_mean(self, resists)

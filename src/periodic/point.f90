@@ -4,6 +4,7 @@ module adfric_periodic_point
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_watch, only: watch_t
    use adfric_material_coulomb_rows, only: coulomb_t
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
@@ -59,6 +60,8 @@ module adfric_periodic_point
       logical :: wants_pull_off = .false.
       !> Pull-offs that the points of a run share; null: of this point alone.
       type(found_once_t), pointer :: pull_offs => null()
+      !> Whom iterations ask whether they shall end; null: nobody.
+      class(watch_t), pointer :: watch => null()
    end type periodic_goal_t
 
    !> Solver of the last point, for the next one.
@@ -93,10 +96,14 @@ contains
       !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       real(dp) :: unit
+      integer :: k
 
       unit = surface%period(1)
       call prepare(surface, memory, error)
       if (allocated(error)) return
+      do k = 1, size(memory%solver%grids)
+         memory%solver%grids(k)%operator%watch => goal%watch
+      end do
       if (allocated(goal%adhesion)) then
          call solve_adhesive(surface, goal, memory, solution, error)
       else if (goal%is_pressure) then

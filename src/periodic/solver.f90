@@ -253,6 +253,7 @@ contains
             if (k > first) call start_from_coarse(states(k), states(k - 1), grid%operator)
             call solve_contact(states(k), grid%operator, grid%gap_solver, merge(tolerance, coarse_tolerance, k == n))
             call grid%operator%resist_mean(.false.)
+            if (grid%operator%is_stopped()) return
             if (k == n) call set_full_pressure(grid%operator, shape, solution)
             solution%n_applied = solution%n_applied + grid%operator%n_applied
             solution%n_pairs = solution%n_pairs + solution%n_applied*(real(size(states(k)%gap), dp)/size(shape))

@@ -4,10 +4,11 @@ module adfric_run_memory_sink
    use adfric_base_error, only: error_t, set_error, file_failure
    use adfric_base_kinds, only: dp, i8
    use adfric_base_not_a_number, only: not_a_number
+   use adfric_model_status, only: status_solved
    use adfric_run_blocks, only: blocks_t
    use adfric_run_run, only: run_t
    use adfric_run_sink, only: sink_t
-   use adfric_system_memory, only: free_memory
+   use adfric_system_memory, only: has_free
    implicit none (type, external)
    private
    public :: memory_sink_t, new_memory_sink, status_not_put
@@ -19,7 +20,8 @@ module adfric_run_memory_sink
 
    !> The results of every point of a run, or of its part, in the order of the points.
    type, extends(sink_t) :: memory_sink_t
-      !> Results in the units of the model; shape `(n_points, n_results)`; NaN where there is no value.
+      !> Results in the units of the model; shape `(n_points, n_results)`; NaN where there is no value, and of no meaning where they
+      !> have not come: to fill them before would take as long as many models do.
       real(dp), allocatable :: results(:, :)
       !> Relative error of the main result at each point; shape `(n_points)`.
       real(dp), allocatable :: error_estimate(:)
@@ -28,7 +30,7 @@ module adfric_run_memory_sink
       !> What the model counted in each block; shape `(n_blocks, n_counts)`.
       real(dp), allocatable :: counts(:, :)
       !> Profiles of each point; shape `(n_last_axis, n_first_axis, n_profiles, n_points)`, see `run_t%profile_shape`; NaN for a
-      !> point that is not solved, and of size 0 if the case wants no profiles.
+      !> point that has none, of no meaning where the results have not come, and of size 0 if the case wants no profiles.
       real(dp), allocatable :: profiles(:, :, :, :)
       !> The points and blocks that are kept.
       type(blocks_t) :: blocks
@@ -58,7 +60,7 @@ contains
       n_points = self%blocks%n_points()
       shape = run%profile_shape()
       n_bytes = real_bytes*real(n_points, dp)*(size(run%model%results) + 2 + product(real(shape, dp)))
-      failure = merge(1, 0, n_bytes > free_memory())
+      failure = merge(0, 1, has_free(n_bytes))
       if (failure == 0) allocate (self%results(n_points, size(run%model%results)), self%error_estimate(n_points), &
          self%status(n_points), self%counts(self%blocks%n_blocks(), size(run%model%counts)), &
          self%profiles(shape(1), shape(2), shape(3), n_points), stat=failure)
@@ -66,11 +68,8 @@ contains
          call set_error(error, file_failure, 'there is too little memory for the results')
          return
       end if
-      self%results = not_a_number()
-      self%error_estimate = not_a_number()
       self%status = status_not_put
       self%counts = 0
-      self%profiles = not_a_number()
    end subroutine new_memory_sink
 
    !> See `sink_t`.
@@ -90,6 +89,7 @@ contains
       !> Never allocated: there is room for all points.
       type(error_t), allocatable, intent(out) :: error
       integer(i8) :: row, place
+      integer :: i
 
       row = self%blocks%row_of(first)
       place = (row - 1)/self%blocks%size + 1
@@ -97,6 +97,11 @@ contains
       self%error_estimate(row:row + size(status) - 1) = error_estimate
       self%status(row:row + size(status) - 1) = status
       self%counts(place:place + size(counts, 1) - 1, :) = counts
+      if (size(self%profiles) > 0) then
+         do i = 1, size(status)
+            if (status(i) /= status_solved) self%profiles(:, :, :, row + i - 1) = not_a_number()
+         end do
+      end if
       associate (unused => error)
       end associate
    end subroutine put

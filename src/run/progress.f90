@@ -2,12 +2,13 @@
 !> Who is told how far a sweep is, and may end it.
 module adfric_run_progress
    use adfric_base_kinds, only: i8
+   use adfric_base_watch, only: watch_t
    implicit none (type, external)
    private
    public :: progress_t, silent_progress_t
 
    !> A listener. It is called often, always by the same thread, and decides itself what it shows.
-   type, abstract :: progress_t
+   type, abstract, extends(watch_t) :: progress_t
    contains
       procedure(report_i), deferred :: report
       procedure :: wants_end

@@ -20,7 +20,7 @@ module adfric_run_runner
    use adfric_run_run, only: run_t
    use adfric_run_sink, only: sink_t
    use adfric_run_summary, only: run_summary_t, new_summary
-   use adfric_system_clock, only: wall_clock
+   use adfric_system_clock, only: pause_thread, wall_clock
    use adfric_system_interruption, only: caught_signal
    implicit none (type, external)
    private
@@ -32,11 +32,15 @@ module adfric_run_runner
    real(dp), parameter :: short_batch = 0.02_dp, long_batch = 0.1_dp
    !> Results of whole blocks wait no longer than this for the rest of their batch [s].
    real(dp), parameter :: longest_wait = 0.2_dp
+   !> Shortest and longest time that the first thread sleeps while others solve the last blocks [s].
+   real(dp), parameter :: shortest_pause = 2.0e-5_dp, longest_pause = 5.0e-3_dp
 
    !> What the threads share.
    type :: sweep_t
       !> Number of points solved by this process, and before this run.
       integer(i8) :: n_solved = 0
+      !> Number of threads that solve nothing more.
+      integer :: n_ended = 0
       !> The way of the results to the sink.
       type(delivery_t) :: delivery
       !> Shape of the profiles of a point, see `run_t`.
@@ -106,7 +110,7 @@ contains
       class(block_source_t), intent(inout) :: source
       type(sweep_t) :: sweep
       real(dp) :: start
-      integer :: n_threads, n_levels
+      integer :: n_threads, n_workers, n_levels
 
       start = wall_clock()
       sweep%profile_shape = run%profile_shape()
@@ -115,17 +119,20 @@ contains
       call progress%report(sweep%n_solved, source%blocks%n_points())
       n_threads = omp_get_max_threads()
       ! where there are less blocks than threads, a model that can shares the work of a point among the threads that are left
-      sweep%threads_of_point = max(1, n_threads/int(max(1_i8, min(int(n_threads, i8), source%blocks%n_blocks()))))
+      n_workers = int(max(1_i8, min(int(n_threads, i8), source%blocks%n_blocks())))
+      sweep%threads_of_point = max(1, n_threads/n_workers)
       n_levels = omp_get_max_active_levels()
       call omp_set_max_active_levels(max(2, n_levels))
-      !$omp parallel default(none) shared(run, sink, progress, source, sweep, n_threads) &
-      !$omp& num_threads(n_threads + merge(1, 0, sink%has_own_thread))
+      ! a single block is solved by the thread that calls, so that no other one is woken for it
+      !$omp parallel default(none) shared(run, sink, progress, source, sweep, n_workers) &
+      !$omp& num_threads(n_workers + merge(1, 0, sink%has_own_thread))
       !$omp single
-      call share_work(run, sink, source, n_threads, sweep)
+      call share_work(run, sink, source, n_workers, sweep)
       !$omp end single
       ! the last thread is the one that writes
       if (omp_get_thread_num() < sweep%delivery%n_workers) then
          call work(run, sink, progress, source, sweep)
+         if (omp_get_thread_num() == 0) call watch_others(progress, source, sweep)
          call end_leaving(sweep%delivery)
       else if (sweep%delivery%has_writer) then
          call deliver(sink, sweep%delivery)
@@ -192,7 +199,7 @@ contains
       integer(i8) :: first, n_solved
       real(dp) :: start, waiting, waiting_since
       integer :: n, i
-      logical :: is_cut_short
+      logical :: is_solved, is_cut_short
 
       call new_worker(worker, run, source%blocks, sweep)
       call omp_set_num_threads(sweep%threads_of_point)
@@ -203,7 +210,8 @@ contains
          start = wall_clock()
          waiting_since = start
          do i = 0, n - 1
-            call solve_one_block(run, source%blocks, first + i, sink, sweep, worker)
+            call solve_one_block(run, source%blocks, first + i, sink, sweep, worker, is_solved)
+            if (.not. is_solved) exit
             waiting = wall_clock() - waiting_since
             if (i == n - 1 .or. waiting > longest_wait) then
                call leave_batch(sink, sweep%delivery, worker%place)
@@ -223,8 +231,34 @@ contains
       !$omp critical (adfric_run_shared)
       if (is_cut_short) call source%end_early()
       call sweep%summary%merge(worker%summary)
+      sweep%n_ended = sweep%n_ended + 1
       !$omp end critical (adfric_run_shared)
    end subroutine work
+
+   !> Sleep until the others have ended, and tell how far they are: the first thread alone may end the run on its listener's behalf.
+   subroutine watch_others(progress, source, sweep)
+      !> Is told from time to time how many points are solved.
+      class(progress_t), intent(inout) :: progress
+      !> Says how many points there are.
+      class(block_source_t), intent(in) :: source
+      !> What the threads share.
+      type(sweep_t), intent(in) :: sweep
+      integer(i8) :: n_solved
+      integer :: n_ended
+      real(dp) :: pause
+
+      pause = shortest_pause
+      do
+         !$omp critical (adfric_run_shared)
+         n_ended = sweep%n_ended
+         n_solved = sweep%n_solved + source%n_points_elsewhere
+         !$omp end critical (adfric_run_shared)
+         if (n_ended >= sweep%delivery%n_workers) exit
+         call progress%report(n_solved, source%blocks%n_points())
+         call pause_thread(pause)
+         pause = min(2*pause, longest_pause)
+      end do
+   end subroutine watch_others
 
    !> Make ready what a thread has for itself.
    subroutine new_worker(self, run, blocks, sweep)
@@ -293,7 +327,7 @@ contains
    end subroutine choose_batch_size
 
    !> Solve a block and add it to the batch; profiles go to the sink at once. Where that fails, nothing is added.
-   subroutine solve_one_block(run, blocks, block, sink, sweep, worker)
+   subroutine solve_one_block(run, blocks, block, sink, sweep, worker, is_solved)
       !> The run, whose model solves the points.
       class(run_t), intent(in) :: run
       !> The blocks of the run, which say where this one begins and ends.
@@ -306,12 +340,15 @@ contains
       type(sweep_t), intent(inout), target :: sweep
       !> What the thread has for itself; the points are added to its summary.
       type(worker_t), intent(inout) :: worker
+      !> Has the block been added?
+      logical, intent(out) :: is_solved
       real(dp) :: counts(size(run%model%counts))
       type(profile_gate_t) :: gate
       real(dp) :: start
       integer :: offset, n, i
 
       start = wall_clock()
+      is_solved = .false.
       n = blocks%n_points_of(block)
       gate%first = blocks%first_point(block)
       call run%plan%get_values(gate%first, worker%values(:, :n))
@@ -331,6 +368,8 @@ contains
             call give_up(sweep%delivery, 'there is too little memory to solve a point')
             return
          end if
+         ! what was found may have ended before its time
+         if (run%model%is_stopped()) return
          call worker%summary%add_points(results, batch%status(offset + 1:offset + n))
          do i = 1, size(results, 1)
             batch%results(offset + 1:offset + n, i) = results(i, :)
@@ -339,6 +378,7 @@ contains
          batch%n_blocks = batch%n_blocks + 1
          batch%counts(batch%n_blocks, :) = counts
       end associate
+      is_solved = .true.
       worker%summary%solver_seconds = worker%summary%solver_seconds + wall_clock() - start - gate%seconds
    end subroutine solve_one_block
 

@@ -3,6 +3,7 @@
 module adfric_run_wrapped_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
+   use adfric_base_watch, only: watch_t
    use adfric_model_derived, only: derived_t
    use adfric_model_model, only: model_t
    use adfric_model_table, only: profile_axis_t, profile_t
@@ -22,6 +23,7 @@ module adfric_run_wrapped_model
       procedure :: solve_profiles
       procedure :: prepare
       procedure :: release
+      procedure :: obey
       procedure :: take_dataset
       procedure :: take_attribute
       procedure :: derive_quantities
@@ -51,6 +53,7 @@ contains
       self%counts = self%inner%counts
       self%profile_axes = self%inner%profile_axes
       self%largest_block = self%inner%largest_block
+      self%shares_points = self%inner%shares_points
    end subroutine wrap
 
    !> See `model_t`.
@@ -118,6 +121,17 @@ contains
 
       call self%inner%release()
    end subroutine release
+
+   !> See `model_t`.
+   subroutine obey(self, watch)
+      !> The model.
+      class(wrapped_model_t), intent(inout) :: self
+      !> Who is asked; null: nobody.
+      class(watch_t), pointer, intent(in) :: watch
+
+      self%watch => watch
+      call self%inner%obey(watch)
+   end subroutine obey
 
    !> See `model_t`.
    subroutine take_dataset(self, place, values, problems)

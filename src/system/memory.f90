@@ -5,10 +5,12 @@ module adfric_system_memory
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: has_room, free_memory
+   public :: has_room, has_free, free_memory
 
    !> Room for a line of the system's account.
    integer, parameter :: line_length = 256
+   !> So little is there without a look at the account, which takes longer than many points do [bytes].
+   real(dp), parameter :: always_there = 16.0e6_dp
 
    interface
 
@@ -37,6 +39,15 @@ contains
 
       has_room = c_has_room(n_bytes) /= 0
    end function has_room
+
+   !> Is so much free for this process?
+   logical function has_free(n_bytes)
+      !> Size of the memory that is needed [bytes].
+      real(dp), intent(in) :: n_bytes
+
+      has_free = n_bytes <= always_there
+      if (.not. has_free) has_free = n_bytes <= free_memory()
+   end function has_free
 
    !> Bytes of memory that are free for this process; huge if it cannot be said.
    real(dp) function free_memory()

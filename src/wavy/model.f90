@@ -68,6 +68,7 @@ contains
       self%results = get_wavy_results()
       self%profiles = get_wavy_profiles()
       self%profile_axes = 'y x'
+      self%shares_points = .true.
       allocate (self%counts(2))
       self%counts(1) = count_row(name='strips_per_point', long_name='strips that were solved')
       self%counts(2) = count_row(name='closed_form_strips_per_point', long_name='strips that were solved in closed form')

@@ -244,6 +244,90 @@ static void test_list(void)
    CHECK_OK(adfric_close_case(wave));
 }
 
+/* A point of a case as numbers alone. */
+static void test_point(void)
+{
+   const char *const names[] = {"contact_radius", "status", "error_estimate"};
+   const char *const wrong[] = {"contact_radius", "contact_radus"};
+   const double loads[] = {0, 1e-7};
+   adfric_case tip = 0;
+   adfric_results found = 0;
+   adfric_array radius;
+   double values[] = {-1, -1, -1};
+   CHECK_OK(adfric_open("sphere", &tip));
+   CHECK_OK(adfric_set_real(tip, "radius", 1e-6));
+   CHECK_OK(adfric_set_real(tip, "contact_modulus", 1e9));
+   CHECK_OK(adfric_set_real(tip, "work_of_adhesion", 0.05));
+   CHECK_OK(adfric_set_word(tip, "theory", "jkr"));
+   CHECK_REFUSED(adfric_solve_point(tip, 3, names, values), "is missing");
+   CHECK_OK(adfric_set_real(tip, "load", 1e-7));
+   CHECK_OK(adfric_solve(tip, 1, NULL, NULL, &found));
+   CHECK_OK(adfric_array_of(found, "contact_radius", &radius));
+   CHECK_OK(adfric_solve_point(tip, 3, names, values));
+   CHECK(values[0] == radius.values[0] && values[1] == ADFRIC_SOLVED && values[2] >= 0);
+   CHECK_OK(adfric_close_results(found));
+   CHECK_REFUSED(adfric_solve_point(tip, 2, wrong, values), "did you mean 'contact_radius'");
+   CHECK_REFUSED(adfric_solve_point(tip, 1, NULL, values), "names: given NULL");
+   CHECK_REFUSED(adfric_solve_point(tip, 1, names, NULL), "values: given NULL");
+   CHECK(values[0] > 0);
+   CHECK_OK(adfric_set_real(tip, "load", -1));
+   CHECK_OK(adfric_solve_point(tip, 2, names, values));
+   CHECK(isnan(values[0]) && values[1] == ADFRIC_NO_EQUILIBRIUM);
+   CHECK_OK(adfric_sweep(tip, "load", 2, loads));
+   CHECK_REFUSED(adfric_solve_point(tip, 2, names, values), "the case has 2 points");
+   CHECK_OK(adfric_close_case(tip));
+}
+
+/* A fit of a table in memory: exact points of Hertz's contact give back the modulus. */
+static void test_fit(void)
+{
+   enum { n_rows = 20 };
+   const char *text = "&job model = 'sphere' /\n&data file = 'points', abscissa = 'approach', ordinate = 'load', sigma = 1e-12 /\n"
+                      "&free variable = 'contact_modulus' /\n&sphere radius = 1e-6, work_of_adhesion = 0 /\n&model theory = 'hertz' /\n";
+   const char *const columns[] = {"approach", "load"}, *const units[] = {"nm", ""}, *const bad_units[] = {"kg", ""};
+   double values[2*n_rows];
+   adfric_table table = {.name = "points", .columns = columns, .units = units, .values = values, .n = n_rows, .n_columns = 2};
+   adfric_case fit = 0;
+   adfric_results found = 0;
+   adfric_array modulus, names, residual, status;
+   int64_t n = 0;
+   for (int k = 0; k < n_rows; k++) {
+      values[k] = 0.5*(k + 1);
+      values[n_rows + k] = 4.0/3*2e9*sqrt(1e-6)*pow(values[k]*1e-9, 1.5);
+   }
+   CHECK_OK(adfric_read_fit(text, 1, &table, &fit));
+   CHECK_OK(adfric_point_count(fit, &n));
+   CHECK(n == 1);
+   CHECK_REFUSED(adfric_set_real(fit, "radius", 1), "a fit is as its input describes it");
+   CHECK_OK(adfric_check(fit));
+   CHECK_OK(adfric_solve(fit, 0, NULL, NULL, &found));
+   CHECK_OK(adfric_array_of(found, "status", &status));
+   CHECK(status.states[0] == 0);
+   CHECK_OK(adfric_array_of(found, "contact_modulus", &modulus));
+   CHECK(is_close(modulus.values[0], 2e9, 1e-9) && modulus.role == ADFRIC_RESULT);
+   CHECK_OK(adfric_array_of(found, "variable", &names));
+   CHECK(names.role == ADFRIC_WORDS && names.shape[0] == 1 && strcmp(names.flag_meanings, "contact_modulus") == 0);
+   CHECK_OK(adfric_array_of(found, "residual", &residual));
+   CHECK(residual.role == ADFRIC_EXTRA && residual.shape[0] == n_rows && strcmp(residual.dimensions[0], "point") == 0);
+   CHECK_OK(adfric_close_results(found));
+   CHECK_REFUSED(adfric_solve(fit, 0, NULL, NULL, &found), "a fit is solved once");
+   CHECK_OK(adfric_close_case(fit));
+   fit = 42;
+   table.units = bad_units;
+   CHECK_REFUSED(adfric_read_fit(text, 1, &table, &fit), "column approach: the units 'kg'");
+   table.units = NULL;
+   table.n_columns = 1;
+   CHECK_REFUSED(adfric_read_fit(text, 1, &table, &fit), "unknown column");
+   table.n_columns = 0;
+   CHECK_REFUSED(adfric_read_fit(text, 1, &table, &fit), "out of range");
+   CHECK_REFUSED(adfric_read_fit(text, 0, NULL, &fit), "points");
+   CHECK_REFUSED(adfric_read_fit(text, 1, NULL, &fit), "tables: given NULL");
+   CHECK_REFUSED(adfric_read_fit(text, -1, &table, &fit), "n_tables: out of range");
+   CHECK_REFUSED(adfric_read_fit("&job model = 'sphere' /", 0, NULL, &fit), "&data: the group is missing");
+   CHECK_REFUSED(adfric_read_fit(NULL, 0, NULL, &fit), "text: given NULL");
+   CHECK(fit == 42);
+}
+
 int main(void)
 {
    CHECK(strlen(adfric_version()) > 4);
@@ -254,5 +338,7 @@ int main(void)
    test_maps();
    test_input();
    test_list();
+   test_point();
+   test_fit();
    return 0;
 }

@@ -4,6 +4,8 @@
 # first, since it starts the file again with the Python that has SurfaceTopography
 from imports import Imports, rough
 
+import zipfile
+
 import h5py
 import numpy as np
 import scipy.io
@@ -195,6 +197,9 @@ class Refused(Imports):
         np.save("complex.npy", table + 1j)
         np.save("small.npy", table[:3])
         np.savez("two.npz", a=table, b=table)
+        np.savez("empty.npz")
+        with zipfile.ZipFile("none.npz", "w") as file:
+            file.writestr("notes.txt", "no array")
         for name, data in (("bad.npy", b"no array"), ("noise.bin", bytes(range(256)) * 2), ("noise.hgt.bin", bytes(2 * 16 * 16)),
                            ("bad.x3p", b"PK\3\4 and no more"), ("bad.nc", b"CDF\1"), ("empty.csv", b""), ("zero.csv", b"1,2\0"),
                            ("bad.h5", b"\x89HDF\r\n\x1a\n")):
@@ -203,6 +208,8 @@ class Refused(Imports):
             ("there is no such file", "none.npy"), ("this is no file", "."), ("no array of real numbers", "cube.npy"),
             ("no array of real numbers", "complex.npy"), ("4 x 3 samples are too few", "small.npy"),
             ("by --channel: a, b", "two.npz"),
+            ("no array of real numbers", "none.npz"),
+            ("no array of real numbers", "empty.npz"),
             ("no numpy file", "bad.npy"), ("none of the formats", "noise.bin"), ("none of the formats", "noise.hgt.bin"),
             ("no x3p file that can be read", "bad.x3p"), ("no nc file that can be read", "bad.nc"), ("bad.h5: ", "bad.h5"),
             ("empty.csv: ", "empty.csv"), ("zero.csv: ", "zero.csv"),

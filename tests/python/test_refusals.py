@@ -92,6 +92,19 @@ class Refusals(InFolder):
             with self.assert_raises_text(InputError, "threads"):
                 adfric.solve("sphere", **TIP, load=0.0, threads=threads)
 
+    def test_paths(self):
+        """A character that is 0 would end a name for the system."""
+        for call in (adfric.run, adfric.open, adfric.Case.read, adfric.read_surface, adfric.read_curve, adfric.read_master_curve,
+                     adfric.plot, lambda name: adfric.plot("a.h5", output=name),
+                     lambda name: adfric.run("a.nml", output=name), lambda name: adfric.run(name, output="a.h5"),
+                     lambda name: adfric.plot("a.h5", data=name)):
+            for name in ("a\0b", b"a\0b"):
+                with self.assert_raises_text(InputError, "without characters that are 0"):
+                    call(name)
+        for call in (adfric.run, adfric.open, adfric.Case.read):
+            with self.assert_raises_text(InputError, "the name of a file"):
+                call(3)
+
     def test_closed(self):
         case = adfric.Case("sphere")
         case.close()

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What Python finds is what the results file of the same input has, field by field and bit by bit."""
 
+import copy
 import gc
+import pickle
+import subprocess
+import sys
 import unittest
 
 import h5py
@@ -159,6 +163,84 @@ class Results(InFolder):
             adfric.solve("hertz", **line, load=units.Quantity(2.0, "N"))
         with self.assert_raises_text(adfric.InputError, "radius", "second"):
             adfric.solve("sphere", **dict(TIP, radius=1.0*units.s), load=0.0)
+
+
+class Cases(InFolder):
+    """Cases that are set many times, and sent to other processes."""
+
+    def test_find(self):
+        """Numbers alone are those of the dataset."""
+        with adfric.Case("sphere") as case:
+            case.set(**TIP)
+            for load in (0.0, 1e-7, -1e-3):
+                found = adfric.solve("sphere", **TIP, load=load)
+                names = ("contact_radius", "approach", "stable", "status", "error_estimate")
+                for name, value in zip(names, case.find(*names, load=load), strict=True):
+                    expected = float(found[name])
+                    if name == "stable" and expected < 0:
+                        expected = np.nan
+                    np.testing.assert_equal(value, expected, err_msg=name)
+            self.assertEqual(case.find("contact_radius", load=1e-7), adfric.solve("sphere", **TIP, load=1e-7).contact_radius.item())
+            with self.assert_raises_text(adfric.InputError, "contact_radus", "did you mean 'contact_radius'"):
+                case.find("contact_radus")
+            with self.assert_raises_text(adfric.InputError, "given none"):
+                case.find()
+            case.set(load=[0.0, 1e-7])
+            with self.assert_raises_text(adfric.InputError, "2 points"):
+                case.find("contact_radius")
+            with self.assert_raises_text(adfric.InputError, "radius"):
+                case.find("contact_radius", load=0.0, radius=-1.0)
+
+    def test_single(self):
+        """A dataset of one point is as xarray would make it."""
+        found = adfric.solve("sphere", **TIP, load=1e-8, profiles=False)
+        same = xr.Dataset({name: found[name].variable for name in found.data_vars}, {name: found[name].variable for name in found.coords},
+                          found.attrs)
+        xr.testing.assert_identical(same, found)
+        self.assertEqual(found.contact_radius.item()*2, (found + found).contact_radius.item())
+        xr.testing.assert_identical(found.expand_dims("run").isel(run=0), found)
+
+    def check_pickled(self, case):
+        """A case is the same in another process."""
+        before = case.solve()
+        program = ("import pickle, sys; found = pickle.load(sys.stdin.buffer).solve(); "
+                   "pickle.dump(found.load(), sys.stdout.buffer)")
+        done = subprocess.run([sys.executable, "-c", program], input=pickle.dumps(case), stdout=subprocess.PIPE, check=True)
+        xr.testing.assert_equal(before, pickle.loads(done.stdout))
+        xr.testing.assert_equal(before, copy.deepcopy(case).solve())
+
+    def test_pickle(self):
+        case = adfric.Case("sphere")
+        case.set(**TIP, load=[0.0, 1e-7], shear_strength=1e8, state="sliding")
+        self.check_pickled(case)
+        # an order that is not that of the first sweeps
+        case.set(radius=[1e-7, 2e-7], edge_fraction=[0.1, 0.2])
+        case.set(load=0.0)
+        case.set(load=[1e-8, 2e-8, 3e-8], edge_fraction=None)
+        self.assertEqual(("radius", "load"), case.solve().contact_radius.dims)
+        self.check_pickled(case)
+        case.set(edge_fraction=[0.1, 0.2, 0.3])
+        case.sweep_together(["load", "edge_fraction"])
+        case.set(contact_modulus=60e9)
+        self.check_pickled(case)
+        rough = adfric.Case("surface_elastic")
+        heights = SURFACE["heights"].copy()
+        rough.set(**{**SURFACE, "heights": heights}, mean_pressure=1e6)
+        # what the caller does to his array is not for the case
+        heights[:] = 0
+        self.check_pickled(rough)
+        text = "&job model = 'sphere' /\n&sphere radius = 1e-6, contact_modulus = 1e9, work_of_adhesion = 0 /\n&operating load = 1e-6 /\n"
+        self.check_pickled(adfric.Case.read_text(text))
+        (self.folder/"tip.nml").write_text(text)
+        case = adfric.Case.read("tip.nml")
+        case.set(load=2e-6)
+        self.check_pickled(case)
+        (self.folder/"tip.nml").write_text(text + "\n")
+        with self.assert_raises_text(adfric.InputError, "has changed"):
+            copy.deepcopy(case)
+        case.close()
+        with self.assert_raises_text(adfric.InputError, "closed"):
+            pickle.dumps(case)
 
 
 if __name__ == "__main__":

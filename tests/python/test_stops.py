@@ -3,12 +3,13 @@
 
 import os
 import signal
+import time
 import threading
 import unittest
 
 import numpy as np
 import xarray as xr
-from cases import TIP
+from cases import SURFACE, TIP
 
 import adfric
 
@@ -62,6 +63,39 @@ class Stops(unittest.TestCase):
         found = self.case.solve(progress=lambda *_: os.kill(os.getpid(), signal.SIGINT))
         self.assertEqual(5000, found.sizes["load"])
         self.assertTrue(heard)
+
+    def check_interrupted(self, call):
+        """A call is interrupted a tenth of a second after it has begun, long before its end."""
+        timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            call()
+        timer.join()
+
+    def test_long_point(self):
+        """A single point looks up from its iterations: a map of a million cells."""
+        heights = np.random.default_rng(1).random((1024, 1024))*1e-6
+        rough = {**SURFACE, "heights": heights}
+        self.check_interrupted(lambda: adfric.solve("surface_elastic", **rough, mean_pressure=1e6, relative_tolerance=1e-12))
+
+    def test_long_points(self):
+        """So do points behind one another in a block."""
+        heights = np.random.default_rng(1).random((256, 256))*1e-6
+        rough = {**SURFACE, "heights": heights}
+        pressures = np.linspace(1e6, 2e6, 1000)
+        self.check_interrupted(lambda: adfric.solve("surface_elastic", **rough, mean_pressure=pressures, threads=2))
+
+    def test_other_thread(self):
+        """Blocks that other threads solve are stopped by the thread that calls, which has none of them."""
+        heights = np.random.default_rng(1).random((512, 512))*1e-6
+        rough = {**SURFACE, "heights": heights}
+        started = time.monotonic()
+        self.check_interrupted(lambda: adfric.solve("surface_elastic", **rough, mean_pressure=np.linspace(1e6, 2e6, 17), threads=3))
+        self.assertLess(time.monotonic() - started, 60)
+
+    def test_long_sweep(self):
+        """Nor does a sweep whose results fill memory wait for its end."""
+        self.check_interrupted(lambda: adfric.solve("sphere", **TIP, load=np.linspace(0, 1e-7, 1_000_000)))
 
     def test_threads(self):
         """Many threads, each with cases of its own, find what one finds."""

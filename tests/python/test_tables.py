@@ -5,6 +5,7 @@ import inspect
 import os
 import subprocess
 import unittest
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -73,6 +74,8 @@ class Tables(InFolder):
         for given, words in (({"output": "figure.doc"}, "figure.doc"), ({"x": "lod"}, "lod"), ({"y": "lod"}, "lod")):
             with self.assert_raises_text(adfric.InputError, words):
                 adfric.plot(results, **given)
+        with self.assert_raises_text(adfric.InputError, "empty list"):
+            adfric.plot([])
         for given in (3, "none.h5", [results, 3]):
             with self.assertRaises(adfric.InputError):
                 adfric.plot(given)
@@ -93,6 +96,10 @@ class Tables(InFolder):
                                    found.contact_fraction, rtol=1e-12)
         with self.assert_raises_text(adfric.InputError, "does not state the spacing", "give spacing"):
             adfric.read_surface("heights.npy", unit="um")
+        with zipfile.ZipFile("none.npz", "w") as file:
+            file.writestr("notes.txt", "no array")
+        with self.assert_raises_text(adfric.InputError, "none.npz", "no array of real numbers"):
+            adfric.read_surface("none.npz")
         with self.assert_raises_text(adfric.InputError, "average"):
             adfric.read_surface("heights.npy", unit="um", spacing=1.0, average=0)
         with self.assert_raises_text(adfric.FailedError, "none.npy"):
