@@ -65,7 +65,7 @@ typedef struct {
    const char *references;   /**< where it was published; empty if nowhere */
    const char *profile_axes; /**< names of the axes of its profiles, the slowest first, separated by a blank */
    int32_t n_variables;      /**< number of its variables */
-   int32_t n_results;        /**< number of its results, with error_estimate and status */
+   int32_t n_results;        /**< number of its results, with doubt, error_estimate and status */
    int32_t n_profiles;       /**< number of its profiles */
 } adfric_model_info;
 
@@ -116,7 +116,7 @@ typedef struct {
 /** A variable by its model and its place. */
 int adfric_variable(const char *model, int32_t place, adfric_variable_info *variable);
 
-/** A result by its model and its place; error_estimate and status are the last ones. */
+/** A result by its model and its place; doubt, error_estimate and status are the last ones. */
 int adfric_result(const char *model, int32_t place, adfric_result_info *result);
 
 /** A profile by its model and its place. */

@@ -131,10 +131,15 @@ def fill(curve, data, wanted):
             return "tip position"
     if wanted:
         there = [name for name in there if name == HEIGHTS[wanted]]
-    if not there:
-        raise BadInput(f"there is no {HEIGHTS[wanted] if wanted else 'height'}")
-    curve.height = np.asarray(data[there[0]], float)
-    return there[0]
+    failure = BadInput(f"there is no {HEIGHTS[wanted] if wanted else 'height'}")
+    for name in there:
+        try:
+            curve.height = np.asarray(data[name], float)
+            return name
+        except (Exception, *problems_of_afmformats()) as problem:
+            # some readers promise a column that the file does not have
+            failure = problem
+    raise failure
 
 
 def off_by(data, name, curve):

@@ -139,11 +139,10 @@ def vote_of(curve):
     """Where the load rises: 1 with the height, -1 against it, 0 if that is not clear; None where the uneven end has the lower load."""
     is_number = np.isfinite(curve.height) & np.isfinite(curve.load)
     height, load = curve.height[is_number], curve.load[is_number]
-    width = END * np.ptp(height)
-    ends = [load[height <= height.min() + width], load[height >= height.max() - width]]
-    noise = noise_of(load)
-    rise = np.median(ends[1]) - np.median(ends[0])
-    uneven = [np.ptp(end) for end in ends]
+    order = np.argsort(height, kind="stable")
+    tips = [np.median(load[order[part]]) for part in (slice(max(3, len(order) // 100)), slice(-max(3, len(order) // 100), None))]
+    width, noise, rise = END * np.ptp(height), noise_of(load), tips[1] - tips[0]
+    uneven = [np.ptp(end) for end in (load[height <= height.min() + width], load[height >= height.max() - width])]
     rough = 1 if uneven[1] > UNEVEN * uneven[0] else -1 if uneven[0] > UNEVEN * uneven[1] else 0
     if not rough or abs(rise) <= CLEAR * noise:
         return 0

@@ -15,6 +15,8 @@ ENDS = JOINTS + "/"
 BRACKETS = {")": "(", "]": "[", "}": "{"}
 # units that are no powers of ten of SI units: they are recognised, and refused
 FOREIGN = set("lb lbf psi ksi kgf gf dyn inch inches ft deg degree degrees degC degF percent".split())
+# the same where nothing but units stands, in a line of them
+OTHER = FOREIGN | set("% min h C F \u00b0 \u00b0C \u00b0F a.u. arb. arb au counts cts ppm".split())
 
 
 @dataclass
@@ -46,6 +48,11 @@ def split_head(text):
 def is_unit(text):
     """Is a text a unit that is known, a hyphen or 1 among them?"""
     return bool(text) and read_unit(text) is not None
+
+
+def is_unit_like(text):
+    """Is a text of a line of units a unit, be it known or not?"""
+    return is_unit(text) or bool(text) and all(is_unit(factor) or factor in OTHER for factor in re.split(r"[ */]+", text) if factor)
 
 
 def cut(head, last, first):

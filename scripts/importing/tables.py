@@ -7,13 +7,14 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .cells import PARTED, blank_heads, numbers_in, refuse_mark, settle_mark, split, split_names, value_of
-from .heads import add_unit, is_unit, plain, split_head
+from .heads import add_unit, is_unit_like, plain, split_head
 from .letters import UTF16, read_lines
 from .problems import BadTable
 
 # what separates, in the order in which it is tried, and what it is called; the last one is blanks
 SEPARATORS = {"\t": "tab", ";": "semicolon", ",": "comma", " ": "blanks"}
-COMMENT = ("#", "%")
+# a cell with nothing but the sign makes no comment: a percent sign is a unit, and # the name of a column
+COMMENT = re.compile(r"\s*[#%](?! *[;,\t])")
 # lines without numbers that may stand before a table without names
 MOST_HEAD_LINES = 200
 
@@ -41,6 +42,14 @@ class Table:
 
     def find(self, wanted):
         """Index of the column that is asked for, by its name or by its whole head."""
+        place = self.place_of(wanted)
+        if place is None:
+            names = ", ".join(head.text for head in self.heads if head.text)
+            raise BadTable("column", f"{self.path}: there is no column '{wanted}', there are {names or 'no names'}")
+        return place
+
+    def place_of(self, wanted):
+        """The same, or None where there is no such column."""
         for fits in (lambda head: wanted in (head.name, head.text), lambda head: plain(wanted) in (plain(head.name), plain(head.text))):
             found = [place for place, head in enumerate(self.heads) if head.text and fits(head)]
             if len(found) > 1:
@@ -48,8 +57,7 @@ class Table:
                                f"{', '.join(self.heads[place].text for place in found)}")
             if found:
                 return found[0]
-        names = ", ".join(head.text for head in self.heads if head.text)
-        raise BadTable("column", f"{self.path}: there is no column '{wanted}', there are {names or 'no names'}")
+        return None
 
     def unit(self, place):
         """The unit that a column states, empty where it states none; a head that is not understood is refused."""
@@ -96,8 +104,8 @@ class Layout:
 def read_table(path, needs_names=False):
     """Read a table of numbers whose rows have the same number of columns."""
     lines = [(number, line) for number, line in enumerate(read_lines(path), 1) if line.strip()]
-    comments = [(number, line.strip().lstrip("#%").strip()) for number, line in lines if line.lstrip().startswith(COMMENT)]
-    body = [(number, line) for number, line in lines if not line.lstrip().startswith(COMMENT)]
+    comments = [(number, line.strip().lstrip("#%").strip()) for number, line in lines if COMMENT.match(line)]
+    body = [(number, line) for number, line in lines if not COMMENT.match(line)]
     layout = find_layout(body, comments, path, needs_names)
     mark = settle_mark(layout.rows, layout.separator, path)
     values, flaws = numbers_in(layout.rows, layout.separator, mark, len(layout.names), path)
@@ -117,7 +125,7 @@ def count_columns(path):
     text = head.decode("utf-16", "ignore") if head.startswith(UTF16) else head.decode("latin-1")
     if "\0" in text:
         return 0
-    lines = (line for line in re.split(r"\r\n|\r|\n", text) if not line.lstrip().startswith(COMMENT))
+    lines = (line for line in re.split(r"\r\n|\r|\n", text) if not COMMENT.match(line))
     found = next((candidates for candidates in map(fitting, lines) if candidates), [])
     return max((count for _, count in found), default=0)
 
@@ -126,7 +134,7 @@ def find_layout(body, comments, path, needs_names):
     """What separates the columns, and which lines are names, units and rows."""
     first = next((i for i, (_, line) in enumerate(body) if fitting(line)), None)
     if first is None:
-        return layout_of_texts(body, path)
+        return layout_of_texts(body, comments, path)
     candidates = fitting(body[first][1])
     for separator, count in candidates:
         for above, is_comment in ((body[:first], False), ([item for item in comments if item[0] < body[first][0]], True)):
@@ -134,6 +142,8 @@ def find_layout(body, comments, path, needs_names):
             if layout:
                 start = body.index((layout.last_line, dict(body)[layout.last_line])) + 1 if not is_comment else first
                 layout.rows = body[start:]
+                if not is_comment:
+                    take_units_below(layout, body, comments)
                 return layout
     if needs_names or first > MOST_HEAD_LINES:
         raise_without_names(body, first, candidates, path)
@@ -160,13 +170,33 @@ def with_names(above, separator, row, is_comment):
     spare = None
     for number, line in reversed(above[-2:] if is_comment else above):
         for names in name_cells(line, separator, row, is_comment):
-            if all(is_unit(name.strip("[]() ")) for name in names if name) and units is None:
+            if are_units(names) and units is None:
                 units, units_line = [name.strip("[]() ") for name in names], number
                 spare = (names, number)
                 break
             return make_layout(separator, names, number, units, units_line)
     # what looks like units alone are the names, such as N
     return make_layout(separator, *spare, None, None) if spare else None
+
+
+def are_units(cells):
+    """Are all cells units, in brackets or not, known or not?"""
+    return all(is_unit_like(cell.strip("[]() ")) for cell in cells if cell)
+
+
+def take_units_below(layout, body, comments):
+    """Take the units of the line directly below the names, if it has nothing else; it may be a comment."""
+    number, text = min((line for line in body + comments if line[0] > layout.names_line), default=(0, ""))
+    if layout.units_line or not text:
+        return
+    is_row = (number, text) in body
+    # the sign of a comment may be a unit
+    for line in [text] if is_row else [text, f"% {text}"]:
+        for units in name_cells(line, layout.separator, ["1"] * len(layout.names), False):
+            if len(units) == len(layout.names) and are_units(units) and any(unit.strip("-1[]() ") for unit in units):
+                layout.units, layout.units_line = [unit.strip("[]() ") for unit in units], number
+                layout.rows = layout.rows[is_row:]
+                return
 
 
 def make_layout(separator, names, number, units, units_line):
@@ -198,17 +228,21 @@ def is_number(cell, separator):
     return value is not None and not np.isnan(value)
 
 
-def layout_of_texts(body, path):
+def layout_of_texts(body, comments, path):
     """The layout where every row has a text: the first line has the names."""
     if not body:
         raise BadTable("names", f"{path}: there is no row of numbers, and there are no names of columns")
     for separator in SEPARATORS:
         names = next(iter(blank_heads(body[0][1])), None) if separator == " " else split_names(body[0][1], separator)
         cells = split(body[1][1], separator) if len(body) > 1 else None
+        if cells and len(body) > 2 and are_units(cells):
+            cells = split(body[2][1], separator)
         if len(body) == 1 and names and len(names) > 1:
             raise BadTable("rows", f"{path}: there is no row of numbers below the names")
         if names and cells and 1 < len(names) == len(cells) and any(is_number(cell, separator) for cell in cells):
-            return Layout(separator, body[1:], names, [], body[0][0])
+            layout = Layout(separator, body[1:], names, [], body[0][0])
+            take_units_below(layout, body, comments)
+            return layout
     for number, line in body:
         for cell in re.split(r"[\t; ]+", line):
             if PARTED.fullmatch(cell):

@@ -5,7 +5,6 @@ Several files have a colour each, and dashes for their curves. Where all have th
 colour stands for the curve, and what files with few values have found are points upon the curve of the one with many.
 """
 
-import csv
 import difflib
 import os.path
 
@@ -20,6 +19,16 @@ from .jumps import draw_curve, find_jumps, way_of
 from .rubber import contact_share
 from .sphere import draw_limits
 from .style import COLOURS, DASHES, MISSED, is_logarithmic, label_few_decades, make_panels
+
+try:
+    from ..importing.problems import BadInput, FileFailure
+    from ..importing.quantities import read_unit
+    from ..importing.tables import read_table
+except ImportError:
+    # not as a part of the package, but beside it
+    from importing.problems import BadInput, FileFailure
+    from importing.quantities import read_unit
+    from importing.tables import read_table
 
 # curves of so many values or less have a mark at each
 MOST_MARKED = 30
@@ -41,7 +50,7 @@ def draw_chosen(runs, x_name, y_names, table):
     for results in runs:
         for name in [x_name, *y_names]:
             _check_name(results, name)
-    points = _read_table(table, [x_name, *y_names]) if table else {}
+    points = _read_table(table, {name: _field_of(runs[0], name).unit for name in [x_name, *y_names]}) if table else {}
     for name in [x_name, *y_names]:
         if not any(np.isfinite(values).any() for values in [*(results.values(name) for results in runs), points.get(name, [])]):
             raise NothingToDraw(f"{runs[0].path}: {name} has no value at any point: nothing to draw")
@@ -194,9 +203,14 @@ def _axis(results, name):
     return results.axes[results.axis_names.index(name)]
 
 
+def _field_of(results, name):
+    """A result or a swept variable."""
+    return results.fields[name] if name in results.fields else _axis(results, name)
+
+
 def _common_scale(runs, name, points):
     """Factor and unit of a quantity in all runs and the table."""
-    fields = [results.fields[name] if name in results.fields else _axis(results, name) for results in runs]
+    fields = [_field_of(results, name) for results in runs]
     for results, field in zip(runs, fields):
         if field.unit != fields[0].unit:
             units = ["reduced units" if unit == "-" else unit for unit in (field.unit, fields[0].unit)]
@@ -223,30 +237,32 @@ def _split_titles(runs):
     return common.strip(" ,;(:"), rests
 
 
-def _read_table(path, names):
-    """Columns of a CSV file by their names, without units in brackets."""
+def _read_table(path, units):
+    """Columns of a table by the names in `units`, in these units; a column without a unit has that of the results."""
+    if not path.is_file():
+        raise BadFile(f"{path}: no such file")
     try:
-        with open(path, newline="", encoding="utf-8") as file:
-            rows = [row for row in csv.reader(file) if row and not row[0].lstrip().startswith("#")]
-    except FileNotFoundError:
-        raise BadFile(f"{path}: no such file") from None
-    except (UnicodeDecodeError, csv.Error):
-        raise BadFile(f"{path}: not a table of comma-separated values") from None
-    if len(rows) < 2:
-        raise BadFile(f"{path}: a table has a line with the names of its columns, and lines of numbers")
-    header = [name.split("[")[0].strip() for name in rows[0]]
-    if names[0] not in header:
-        near = difflib.get_close_matches(names[0], header, n=1, cutoff=0.5)
-        raise BadFile(f"{path}: no column {names[0]}, given {', '.join(header)}" + (f"; is it {near[0]}?" if near else ""))
-    if not set(names[1:]) & set(header):
-        raise BadFile(f"{path}: no column {' or '.join(names[1:])}, given {', '.join(header)}")
-    columns = {}
-    for name in names:
-        if name not in header:
-            continue
-        place = header.index(name)
-        try:
-            columns[name] = np.array([float(row[place]) if row[place].strip() else np.nan for row in rows[1:]])
-        except (IndexError, ValueError):
-            raise BadFile(f"{path}: column {name} is not all numbers") from None
-    return columns
+        table = read_table(path, needs_names=True)
+        places = {name: table.place_of(name) for name in units}
+        first, *others = units
+        given = ", ".join(head.text for head in table.heads)
+        if places[first] is None:
+            near = difflib.get_close_matches(first, [head.name for head in table.heads], n=1, cutoff=0.5)
+            raise BadFile(f"{path}: no column {first}, given {given}" + (f"; is it {near[0]}?" if near else ""))
+        if all(places[name] is None for name in others):
+            raise BadFile(f"{path}: no column {' or '.join(others)}, given {given}")
+        return {name: _in_unit(table.column(place), table.unit(place), units[name], f"{path}: column {name}")
+                for name, place in places.items() if place is not None}
+    except (BadInput, FileFailure) as problem:
+        raise BadFile(str(problem)) from None
+
+
+def _in_unit(values, stated, wanted, column):
+    """Values of a column in the unit of the results."""
+    if not stated or stated == wanted:
+        return values
+    unit, own = read_unit(stated), read_unit(wanted)
+    if unit is None or own is None or unit.powers != own.powers:
+        raise BadFile(f"{column} is in {stated}, the results in {'reduced units' if wanted == '-' else wanted}")
+    exponent = unit.exponent - own.exponent
+    return values * 10.0**exponent if exponent >= 0 else values / 10.0**-exponent

@@ -26,7 +26,7 @@ def read_command_line(arguments):
     parser.add_argument("--x", metavar="NAME", help="swept variable or result along the axis (default: the last one that is swept)")
     parser.add_argument("--y", metavar="NAME", nargs="+", help="results to draw, a panel for each")
     parser.add_argument("--data", metavar="TABLE", type=Path,
-                        help="points to draw as well: a CSV file whose header has the names of x and of results, in SI units")
+                        help="points to draw as well: a table whose heads have the names of x and of results, with units or in those of the results")
     parser.add_argument("-o", "--output", metavar="FIGURE", type=Path,
                         help="figure, .png, .pdf or .svg (default: that of the first file, .png)")
     return parser.parse_args(arguments)

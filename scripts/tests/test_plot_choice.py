@@ -178,9 +178,18 @@ class PlotChoiceTest(PlotCase):
         self.assertEqual(figure.axes[0].get_ylabel(), "Friction force $T$ (mN/m)")
         np.testing.assert_array_equal(points.get_ydata(), [250.0, np.nan])
         self.assertEqual(self.plot("--y", "friction_force", "--data", str(table)), (0, ""))
+        # other units, and the dialects of docs/tables.md
+        for text in ("load (mN/m);Friction force in kN/m\n500;2,5e-4\n750;\n", "load\tfriction_force\nN/m\tuN/um\n0.5\t0.25\n0.75\tnan\n"):
+            table.write_text(text)
+            figure, _ = self.drawn("--y", "friction_force", "--data", str(table))
+            points = next(line for line in figure.axes[0].lines if line.get_label() == "measured")
+            np.testing.assert_allclose(points.get_xdata(), [0.5, 0.75], rtol=1e-15)
+            np.testing.assert_allclose(points.get_ydata(), [250.0, np.nan], rtol=1e-15)
         for text, words in (("lod,friction_force\n1,2\n", "is it lod?"), ("load,a\n1,2\n", "no column friction_force"),
-                            ("load,friction_force\n1,a\n", "column friction_force is not all numbers"),
-                            ("load,friction_force\n", "a line with the names of its columns")):
+                            ("load,friction_force\n1,a\n", "'a' is no number"),
+                            ("load,friction_force\n", "there is no row of numbers"),
+                            ("load [nm],friction_force\n1,2\n", "column load is in nm, the results in N/m"),
+                            ("load (raw),friction_force\n1,2\n", "column load is in raw, the results in N/m")):
             table.write_text(text)
             self.file.with_suffix(".png").unlink(missing_ok=True)
             self.assert_refused(words, "--y", "friction_force", "--data", str(table))

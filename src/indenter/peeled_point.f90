@@ -219,7 +219,8 @@ contains
       peeled%is_converged = peeled%is_converged .and. peeled%drive%is_converged
       if (.not. peeled%drive%is_converged) return
       call find_driven_state(peeled%drive, case%base_displacement, peeled%driven)
-      peeled%spring_error = driven_error(peeled%drive%jump, case%lateral_stiffness, case%base_displacement, peeled%driven%force)
+      if (peeled%driven%is_found) peeled%spring_error = driven_error(peeled%drive%jump, case%lateral_stiffness, &
+         & case%base_displacement, peeled%driven%force)
    end subroutine drive_contact
 
    !> The slope of the force over the displacement, and what round-off of the force does to the radius.

@@ -121,12 +121,15 @@ contains
       type(heads_t), intent(out) :: heads
       character(:), allocatable :: text
       integer :: k, n
+      logical :: is_next
 
       allocate (heads%columns(words%n_columns()))
       n = 0
       text = ''
       do k = 1, words%n_columns()
-         if (len(text) > 0 .and. .not. belongs_together(text, words%columns(k)%text)) then
+         is_next = len(text) > 0
+         if (is_next) is_next = .not. belongs_together(text, words%columns(k)%text)
+         if (is_next) then
             n = n + 1
             call set_text(heads%columns(n), text)
             text = ''

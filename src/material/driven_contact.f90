@@ -81,10 +81,15 @@ contains
       ! digits of the displacement at a jump, which polynomials have found
       real(dp), parameter :: digits_of_jump = 4096*epsilon(1.0_dp)
 
+      real(dp) :: n_jumps
+
       error = 0
-      if (.not. (jump%slides .and. base > jump%base_displacement .and. jump%period > 0 .and. force > 0)) return
-      error = 2*epsilon(error)*base + digits_of_jump*jump%base_displacement*((base - jump%base_displacement)/jump%period)
-      error = min(1.0_dp, stiffness*error/force)
+      if (.not. jump%slides) return
+      if (.not. (base > jump%base_displacement .and. force > 0)) return
+      ! beyond so many no digit is left
+      n_jumps = (base - jump%base_displacement)/max(jump%period, epsilon(error)*base)
+      error = stiffness*(2*epsilon(error)*base + digits_of_jump*jump%base_displacement*n_jumps)
+      error = error/max(error, force)
    end function driven_error
 
    !> The place with a given h, next to one that the polynomials have found.

@@ -99,7 +99,7 @@ contains
          call take_drive(case, memory)
          call find_driven_state(memory%drive, case%tangential, state)
          call take_state(state, point)
-         spring_error = driven_error(memory%drive%jump, case%stiffness, case%tangential, state%force)
+         if (state%is_found) spring_error = driven_error(memory%drive%jump, case%stiffness, case%tangential, state%force)
       else if (is_peeling(case)) then
          call find_static_state(memory%theory, new_friction(case), case%control, case%value, case%branch, &
             & merge(given_force, given_displacement, case%is_force_given), case%tangential, state)

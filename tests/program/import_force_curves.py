@@ -12,8 +12,11 @@ import h5py
 import numpy as np
 from runs import main
 
+from afmformats.errors import FileFormatNotSupportedError
 from afmformats.mod_force_distance import AFMForceDistance
+from importing.curve_files import fill
 from importing.curve_reading import options, read_stack
+from importing.curve_source import Curve
 from importing.curve_stack import array_of
 
 # text of nine digits keeps so much of a number, and 32-bit numbers of a table of afmformats eight
@@ -186,6 +189,12 @@ class Tables(Reads):
         self.refuse("2 curves show heights that rise towards the surface, 1 away from it: give --sign", "a.csv", *LEVER)
         _, _, errors = self.read("a.csv", *LEVER, "--sign", "towards", warns=True)
         self.assertIn("1 of 3 curves look as if heights rose away from the surface", errors)
+        # a contact that is a small part of the range, with a pull beside it
+        position, load, _ = make_curve(depth=3e-8, free=1e-6, samples=2000)
+        self.table("a.csv", {"z [nm]": -position * 1e9, "load [nN]": load * 1e9})
+        found, output, _ = self.read("a.csv", *LEVER)
+        self.assertIn("rise away from the surface", output)
+        self.assertEqual(found["curve_status"], 0)
         flat = {"z [nm]": position * 1e9, "load [nN]": np.random.default_rng(1).normal(size=load.size)}
         self.table("a.csv", flat)
         self.refuse("which end of the heights is in contact is not clear", "a.csv", *LEVER)
@@ -308,6 +317,21 @@ class Formats(Reads):
         self.assertIn("height (piezo), of 1 curve", output)
         self.distance().export_data(self.folder / "a.h5", fmt="hdf5")
         self.refuse("no curve can be read: cannot be read: there is no height (piezo)", "a.h5", "--height", "piezo", "-o", "b.h5")
+
+    def test_height_that_is_not_there(self):
+        """A reader may promise a height that the file does not have: the other one is taken."""
+        class Promises(dict):
+            def __getitem__(self, name):
+                if name == "height (measured)":
+                    raise FileFormatNotSupportedError("No data found")
+                return super().__getitem__(name)
+
+        data = Promises({"height (measured)": None, "height (piezo)": -self.position, "force": self.load})
+        curve = Curve("a", spring_constant=SPRING)
+        self.assertEqual(fill(curve, data, None), "height (piezo)")
+        np.testing.assert_array_equal(curve.height, -self.position)
+        with self.assertRaises(FileFormatNotSupportedError):
+            fill(curve, data, "measured")
 
     def test_chiaro(self):
         # approach and retraction meet at the largest load, by which afmformats parts them
