@@ -1,10 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Where a measured curve ends, as its free variables move that end: the fold, in the unit of the abscissa.
 !>
-!> The abscissa of the fold is X_f = x0 + X0 phi_f, with x0 the zero, X0 the unit and phi_f what is prescribed at the fold of the path. Each
-!> point of contact with X_i <= X_f lies beyond it. Just above the fold the ordinate is y_f + C (X - X_f)^p + ..., with C not 0. The
-!> power p follows from the orders in the distance from the fold's place: phi rises with its square, or as t^2 and t^3, y as below.
-!> For p < 1 the slope is infinite, for p = 1 it has a jump, and for p > 1 there is no kink.
+!> The abscissa of the fold is X_f = x0 + X0 phi_f, with x0 the zero, X0 the unit and phi_f what is prescribed at the
+!> fold of the path. Each point of contact with X_i <= X_f lies beyond it. Just above the fold the ordinate is y_f +
+!> C (X - X_f)^p + ..., with C not 0. The power p follows from the orders in the distance from the fold's place: phi
+!> rises with its square, or as t^2 and t^3, y as below. For p < 1 the slope is infinite, for p = 1 it has a jump,
+!> and for p > 1 there is no kink.
 module adfric_fit_fold
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
@@ -290,8 +291,8 @@ contains
       fold%row = kept
    end subroutine take_contact
 
-   !> The least sum of squares that the first points of a curve leave if all have one ordinate, whichever that is. It rises with their
-   !> number. No place of the fold beyond so many points has a lesser S.
+   !> The least sum of squares that the first points of a curve leave if all have one ordinate, whichever that is. It
+   !> rises with their number. No place of the fold beyond so many points has a lesser S.
    pure subroutine spread_below(fold, least)
       !> The curve.
       type(curve_fold_t), intent(in) :: fold

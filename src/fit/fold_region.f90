@@ -1,14 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The sum of squares while the fold of a curve stays between two neighbouring points.
 !>
-!> With points of contact X_1 <= X_2 <= ... the region k has X_k <= X_f <= X_(k+1): k points lie beyond the fold, and S is smooth within.
-!> At X_f = X_(k+1) the point k+1 reaches the fold, where its ordinate goes by (X_(k+1) - X_f)^p and S has a kink. So one of the free
-!> variables, the pivot, gives way to
+!> With points of contact X_1 <= X_2 <= ... the region k has X_k <= X_f <= X_(k+1): k points lie beyond the fold, and
+!> S is smooth within. At X_f = X_(k+1) the point k+1 reaches the fold, where its ordinate goes by (X_(k+1) - X_f)^p
+!> and S has a kink. So one of the free variables, the pivot, gives way to
 !>
 !>     s = ((X_(k+1) - X_f)/H)^p,    H the mean distance of the points,
 !>
-!> and S is smooth in s and the other variables up to both ends of the region, which are plain bounds of s. The pivot follows from s by
-!> Newton's method for X_f: at once where it is a zero. With g the derivatives of X_f, dq_p = -(sum of g_j dq_j + H s^(1/p-1)/p ds)/g_p.
+!> and S is smooth in s and the other variables up to both ends of the region, which are plain bounds of s. The pivot
+!> follows from s by Newton's method for X_f: at once where it is a zero. With g the derivatives of X_f, dq_p = -(sum
+!> of g_j dq_j + H s^(1/p-1)/p ds)/g_p.
 module adfric_fit_fold_region
    use adfric_base_kinds, only: dp
    use adfric_fit_fold, only: curve_fold_t, find_fold, fold_slope, fold_slopes, last_slopes

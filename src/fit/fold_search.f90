@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A search for a minimum of S that gets past its kinks.
 !>
-!> S is smooth but where a point of contact reaches the fold of its curve (`adfric_fit_fold_region`). A search that ends at a minimum of a
-!> smooth S is done. Any other one goes on in the region where it has come to an end. Where that search ends at a point that the fold
-!> reaches, it goes on in the region on the other side. A place where the searches on both sides end is a minimum at the kink; all other ways
-!> lower S, so that none is gone twice.
+!> S is smooth but where a point of contact reaches the fold of its curve (`adfric_fit_fold_region`). A search that
+!> ends at a minimum of a smooth S is done. Any other one goes on in the region where it has come to an end. Where
+!> that search ends at a point that the fold reaches, it goes on in the region on the other side. A place where the
+!> searches on both sides end is a minimum at the kink; all other ways lower S, so that none is gone twice.
 module adfric_fit_fold_search
    use adfric_base_kinds, only: dp
    use adfric_fit_fold, only: curve_fold_t, choose_fold, find_fold

@@ -1,13 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Every place that the fold of a curve can have among its points.
 !>
-!> Where the best minimum lies within some standard errors of a point that reaches the fold, another region (`adfric_fit_fold_region`) may
-!> have a lesser S. The regions are as many as the points, but few can. With k points beyond the fold all of these have one ordinate, and
-!> leave V_k at least, the spread of their ordinates, which rises with k. The others leave S_k at least, what the fit without those k points
-!> leaves. So region k has no lesser S where V_k > S - S_k. S - S_k is found by leaving out one point after the other, with the derivatives at
-!> the best minimum: without point i, with residual r and row J_i, S falls by r^2/(1 - h), h = J_i C J_i', and the covariance C rises by
-!> C J_i' J_i C/(1 - h). Since this is exact for a linear model only, twice that difference is asked for, and the limit of minima besides.
-!> From every other region a search goes on in all variables: a few steps tell how far its S falls.
+!> Where the best minimum lies within some standard errors of a point that reaches the fold, another region
+!> (`adfric_fit_fold_region`) may have a lesser S. The regions are as many as the points, but few can. With k points
+!> beyond the fold all of these have one ordinate, and leave V_k at least, the spread of their ordinates, which rises
+!> with k. The others leave S_k at least, what the fit without those k points leaves. So region k has no lesser S
+!> where V_k > S - S_k. S - S_k is found by leaving out one point after the other, with the derivatives at the best
+!> minimum: without point i, with residual r and row J_i, S falls by r^2/(1 - h), h = J_i C J_i', and the covariance
+!> C rises by C J_i' J_i C/(1 - h). Since this is exact for a linear model only, twice that difference is asked for,
+!> and the limit of minima besides. From every other region a search goes on in all variables: a few steps tell how
+!> far its S falls.
 module adfric_fit_fold_survey
    use adfric_base_kinds, only: dp
    use adfric_fit_covariance, only: find_covariance
