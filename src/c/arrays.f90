@@ -325,10 +325,11 @@ contains
       class(run_t), intent(in) :: run
       !> Receives that there is too little memory.
       type(error_t), allocatable, intent(inout) :: error
-      type(c_ptr) :: axes(size(layout%profile_axes))
+      type(c_ptr), allocatable :: axes(:)
       integer :: i, k, counts(3), rank
 
       if (size(layout%profiles) == 0) return
+      allocate (axes(size(layout%profile_axes)))
       do k = 1, size(axes)
          call keep_text(layout%profile_axes(k)%name, axes(k), error)
       end do
