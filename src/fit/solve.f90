@@ -9,6 +9,7 @@ module adfric_fit_solve
    use adfric_fit_course, only: course_t, begin_course, has_too_few_points, refine_minima, take_minima, evaluate_best
    use adfric_fit_covariance, only: find_covariance
    use adfric_fit_derived, only: find_derived
+   use adfric_fit_doubt, only: measure_fit
    use adfric_fit_drawn_curves, only: draw_curves
    use adfric_fit_intervals, only: take_covariance_intervals, take_profile
    use adfric_fit_minima, only: add_search, sort_minima
@@ -20,6 +21,7 @@ module adfric_fit_solve
    use adfric_fit_starts, only: get_start, lambda_free
    use adfric_fit_theories, only: make_theory, theory_name
    use adfric_fit_thinning, only: search_minima
+   use adfric_model_doubt, only: not_measured
    use adfric_numerics_bounded_least_squares, only: squares_converged, squares_stuck
    use adfric_numerics_distributions, only: chi_squared_above
    implicit none (type, external)
@@ -307,7 +309,7 @@ contains
       end associate
    end subroutine finish_goodness
 
-   !> Residuals of the best minimum, which has just been evaluated, and what they say.
+   !> Residuals of the best minimum, which has just been evaluated, what they say, and how far the theory holds.
    subroutine take_residuals(course, fit, solution)
       !> What the parts share.
       type(course_t), intent(in) :: course
@@ -326,16 +328,19 @@ contains
          call take_curve(course%objective%others(k), sigma, solution)
       end do
       call look_at_residuals(fit, solution)
+      call measure_fit(course%objective, fit%model, solution%measures)
    end subroutine take_residuals
 
    !> Where the search would begin, from the user's values or the data, and S there.
-   subroutine find_start(fit, start, chi2, reason)
+   subroutine find_start(fit, start, chi2, measures, reason)
       !> The fit.
       type(fit_t), intent(in) :: fit
       !> Receives values of the free variables in their units; shape `(n_free)`. NaN if the fit is refused.
       real(dp), allocatable, intent(out) :: start(:)
       !> Receives S; NaN where the model has no value.
       real(dp), intent(out) :: chi2
+      !> Receives what the bounds of the theory are held against, as a solution has it; shape `(n_doubts)`.
+      real(dp), intent(out) :: measures(:)
       !> Receives why the fit is refused; empty if it is not.
       character(:), allocatable, intent(out) :: reason
       type(course_t) :: course
@@ -345,6 +350,7 @@ contains
 
       allocate (start(size(fit%frees)), source=not_a_number())
       chi2 = not_a_number()
+      measures = not_measured
       call find_refusal(fit, reason)
       if (len(reason) > 0) return
       marked = fit
@@ -355,7 +361,9 @@ contains
       associate (work => course%work)
          call course%objective%evaluate(q, work%n_rows, work%r, work%j, cost, is_valid)
       end associate
-      if (is_valid) chi2 = cost*course%unit2
+      if (.not. is_valid) return
+      chi2 = cost*course%unit2
+      call measure_fit(course%objective, fit%model, measures)
    end subroutine find_start
 
 end module adfric_fit_solve
