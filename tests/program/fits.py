@@ -318,7 +318,11 @@ class Stacks(Fits):
             for name in ("load", "contact"):
                 one[name] = file[name][0, 0]
             one["position"] = file["position"][()]
-        results = self.fit(STACK.format(file="one.h5"))
+        self.write(STACK.format(file="one.h5"))
+        table, _ = self.run_program("fit", "run.nml")
+        self.assertRegex(table, r"warning: half-width of contact over radius of the body is up to 0\.[5-9]\d?, the theory is off by a tenth")
+        results = self.read("run.h5")
+        self.assertEqual(int(results["doubt"]), 1)
         with h5py.File(MAP) as file:
             self.assertAlmostEqual(float(results["chi2"]), float(file["expected/chi2"][0, 0]), delta=CHI2)
         self.assertEqual(results["fitted"].shape, (100,))
