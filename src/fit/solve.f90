@@ -328,7 +328,7 @@ contains
          call take_curve(course%objective%others(k), sigma, solution)
       end do
       call look_at_residuals(fit, solution)
-      call measure_fit(course%objective, fit%model, solution%measures)
+      if (solution%status == fit_solved) call measure_fit(course%objective, fit%model, solution%measures)
    end subroutine take_residuals
 
    !> Where the search would begin, from the user's values or the data, and S there.
