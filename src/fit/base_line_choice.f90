@@ -5,7 +5,8 @@
 !> like the variables v, so the best answer has the least S over both. With v fixed, S is a sum over points, and the best m of each
 !> pass is found exactly. With m fixed, v is found by a fit. Both steps in turn never raise S, and end after few.
 !> The end may depend on the start, since an offset of the load can take the fold's ordinate to the base line: so such descents begin
-!> at many thresholds of the abscissa. Two answers whose S differ by less than `minima_limit` variances cannot be told apart. Where
+!> at many thresholds of the abscissa. There is no contact beyond the fold: an answer that leaves as many points there as make a base
+!> line gives way to one that has none, unless its S is less by `minima_limit` variances. Two answers whose S differ by less than `minima_limit` variances cannot be told apart. Where
 !> they differ by more than their errors, or where one has no adhesion, there is no answer.
 module adfric_fit_base_line_choice
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
@@ -87,7 +88,7 @@ contains
          if (other%course%minima%n < 1) cycle
          call descend(other, wants)
          others = [others, other]
-         if (other%solution%chi2 < best%solution%chi2 - same_cost*variance_of(best)) best = other
+         if (is_better(other, best)) best = other
       end do
       call search_again(fit, best)
       call judge(fit, wants, others, best)
@@ -121,8 +122,8 @@ contains
       other%fit%frees = fit%frees
       call solve(other)
       best%fit = other%fit
-      if (.not. other%solution%chi2 < best%solution%chi2 + same_cost*variance_of(best)) return
-      best = other
+      if (other%course%minima%n < 1) return
+      if (.not. is_better(best, other)) best = other
    end subroutine search_again
 
    !> Say that there is no answer, where others are as good as the best one.
@@ -167,6 +168,28 @@ contains
       end if
    end subroutine judge
 
+   !> Has an answer a lesser S than the best one so far? Base lines left beyond the fold count as `minima_limit` variances.
+   pure logical function is_better(other, best)
+      !> The answer.
+      type(choice_t), intent(in) :: other
+      !> The best one so far.
+      type(choice_t), intent(in) :: best
+      real(dp) :: gain
+
+      gain = (best%solution%chi2 - other%solution%chi2)/variance_of(best)
+      if (leaves_base_line(best)) gain = gain + minima_limit
+      if (leaves_base_line(other)) gain = gain - minima_limit
+      is_better = gain > same_cost
+   end function is_better
+
+   !> Does an answer leave as many points beyond the fold as make a base line?
+   pure logical function leaves_base_line(self)
+      !> The answer.
+      type(choice_t), intent(in) :: self
+
+      leaves_base_line = self%solution%points_beyond_fold >= fewest
+   end function leaves_base_line
+
    !> Is an answer as good as the best one, and beyond its errors?
    pure logical function is_as_good(other, best)
       !> The answer, or none.
@@ -177,6 +200,7 @@ contains
 
       is_as_good = .false.
       if (other%course%minima%n < 1) return
+      if (leaves_base_line(other) .and. .not. leaves_base_line(best)) return
       if (.not. other%solution%chi2 < best%solution%chi2 + minima_limit*variance_of(best)) return
       associate (one => best%solution%minima(:, 1), two => other%solution%minima(:, 1))
          where (best%fit%frees%is_log)
