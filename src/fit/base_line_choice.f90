@@ -5,8 +5,8 @@
 !> like the variables v, so the best answer has the least S over both. With v fixed, S is a sum over points, and the best m of each
 !> pass is found exactly. With m fixed, v is found by a fit. Both steps in turn never raise S, and end after few.
 !> The end may depend on the start, since an offset of the load can take the fold's ordinate to the base line: so such descents begin
-!> at many thresholds of the abscissa. There is no contact beyond the fold: an answer that leaves as many points there as make a base
-!> line gives way to one that has none, unless its S is less by `minima_limit` variances. Two answers whose S differ by less than `minima_limit` variances cannot be told apart. Where
+!> at many thresholds of the abscissa. There is no contact beyond the fold: an answer that leaves points there beside a base line, or
+!> as many as make one, gives way to one that has none, unless its S is less by `minima_limit` variances. Two answers whose S differ by less than `minima_limit` variances cannot be told apart. Where
 !> they differ by more than their errors, or where one has no adhesion, there is no answer.
 module adfric_fit_base_line_choice
    use adfric_base_kinds, only: dp
@@ -169,12 +169,20 @@ contains
       is_better = gain > same_cost
    end function is_better
 
-   !> Does an answer leave as many points beyond the fold as make a base line?
+   !> Does an answer leave a base line beyond the fold? Beside one that is marked each point there belongs to it.
    pure logical function leaves_base_line(self)
       !> The answer.
       type(choice_t), intent(in) :: self
+      integer :: k, least
 
-      leaves_base_line = self%solution%points_beyond_fold >= fewest
+      least = fewest
+      do k = 1, size(self%fit%data_sets)
+         associate (data => self%fit%data_sets(k))
+            if (.not. allocated(data%is_contact)) cycle
+            if (.not. all(data%is_contact)) least = 1
+         end associate
+      end do
+      leaves_base_line = self%solution%points_beyond_fold >= least
    end function leaves_base_line
 
    !> Is an answer as good as the best one, and beyond its errors?

@@ -133,7 +133,7 @@ contains
       real(dp), allocatable :: sums(:)
       real(dp) :: present
       integer, allocatable :: pass(:), members(:), order(:)
-      integer :: i, p, n
+      integer :: i, p, n, m, low, high
 
       call get_loss(loss, loss_width, apart%residual, excess, unused, unused_too)
       call get_loss(loss, loss_width, contact%residual, other, unused, unused_too)
@@ -156,11 +156,15 @@ contains
          marks%gain_of_any = marks%gain_of_any + present - minval(sums)
          sums(1:min(fewest, n) - 1) = huge(present)
          marks%gain = marks%gain + present - minval(sums)
-         call mark_first(marks%best%data_sets(number), contact%place(members), minloc(sums, 1) - 1)
-         call mark_first(marks%least%data_sets(number), contact%place(members), &
-            & findloc(sums < minval(sums) + minima_limit*variance, .true., 1) - 1)
-         call mark_first(marks%largest%data_sets(number), contact%place(members), &
-            & findloc(sums < minval(sums) + minima_limit*variance, .true., 1, back=.true.) - 1)
+         m = minloc(sums, 1) - 1
+         call mark_first(marks%best%data_sets(number), contact%place(members), m)
+         ! the next point may be as good after a fit: at the fold a curve is steep
+         low = min(m - 1, findloc(sums < minval(sums) + minima_limit*variance, .true., 1) - 1)
+         if (low < fewest) low = min(m, fewest)
+         high = max(m + 1, findloc(sums < minval(sums) + minima_limit*variance, .true., 1, back=.true.) - 1)
+         if (m == 0) high = max(high, fewest)
+         call mark_first(marks%least%data_sets(number), contact%place(members), low)
+         call mark_first(marks%largest%data_sets(number), contact%place(members), min(high, n - 1))
       end do
    end subroutine choose_marks
 
