@@ -117,7 +117,7 @@ contains
       integer :: i
 
       is_fit = self%is_fit
-      call open_state(self, run%model, is_fit)
+      call open_state(self, run%model)
       self%is_fit = is_fit
       self%input%values = run%plan%base
       self%input%is_given = run%is_given
@@ -135,15 +135,13 @@ contains
    end subroutine take_input
 
    !> Open a model.
-   subroutine open_state(self, model, is_fit)
+   subroutine open_state(self, model)
       !> Receives the model, with no value but the defaults.
       type(state_t), intent(out) :: self
       !> The model, which is taken over.
       class(model_t), allocatable, intent(inout) :: model
-      !> Is it a fit? Not present: it is none.
-      logical, intent(in), optional :: is_fit
 
-      call new_run(self%run, model, is_fit)
+      call new_run(self%run, model)
       call new_case(self%input, self%run%model)
    end subroutine open_state
 

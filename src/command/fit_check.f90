@@ -213,7 +213,7 @@ contains
          lines = lines//pad('base line', name_width)//show_count(count(.not. fit%data_sets(i)%is_contact))// &
             ' points of data['//show_count(i)//'], found from the jump of the load'//newline
       end do
-      call find_start(fit, solution%estimate, chi2, reason)
+      call find_start(fit, solution%estimate, chi2, solution%measures, reason)
       if (len(reason) > 0) then
          lines = lines//pad('start', name_width)//'none: '//reason//newline
          return

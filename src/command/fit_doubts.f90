@@ -1,22 +1,20 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What in a fit may not be what the user means: sizes that no contact has, and residuals that are not independent.
+!> What in a fit may not be what the user means: sizes that no contact has, points beyond the bounds of the theory, and residuals that
+!> are not independent.
 module adfric_command_fit_doubts
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
-   use adfric_base_text, only: newline, show_count
-   use adfric_base_unset, only: is_set
+   use adfric_base_text, only: newline, show_count, show_number
    use adfric_command_rounding, only: show_to_digits
    use adfric_fit_problem, only: fit_t, nuisance_tilt
    use adfric_fit_solution, only: solution_t, fit_solved
-   use adfric_model_status, only: status_solved
+   use adfric_model_doubt, only: doubt_limits, n_doubts, quantity_of
    implicit none (type, external)
    private
    public :: describe_fit_doubts
 
    !> Ranges of adhesion below and above are doubted [m].
    real(dp), parameter :: smallest_range = 0.05e-9_dp, largest_range = 5.0e-9_dp
-   !> A contact larger than this part of the radius is no contact of a parabola.
-   real(dp), parameter :: largest_contact = 1.0_dp/3
    !> Correlations of neighbours beyond this in standard errors are doubted.
    real(dp), parameter :: most_lag = 3
    !> Below this part of its mean S is too small for noise.
@@ -39,7 +37,7 @@ contains
 
       lines = ''
       if (solution%status /= fit_solved) return
-      lines = doubt_range(solution)//doubt_size(fit, solution)//doubt_base_lines(fit, solution)//doubt_residuals(solution)
+      lines = doubt_range(solution)//doubt_theory(solution)//doubt_base_lines(fit, solution)//doubt_residuals(solution)
    end function describe_fit_doubts
 
    !> Is the range of adhesion one of atoms?
@@ -61,54 +59,21 @@ contains
       end do
    end function doubt_range
 
-   !> Is the contact small against the sphere? Asked at the largest load.
-   function doubt_size(fit, solution) result(lines)
-      !> The fit with its model.
-      type(fit_t), intent(in) :: fit
+   !> Do all points of contact lie within the bounds of the theory?
+   function doubt_theory(solution) result(lines)
       !> What was found.
       type(solution_t), intent(in) :: solution
       character(:), allocatable :: lines
-      real(dp) :: values(size(fit%base), 1), results(size(fit%model%results), 1), estimate(1), counts(size(fit%model%counts))
-      integer :: status(1), i, radius, load, contact
+      integer :: i
 
       lines = ''
-      if (fit%model%name /= 'sphere') return
-      values(:, 1) = fit%base
-      do i = 1, size(fit%frees)
-         if (fit%frees(i)%variable > 0) values(fit%frees(i)%variable, 1) = solution%estimate(i)
+      do i = 1, n_doubts
+         associate (measure => solution%measures(i), limit => doubt_limits(i))
+            if (measure >= limit) lines = lines//'warning: '//quantity_of(i)//' is up to '//show_to_digits(measure, 2)// &
+               ', the theory is off by a tenth or more from '//show_number(limit)//' on; are the units right?'//newline
+         end associate
       end do
-      radius = fit%model%index_of('sphere', 'radius')
-      if (.not. is_set(values(radius, 1))) return
-      load = fit%model%index_of('operating', 'load')
-      associate (set => fit%data_sets(1))
-         if (set%abscissa == load) then
-            values(load, 1) = maxval(set%x, mask=is_in_use(fit))
-         else if (fit%model%results(set%ordinate)%name == 'load') then
-            values(load, 1) = maxval(set%y, mask=is_in_use(fit))
-         else
-            return
-         end if
-      end associate
-      do contact = size(fit%model%results), 1, -1
-         if (fit%model%results(contact)%name == 'contact_radius') exit
-      end do
-      call fit%model%solve_block(values, results, estimate, status, counts)
-      if (status(1) /= status_solved) return
-      associate (ratio => results(contact, 1)/values(radius, 1))
-         if (ratio > largest_contact) lines = 'warning: at the largest load the radius of contact is '//show_to_digits(ratio, 2) &
-            //' of that of the sphere, too much for a parabola; are the units right?'//newline
-      end associate
-   end function doubt_size
-
-   !> Which points of the first data set are used?
-   pure function is_in_use(fit) result(is_used)
-      !> The fit with its data sets.
-      type(fit_t), intent(in) :: fit
-      logical, allocatable :: is_used(:)
-
-      is_used = ieee_is_finite(fit%data_sets(1)%x)
-      if (allocated(fit%data_sets(1)%is_used)) is_used = is_used .and. fit%data_sets(1)%is_used
-   end function is_in_use
+   end function doubt_theory
 
    !> Has a base line a slope that nothing in the fit takes up?
    function doubt_base_lines(fit, solution) result(lines)

@@ -3,10 +3,11 @@
 module adfric_command_merge
    use adfric_base_kinds, only: i8
    use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_base_words, only: get_word, pad
-   use adfric_base_text, only: newline, show_count
+   use adfric_base_words, only: pad
+   use adfric_base_text, only: newline
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_not_converged
+   use adfric_model_doubt, only: n_doubts
    use adfric_model_status, only: status_not_converged, status_not_identifiable, n_status
    use adfric_output_heading, only: heading_t
    use adfric_output_layout, only: layout_t
@@ -14,13 +15,11 @@ module adfric_command_merge
    use adfric_output_names, only: check_output_name, would_replace
    use adfric_output_part_files, only: part_file_t, check_parts
    use adfric_output_resources, only: check_disk
+   use adfric_output_run_table, only: count_line, doubt_lines, status_lines
    use adfric_system_files, only: target_of
    implicit none (type, external)
    private
    public :: merge_parts
-
-   !> Width of the first column.
-   integer, parameter :: name_width = 38
 
 contains
 
@@ -35,7 +34,7 @@ contains
       type(heading_t) :: heading
       type(error_t), allocatable :: error
       character(:), allocatable :: path
-      integer(i8) :: by_status(0:n_status - 1)
+      integer(i8) :: by_status(0:n_status - 1), by_doubt(0:n_doubts)
       integer :: i
 
       do i = 1, size(parts)
@@ -43,7 +42,7 @@ contains
       end do
       path = target_of(command%subject)
       call check_names(command, path, parts, error)
-      if (.not. allocated(error)) call check_parts(parts, layout, heading, by_status, error)
+      if (.not. allocated(error)) call check_parts(parts, layout, heading, by_status, by_doubt, error)
       if (.not. allocated(error) .and. .not. command%is_virtual) call check_disk(layout%n_bytes()*size(parts), &
          path, error)
       if (.not. allocated(error)) &
@@ -54,13 +53,8 @@ contains
       end if
       if (any(by_status([status_not_converged, status_not_identifiable]) > 0)) outcome%exit_status = exit_not_converged
       if (command%is_quiet) return
-      call outcome%say(pad('parts', name_width)//show_count(size(parts))//newline)
-      call outcome%say(pad('points', name_width)//show_count(sum(by_status))//newline)
-      do i = 0, n_status - 1
-         if (by_status(i) > 0) call outcome%say(pad('  '//get_word(layout%fields(size(layout%fields))%flag_meanings, i + 1), &
-            name_width) &
-            //show_count(by_status(i))//newline)
-      end do
+      call outcome%say(count_line('parts', size(parts, kind=i8)))
+      call outcome%say(status_lines(by_status, layout%fields(size(layout%fields))%flag_meanings)//doubt_lines(by_doubt))
       call outcome%say(pad('file', 6)//path//newline)
    end subroutine merge_parts
 

@@ -6,6 +6,7 @@ module adfric_fit_estimate
    use adfric_fit_course, only: course_t, begin_course, has_too_few_points, refine_minima, take_minima
    use adfric_fit_covariance, only: find_covariance
    use adfric_fit_derived, only: find_derived
+   use adfric_fit_doubt, only: measure_fit
    use adfric_fit_objective, only: take_estimate
    use adfric_fit_problem, only: fit_t
    use adfric_fit_residuals, only: look_at_residuals, take_curve
@@ -161,7 +162,7 @@ contains
       end associate
    end subroutine finish_goodness
 
-   !> Residuals of the best minimum, which has just been evaluated, and what they say.
+   !> Residuals of the best minimum, which has just been evaluated, what they say, and how far the theory holds.
    subroutine take_residuals(course, fit, solution)
       !> What the parts share.
       type(course_t), intent(in) :: course
@@ -180,6 +181,7 @@ contains
          call take_curve(course%objective%others(k), sigma, solution)
       end do
       call look_at_residuals(fit, solution)
+      if (solution%status == fit_solved) call measure_fit(course%objective, fit%model, solution%measures)
    end subroutine take_residuals
 
 end module adfric_fit_estimate

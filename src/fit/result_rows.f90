@@ -7,15 +7,16 @@ module adfric_fit_result_rows
    use adfric_fit_names, only: list_free_names, find_derived_rows
    use adfric_fit_problem, only: fit_t
    use adfric_fit_solution, only: solution_t, fit_solved, fit_not_identifiable
+   use adfric_model_doubt, only: find_doubt
    use adfric_model_model, only: derived_t
    use adfric_model_rows, only: result_row
-   use adfric_model_table, only: result_t
+   use adfric_model_table, only: doubt_row, result_t
    implicit none (type, external)
    private
    public :: get_result_rows, get_result_values
 
    !> Results of each free variable, of each derived quantity, and of the fit as a whole.
-   integer, parameter :: n_of_free = 3, n_of_derived = 2, n_of_fit = 16
+   integer, parameter :: n_of_free = 3, n_of_derived = 2, n_of_fit = 17
 
 contains
 
@@ -76,6 +77,7 @@ contains
       rows(14) = result_row('n_outliers', '-', 'residuals beyond 3 standard errors')
       rows(15) = result_row('runs_p_value', '-', 'probability of so many or so few runs of equal signs of the residuals')
       rows(16) = result_row('lag_correlation', '-', 'correlation of neighbouring residuals')
+      rows(17) = doubt_row()
    end function rows_of_fit
 
    !> The values of the rows.
@@ -96,6 +98,7 @@ contains
       if (.not. any(solution%status == [fit_solved, fit_not_identifiable])) return
       call set_values_of_fit(solution, values(n + 1:))
       if (solution%status /= fit_solved) return
+      values(n + 17) = find_doubt(solution%measures)
       do i = 1, size(fit%frees)
          k = n_of_free*(i - 1)
          values(k + 1) = solution%estimate(i)
@@ -123,8 +126,8 @@ contains
          values(8) = size(solution%minima_chi2)
          if (size(solution%minima_chi2) > 1) values(9) = solution%minima_chi2(2) - solution%minima_chi2(1)
       end if
-      values(10:) = real([solution%iterations, solution%evaluations, solution%points_used, solution%points_beyond_fold, &
-         solution%n_outliers, 0, 0], dp)
+      values(10:14) = real([solution%iterations, solution%evaluations, solution%points_used, solution%points_beyond_fold, &
+         solution%n_outliers], dp)
       values(15) = solution%runs_p_value
       values(16) = solution%lag_correlation
    end subroutine set_values_of_fit

@@ -2,6 +2,7 @@
 !> What a fit has found.
 module adfric_fit_solution
    use adfric_base_kinds, only: dp
+   use adfric_model_doubt, only: n_doubts, not_measured
    implicit none (type, external)
    private
    public :: solution_t, data_solution_t, profile_grid_t, derived_value_t, theory_solution_t
@@ -94,6 +95,8 @@ module adfric_fit_solution
       integer :: iterations = 0, evaluations = 0
       !> Points used, points beyond the fold at the best fit and anywhere in the profile.
       integer :: points_used = 0, points_beyond_fold = 0, points_beyond_fold_in_profile = 0
+      !> What the bounds of the theory are held against, the largest of all points of contact, in the order of the doubts.
+      real(dp) :: measures(n_doubts) = not_measured
       !> Residuals beyond 3 standard errors: how many, and data set and point of each; shape `(2, n_outliers)`.
       integer :: n_outliers = 0
       !> Data set and point of each outlier; shape `(2, n_outliers)`.

@@ -8,6 +8,7 @@ module adfric_fit_solve
    use adfric_fit_base_line_choice, only: settle_base_lines
    use adfric_fit_bootstrap, only: take_bootstrap
    use adfric_fit_course, only: course_t, begin_course, take_minima, evaluate_best
+   use adfric_fit_doubt, only: measure_fit
    use adfric_fit_drawn_curves, only: draw_curves
    use adfric_fit_estimate, only: solve_best, finish_estimate
    use adfric_fit_intervals, only: take_covariance_intervals, take_profile
@@ -18,6 +19,7 @@ module adfric_fit_solve
    use adfric_fit_solution, only: solution_t, fit_solved, fit_not_identifiable
    use adfric_fit_starts, only: get_start, lambda_free
    use adfric_fit_theories, only: make_theory, theory_name
+   use adfric_model_doubt, only: not_measured
    implicit none (type, external)
    private
    public :: solve_fit, find_start
@@ -164,13 +166,15 @@ contains
    end subroutine take_intervals
 
    !> Where the search would begin, from the user's values or the data, and S there.
-   subroutine find_start(fit, start, chi2, reason)
+   subroutine find_start(fit, start, chi2, measures, reason)
       !> The fit.
       type(fit_t), intent(in) :: fit
       !> Receives values of the free variables in their units; shape `(n_free)`. NaN if the fit is refused.
       real(dp), allocatable, intent(out) :: start(:)
       !> Receives S; NaN where the model has no value.
       real(dp), intent(out) :: chi2
+      !> Receives what the bounds of the theory are held against, as a solution has it; shape `(n_doubts)`.
+      real(dp), intent(out) :: measures(:)
       !> Receives why the fit is refused; empty if it is not.
       character(:), allocatable, intent(out) :: reason
       type(course_t) :: course
@@ -180,6 +184,7 @@ contains
 
       allocate (start(size(fit%frees)), source=not_a_number())
       chi2 = not_a_number()
+      measures = not_measured
       call find_refusal(fit, reason)
       if (len(reason) > 0) return
       marked = fit
@@ -190,7 +195,9 @@ contains
       associate (work => course%work)
          call course%objective%evaluate(q, work%n_rows, work%r, work%j, cost, is_valid)
       end associate
-      if (is_valid) chi2 = cost*course%unit2
+      if (.not. is_valid) return
+      chi2 = cost*course%unit2
+      call measure_fit(course%objective, fit%model, measures)
    end subroutine find_start
 
 end module adfric_fit_solve

@@ -11,7 +11,8 @@ module adfric_model_doubt
    implicit none (type, external)
    private
    public :: doubt_none, doubt_contact_too_wide, doubt_slope_too_steep, doubt_layer_too_thick, doubt_estimate_above_tenth
-   public :: n_doubts, doubt_name, doubt_meanings, doubt_limits, not_measured, find_doubt, explain_doubt, quantity_of
+   public :: n_doubts, doubt_name, doubt_meanings, doubt_limits, not_measured
+   public :: find_doubt, raise_measures, explain_doubt, quantity_of
 
    !> Doubts of a point, as they stand in the file.
    integer, parameter :: doubt_none = 0, doubt_contact_too_wide = 1, doubt_slope_too_steep = 2, doubt_layer_too_thick = 3, &
@@ -39,6 +40,19 @@ contains
       end do
       doubt = doubt_none
    end function find_doubt
+
+   !> Let measures rise to those of a point.
+   pure subroutine raise_measures(of_point, measures)
+      !> What has been measured at the point; NaN or `not_measured` where that is not known; shape `(n_doubts)`.
+      real(dp), intent(in) :: of_point(:)
+      !> The largest so far; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+      integer :: doubt
+
+      do doubt = 1, n_doubts
+         if (.not. ieee_is_nan(of_point(doubt))) measures(doubt) = max(measures(doubt), of_point(doubt))
+      end do
+   end subroutine raise_measures
 
    !> What is measured for a doubt.
    pure function quantity_of(doubt) result(text)

@@ -22,6 +22,7 @@ module adfric_output_datasets
       procedure :: write_profiles
       procedure :: write_counts
       procedure :: read_results
+      procedure :: read_states
       procedure :: read_status
       procedure :: read_profiles
       procedure :: read_counts
@@ -133,7 +134,7 @@ contains
       end do
    end subroutine read_results
 
-   !> Read the states of a row of points.
+   !> Read the status of a row of points.
    subroutine read_status(self, calls, layout, first, status)
       !> The open datasets and their spaces.
       class(datasets_t), intent(in) :: self
@@ -145,22 +146,40 @@ contains
       integer(i8), intent(in) :: first
       !> Status of each point, one of `status_...`, or `no_state`.
       integer, intent(out) :: status(:)
-      integer(int8), allocatable :: states(:)
+
+      call self%read_states(calls, layout, size(self%fields), first, status)
+   end subroutine read_status
+
+   !> Read an enumerated result of a row of points.
+   subroutine read_states(self, calls, layout, place, first, states)
+      !> The open datasets and their spaces.
+      class(datasets_t), intent(in) :: self
+      !> Chain of HDF5 calls; nothing is done once one of them has failed.
+      type(hdf5_calls_t), intent(inout) :: calls
+      !> Layout of the file: its datasets and its points.
+      type(layout_t), intent(in) :: layout
+      !> Place of the result in `fields`.
+      integer, intent(in) :: place
+      !> Place of the first point in the file, from 1.
+      integer(i8), intent(in) :: first
+      !> State of each point, or `no_state`.
+      integer, intent(out) :: states(:)
+      integer(int8), allocatable :: numbers(:)
       integer(hid_t) :: memory_space
       integer :: done, n
 
-      status = no_state
+      states = no_state
       done = 0
-      do while (done < size(status) .and. calls%is_good())
-         call self%select_rows(calls, layout, first + done, size(status) - done, memory_space, n)
-         allocate (states(n), source=no_state)
-         call read_values(calls, self%fields(size(self%fields)), memory_space, self%space, states)
-         status(done + 1:done + n) = states
+      do while (done < size(states) .and. calls%is_good())
+         call self%select_rows(calls, layout, first + done, size(states) - done, memory_space, n)
+         allocate (numbers(n), source=no_state)
+         call read_values(calls, self%fields(place), memory_space, self%space, numbers)
+         states(done + 1:done + n) = numbers
          call calls%close_id(memory_space)
-         deallocate (states)
+         deallocate (numbers)
          done = done + n
       end do
-   end subroutine read_status
+   end subroutine read_states
 
    !> Write the profiles of a point.
    subroutine write_profiles(self, calls, layout, row, profiles)

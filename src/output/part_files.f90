@@ -8,6 +8,7 @@ module adfric_output_part_files
    use adfric_hdf5_calls, only: hdf5_calls_t
    use adfric_hdf5_file, only: open_file, close_file
    use adfric_hdf5_reading, only: read_attribute
+   use adfric_model_doubt, only: doubt_name, n_doubts
    use adfric_model_status, only: n_status
    use adfric_output_datasets, only: datasets_t
    use adfric_output_heading, only: heading_t, read_heading, say_difference
@@ -36,7 +37,7 @@ module adfric_output_part_files
 contains
 
    !> Check that the files are complete, belong to one run, and are all of it.
-   subroutine check_parts(parts, layout, heading, by_status, error)
+   subroutine check_parts(parts, layout, heading, by_status, by_doubt, error)
       !> Files of the parts, given with their paths; their blocks and times are added.
       type(part_file_t), intent(inout) :: parts(:)
       !> Layout of the first file.
@@ -45,6 +46,8 @@ contains
       type(heading_t), intent(out) :: heading
       !> Receives the number of points of each status; shape `(0:n_status - 1)`.
       integer(i8), intent(out) :: by_status(0:)
+      !> Receives the number of points of each doubt; shape `(0:n_doubts)`.
+      integer(i8), intent(out) :: by_doubt(0:)
       !> Not allocated if the files are the whole of one run.
       type(error_t), allocatable, intent(out) :: error
       type(layout_t) :: other
@@ -53,12 +56,13 @@ contains
       integer :: i
 
       by_status = 0
+      by_doubt = 0
       allocate (place_of(0))
       do i = 1, size(parts)
          if (i == 1) then
-            call check_part(parts(i), layout, heading, by_status, error)
+            call check_part(parts(i), layout, heading, by_status, by_doubt, error)
          else
-            call check_part(parts(i), other, other_heading, by_status, error)
+            call check_part(parts(i), other, other_heading, by_status, by_doubt, error)
             if (.not. allocated(error)) call compare(parts(i), parts(1), other_heading, heading, error)
          end if
          if (allocated(error)) return
@@ -77,7 +81,7 @@ contains
    end subroutine check_parts
 
    !> Check one file: is it a part, and complete?
-   subroutine check_part(part, layout, heading, by_status, error)
+   subroutine check_part(part, layout, heading, by_status, by_doubt, error)
       !> File of the part, given with its path; its blocks and its time are added.
       type(part_file_t), intent(inout) :: part
       !> Receives the layout of the part.
@@ -86,6 +90,8 @@ contains
       type(heading_t), intent(out) :: heading
       !> Number of points of each status, to which those of the part are added; shape `(0:n_status - 1)`.
       integer(i8), intent(inout) :: by_status(0:)
+      !> Number of points of each doubt, to which those of the part are added; shape `(0:n_doubts)`.
+      integer(i8), intent(inout) :: by_doubt(0:)
       !> Not allocated if the file is that of a part, and complete.
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_calls_t) :: calls
@@ -105,7 +111,7 @@ contains
       part%blocks = layout%blocks
       if (.not. layout%blocks%part%is_whole()) then
          call read_attribute(calls, file, 'wall_seconds', part%wall_seconds)
-         call count_points(calls, file, layout, by_status, n_missing)
+         call count_points(calls, file, layout, by_status, by_doubt, n_missing)
       end if
       call close_file(calls, file)
       call calls%get_error(part%path//': cannot read', error)
@@ -119,8 +125,8 @@ contains
       end if
    end subroutine check_part
 
-   !> Count the points of a part by their states.
-   subroutine count_points(calls, file, layout, by_status, n_missing)
+   !> Count the points of a part by status and doubt.
+   subroutine count_points(calls, file, layout, by_status, by_doubt, n_missing)
       !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
       !> Id of the open file of the part.
@@ -129,24 +135,33 @@ contains
       type(layout_t), intent(in) :: layout
       !> Number of points of each status, to which those of the part are added; shape `(0:n_status - 1)`.
       integer(i8), intent(inout) :: by_status(0:)
+      !> Number of points of each doubt, to which those of the part are added; shape `(0:n_doubts)`.
+      integer(i8), intent(inout) :: by_doubt(0:)
       !> Number of points that have no results yet.
       integer(i8), intent(out) :: n_missing
       type(datasets_t) :: datasets
-      integer, allocatable :: status(:)
+      integer, allocatable :: states(:)
       integer(i8) :: row, n_points
-      integer :: k
+      integer :: i, k
 
       n_missing = 0
       n_points = layout%blocks%n_points()
       call datasets%open(calls, file, layout)
       do row = 1, n_points, points_at_once
-         allocate (status(min(int(points_at_once, i8), n_points - row + 1)))
-         call datasets%read_status(calls, layout, row, status)
+         allocate (states(min(int(points_at_once, i8), n_points - row + 1)))
+         call datasets%read_status(calls, layout, row, states)
          do k = 0, n_status - 1
-            by_status(k) = by_status(k) + count(status == k)
+            by_status(k) = by_status(k) + count(states == k)
          end do
-         n_missing = n_missing + count(status < 0)
-         deallocate (status)
+         n_missing = n_missing + count(states < 0)
+         do i = 1, size(layout%fields)
+            if (layout%fields(i)%name /= doubt_name) cycle
+            call datasets%read_states(calls, layout, i, row, states)
+            do k = 0, n_doubts
+               by_doubt(k) = by_doubt(k) + count(states == k)
+            end do
+         end do
+         deallocate (states)
       end do
       call datasets%close(calls)
    end subroutine count_points

@@ -4,13 +4,13 @@ module adfric_output_run_table
    use adfric_base_kinds, only: dp, i8
    use adfric_base_text, only: show_number
    use adfric_base_words, only: get_word, pad
-   use adfric_model_doubt, only: doubt_limits, doubt_name, doubt_none, n_doubts, quantity_of
+   use adfric_model_doubt, only: doubt_limits, doubt_meanings, doubt_name, doubt_none, n_doubts, quantity_of
    use adfric_model_status, only: status_solved, n_status
    use adfric_model_table, only: result_t
    use adfric_run_summary, only: run_summary_t
    implicit none (type, external)
    private
-   public :: new_run_table, new_end_lines
+   public :: new_run_table, new_end_lines, count_line, status_lines, doubt_lines
 
    character(*), parameter :: newline = achar(10)
    !> Width of the first column, and of a number of points.
@@ -31,16 +31,12 @@ contains
       character(:), allocatable :: text
       integer :: i
 
-      text = count_line('points', summary%n_points)
-      do i = 0, n_status - 1
-         if (summary%by_status(i) == 0 .and. i /= status_solved) cycle
-         text = text//count_line('  '//words_of(get_word(states, i + 1)), summary%by_status(i))
-      end do
+      text = status_lines(summary%by_status, states)
       if (summary%n_damaged > 0) text = text//count_line('damaged, solved again', summary%n_damaged)
       do i = 1, size(results)
          if (.not. any(summary%enumerated == i)) cycle
          if (results(i)%name == doubt_name) then
-            text = text//doubt_lines(results(i), summary%by_state(:, i))
+            text = text//doubt_lines(summary%by_state(:, i))
          else
             text = text//state_lines(results(i), summary%by_state(:, i))
          end if
@@ -93,10 +89,24 @@ contains
       end do
    end function state_lines
 
+   !> Lines with the number of points, and of those of each status.
+   function status_lines(counts, states) result(lines)
+      !> Number of points of each status.
+      integer(i8), intent(in) :: counts(0:)
+      !> Names of the states of a point, separated by a blank.
+      character(*), intent(in) :: states
+      character(:), allocatable :: lines
+      integer :: i
+
+      lines = count_line('points', sum(counts))
+      do i = 0, n_status - 1
+         if (counts(i) == 0 .and. i /= status_solved) cycle
+         lines = lines//count_line('  '//words_of(get_word(states, i + 1)), counts(i))
+      end do
+   end function status_lines
+
    !> Lines with the number of points beyond each bound, and the bound; none if there is no such point.
-   function doubt_lines(result, counts) result(lines)
-      !> The row of the doubt.
-      type(result_t), intent(in) :: result
+   function doubt_lines(counts) result(lines)
       !> Number of points of each doubt, from 0 on.
       integer(i8), intent(in) :: counts(0:)
       character(:), allocatable :: lines
@@ -106,7 +116,7 @@ contains
       if (all(counts(doubt_none + 1:) == 0)) return
       lines = 'beyond a bound of the theory'//newline
       do i = doubt_none + 1, n_doubts
-         if (counts(i) > 0) lines = lines//count_line('  '//words_of(get_word(result%flag_meanings, i + 1)), counts(i)) &
+         if (counts(i) > 0) lines = lines//count_line('  '//words_of(get_word(doubt_meanings, i + 1)), counts(i)) &
             & //'    '//quantity_of(i)//' >= '//show_number(doubt_limits(i))//newline
       end do
    end function doubt_lines

@@ -4,7 +4,7 @@
 module adfric_run_doubting_model
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_model_doubt, only: doubt_estimate_above_tenth, find_doubt, n_doubts, not_measured
+   use adfric_model_doubt, only: doubt_estimate_above_tenth, doubt_name, find_doubt, n_doubts, not_measured
    use adfric_model_model, only: model_t
    use adfric_model_profile_receiver, only: profile_receiver_t
    use adfric_model_status, only: status_solved
@@ -24,16 +24,16 @@ module adfric_run_doubting_model
 
 contains
 
-   !> Let a model doubt; one that does so already stays as it is.
+   !> Let a model doubt; one that has the result already, as a fit or a model that doubts, stays as it is.
    subroutine let_doubt(model)
       !> In: the model. Out: a model that holds it.
       class(model_t), allocatable, intent(inout) :: model
       type(doubting_model_t), allocatable :: doubting
+      integer :: k
 
-      select type (model)
-      type is (doubting_model_t)
-         return
-      end select
+      do k = 1, size(model%results)
+         if (model%results(k)%name == doubt_name) return
+      end do
       allocate (doubting)
       call doubting%wrap(model)
       call append_doubt(doubting%inner%results, doubting%results)

@@ -50,20 +50,15 @@ module adfric_run_run
 contains
 
    !> A run of one point, at which each variable has its default value, without texts and results file.
-   subroutine new_run(self, model, is_fit)
+   subroutine new_run(self, model)
       !> Receives the run, to which values, axes and texts may be added.
       class(run_t), intent(out) :: self
       !> The model that solves the points; the run takes it over, and it is not allocated any more.
       class(model_t), allocatable, intent(inout) :: model
-      !> Is it a fit, whose curves have no doubts of their own? Not present: it is none.
-      logical, intent(in), optional :: is_fit
-      logical :: has_doubt
       integer :: i
 
       call move_alloc(model, self%model)
-      has_doubt = .true.
-      if (present(is_fit)) has_doubt = .not. is_fit
-      if (has_doubt) call let_doubt(self%model)
+      call let_doubt(self%model)
       allocate (self%variation%derivatives(0), self%variation%uncertain(0))
       allocate (self%plan%base(size(self%model%variables)), self%plan%axes(0), self%datasets(size(self%model%variables)))
       do i = 1, size(self%plan%base)

@@ -276,7 +276,7 @@ contains
       real(dp), intent(out) :: unknown
       type(trial_t) :: second, third, next
       logical :: are_unknown(2)
-      real(dp) :: low, high, ends(2), enough, middle, margin, step, before, last, p, q, r
+      real(dp) :: low, high, ends(2), enough, middle, margin, step, before, last
       integer :: k
 
       if (has_asserts) call assert(lowest <= least%penetration .and. least%penetration <= highest, &
@@ -298,19 +298,7 @@ contains
          if (abs(least%penetration - middle) <= 2*margin - (high - low)/2) exit
          ! a smooth turn is so flat that its place matters less than its load
          if (maxval(ends) - least%totals%load <= enough*surface%adhesion%stress) exit
-         r = (least%penetration - second%penetration)*(least%totals%load - third%totals%load)
-         q = (least%penetration - third%penetration)*(least%totals%load - second%totals%load)
-         p = (least%penetration - third%penetration)*q - (least%penetration - second%penetration)*r
-         q = 2*(q - r)
-         if (q > 0) p = -p
-         q = abs(q)
-         if (abs(p) < abs(q*before/2) .and. p > q*(low - least%penetration) .and. p < q*(high - least%penetration)) then
-            before = last
-            last = p/q
-         else
-            before = merge(high, low, least%penetration < middle) - least%penetration
-            last = golden*before
-         end if
+         call choose_step(least, second, third, low, high, before, last)
          step = last
          if (abs(step) < margin) step = sign(margin, last)
          call try_near(surface, least%penetration + step, least%penetration, 0.0_dp, memory, next)
@@ -349,5 +337,32 @@ contains
       unknown = maxval([least%penetration - low, high - least%penetration], are_unknown)
       unknown = max(unknown, 0.0_dp)
    end subroutine narrow
+
+   !> The next step of Brent's method: to the turn of the parabola through the three least loads, or a golden section.
+   pure subroutine choose_step(least, second, third, low, high, before, last)
+      !> The three least loads found so far, the least first.
+      type(trial_t), intent(in) :: least, second, third
+      !> Penetrations between which the least load lies.
+      real(dp), intent(in) :: low, high
+      !> In: the step before the last one. Out: the last one, or the length that a golden section divides.
+      real(dp), intent(inout) :: before
+      !> In: the last step. Out: the next one.
+      real(dp), intent(inout) :: last
+      real(dp) :: p, q, r
+
+      r = (least%penetration - second%penetration)*(least%totals%load - third%totals%load)
+      q = (least%penetration - third%penetration)*(least%totals%load - second%totals%load)
+      p = (least%penetration - third%penetration)*q - (least%penetration - second%penetration)*r
+      q = 2*(q - r)
+      if (q > 0) p = -p
+      q = abs(q)
+      if (abs(p) < abs(q*before/2) .and. p > q*(low - least%penetration) .and. p < q*(high - least%penetration)) then
+         before = last
+         last = p/q
+      else
+         before = merge(high, low, least%penetration < (low + high)/2) - least%penetration
+         last = golden*before
+      end if
+   end subroutine choose_step
 
 end module adfric_wavy_pull_off
