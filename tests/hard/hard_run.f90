@@ -165,6 +165,7 @@ contains
       call new_dice(dice, seed)
       n = 1
       drawn%swept = 1
+      drawn%is_hard = .true.
       associate (axes => run%input%plan%axes)
          if (size(axes) > 0) n = size(axes(size(axes))%values, 2)
          if (size(axes) > 0) drawn%swept = axes(size(axes))%variables(1)
