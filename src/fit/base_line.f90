@@ -15,10 +15,10 @@ module adfric_fit_base_line
    use adfric_fit_problem, only: fit_t, data_set_t
    implicit none (type, external)
    private
-   public :: mark_base_lines
+   public :: mark_base_lines, wants_marks, find_passes
 
    !> Fewest points of a base line, and of the contact beside it.
-   integer, parameter :: fewest = 6
+   integer, parameter, public :: fewest = 6
    !> A jump is larger than so many times the noise, and so many points behind it have left the line.
    real(dp), parameter :: least_jump = 6.0_dp
    integer, parameter :: n_behind = 2
@@ -32,20 +32,35 @@ contains
       !> The fit, whose data sets receive `is_contact` where a base line is found.
       type(fit_t), intent(inout) :: fit
       logical, allocatable :: is_contact(:)
+      logical :: wants(size(fit%data_sets))
       integer :: k
 
+      wants = wants_marks(fit)
+      do k = 1, size(fit%data_sets)
+         if (.not. wants(k)) cycle
+         call mark_points(fit%data_sets(k), is_contact)
+         if (.not. all(is_contact)) fit%data_sets(k)%is_contact = is_contact
+      end do
+   end subroutine mark_base_lines
+
+   !> Which data sets may have a base line that no column marks: loads against approaches, where something adheres.
+   function wants_marks(fit) result(wants)
+      !> The fit.
+      type(fit_t), intent(in) :: fit
+      logical :: wants(size(fit%data_sets))
+      integer :: k
+
+      wants = .false.
       if (.not. associated(fit%model)) return
       if (.not. adheres(fit)) return
       do k = 1, size(fit%data_sets)
          associate (data => fit%data_sets(k))
-            if (allocated(data%is_contact) .or. size(data%x) < 2*fewest) cycle
+            if (allocated(data%is_contact)) cycle
             if (fit%model%results(data%ordinate)%name /= 'load') cycle
-            if (all(fit%model%variables(data%abscissa)%name /= [character(13) :: 'approach', 'base_approach'])) cycle
-            call mark_points(data, is_contact)
-            if (.not. all(is_contact)) data%is_contact = is_contact
+            wants(k) = any(fit%model%variables(data%abscissa)%name == [character(13) :: 'approach', 'base_approach'])
          end associate
       end do
-   end subroutine mark_base_lines
+   end function wants_marks
 
    !> Does anything adhere in a fit?
    function adheres(fit)
