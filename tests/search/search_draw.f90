@@ -39,7 +39,7 @@ module search_draw
       integer :: swept = 0
       !> Datasets, whether the case takes them or not.
       type(drawn_data_t), allocatable :: data(:)
-      !> Does the case lie within a rounding of where its answer changes, as hard cases do? Then main results alone are compared.
+      !> Does the case lie within a rounding of where its answer changes, as hard cases do?
       logical :: is_hard = .false.
    end type drawn_case_t
 
