@@ -221,12 +221,12 @@ contains
       size = exp(x)
       if (self%is_of_rest) then
          call get_place(self%sheared, self%number, max(range_length(self%sheared, self%number) - size, 0.0_dp), place)
-         place%rest = max(place%rest, tiny(size))
+         place%rest = max(place%rest, tiny(size)*max(self%target, 1.0_dp))
          value = log(place%rest/self%target)
          slope = size*(2*place%e*place%slope/place%rest)
       else
          call get_place(self%sheared, self%number, size, place)
-         place%force = max(place%force, tiny(size))
+         place%force = max(place%force, tiny(size)*max(self%target, 1.0_dp))
          value = log(place%force/self%target)
          slope = size*(2*place%e*place%slope/place%force)
       end if
