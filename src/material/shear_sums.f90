@@ -149,13 +149,15 @@ contains
       real(dp), intent(in) :: s
       !> a^2 - e^2.
       real(dp), intent(in) :: square
-      real(dp) :: edge, width, cosine, first
+      real(dp) :: edge, width, cosine, first, unit
 
       segment = 0
       if (.not. (self%stress > 0 .and. square > 0)) return
       edge = sqrt(self%whole_zone)
-      cosine = (edge*s + self%a*e)*(self%a*s + e*edge)
-      width = atan2(square*self%c**2, cosine)
+      ! a power of two costs no digits, and fourth powers of lengths in its unit stay within the numbers
+      unit = scale(1.0_dp, -exponent(self%c))
+      cosine = ((edge*unit)*(s*unit) + (self%a*unit)*(e*unit))*((self%a*unit)*(s*unit) + (e*unit)*(edge*unit))
+      width = atan2(((square*unit)*unit)*(self%c*unit)**2, cosine)
       first = atan2(e, s)
       segment = self%c**2*sum(gauss_weights*sin(first + width*(1 + gauss_nodes)/2)**2)*width/2
    end function segment
