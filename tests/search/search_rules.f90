@@ -13,9 +13,8 @@ module search_rules
    use adfric_wavy_case, only: kind_map, wavy_case_t, resolve_case
    use adfric_wavy_marched_case, only: is_marched
    use adfric_wavy_surface, only: negligible
-   use adfric_wavy_variables, only: r_adhesion_area, r_contact_area, r_contact_shift, r_contact_width, r_dissipation, &
-      & r_edge_loss, r_friction_coefficient, r_friction_force, r_load, r_penetration, r_pull_off_load, r_pull_off_penetration, &
-      & v_relative_tolerance, v_kind, v_stress
+   use adfric_wavy_variables, only: r_adhesion_area, r_contact_area, r_friction_coefficient, r_friction_force, r_load, &
+      & r_penetration, v_kind, v_stress
    use model_calls, only: solve_values
    use random_dice, only: dice_t, new_dice
    use search_data, only: give_data, rescale_data
@@ -366,19 +365,8 @@ contains
          if (case%load_unit > 0) least = (abs(found(r_load)) + adhesion)/case%load_unit*case%height
          ! a load below the round-off of the pressure that a height makes does not tell how far the surface is away
          if (abs(found(r_load)) <= round_off*case%load_unit) least = case%height/same_state
-      case (r_contact_shift)
-         ! the middle of the contact is known as its edges are, to a share of the width
-         least = abs(found(r_contact_width))
-      case (r_friction_force, r_dissipation, r_edge_loss)
+      case (r_friction_force)
          least = max(negligible*abs(found(r_load)), share_of_scale*adhesion)*steepness
-      case (r_pull_off_load, r_pull_off_penetration)
-         ! of strips across the surface the load is known to the tolerance, and where it turns to the root of that
-         if (.not. case%surface%shape%is_3d) return
-         if (k == r_pull_off_load) then
-            least = values(v_relative_tolerance)/same_state*values(v_stress)*case%load_unit/case%pressure_unit
-         else
-            least = sqrt(values(v_relative_tolerance))/same_state*case%height
-         end if
       case (r_friction_coefficient)
          least = negligible*steepness
          if (abs(found(r_load)) > 0) least = max(least, share_of_scale*adhesion*(steepness + abs(found(k)))/abs(found(r_load)))
