@@ -1,0 +1,21 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+! How many of many alike cases a test is to take.
+module case_share
+   use adfric_base_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: share_of_cases
+
+contains
+
+   !> The share of its cases that a test takes: ADFRIC_RANDOM_CASES where checks make them slow; 1 if it is not set.
+   real(dp) function share_of_cases() result(share)
+      character(20) :: text
+      integer :: length
+
+      share = 1
+      call get_environment_variable('ADFRIC_RANDOM_CASES', text, length)
+      if (length > 0) read (text, *) share
+   end function share_of_cases
+
+end module case_share
