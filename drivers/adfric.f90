@@ -8,6 +8,7 @@ program main
    use adfric_command_help, only: give_help
    use adfric_command_line, only: command_t, get_arguments, parse_arguments
    use adfric_command_merge, only: merge_parts
+   use adfric_command_modernise, only: modernise_input
    use adfric_command_outcome, only: outcome_t, exit_success
    use adfric_command_run, only: run_case
    use adfric_driver_last_resort, only: begin_watch, end_watch
@@ -36,6 +37,8 @@ program main
       select case (command%name)
       case ('merge')
          call merge_parts(command, outcome)
+      case ('modernise')
+         call modernise_input(command, outcome)
       case ('check')
          call check_case(command, outcome)
       case ('help')

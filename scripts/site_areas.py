@@ -11,6 +11,7 @@ AREAS = {
         "Tutorial": "docs/tutorial.md",
         "Tutorial: a force map": "docs/force_map.md",
         "Gallery": "docs/gallery.md",
+        "The language of scenes": "docs/language.md",
         "The input": "docs/namelist.md",
         "Tables of text": "docs/tables.md",
         "The results file": "docs/file_format.md",

@@ -8,11 +8,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 # What stands in a line uses what stands in the lines above it, and itself. "" is src/ itself: which models there are.
-LEVELS = (("base",), ("numerics", "system"), ("model", "hdf5"), ("material", "shape"), ("wavy", "sphere", "classical", "indenter", "periodic"),
+LEVELS = (("base",), ("numerics", "system"), ("model", "hdf5"), ("material", "shape", "scene"), ("wavy", "sphere", "classical", "indenter", "periodic"),
           ("contact", "fit"), ("",), ("run",), ("input", "output"), ("api", "command"), ("c",), ("drivers",))
 LEVEL_OF = {room: level for level, rooms in enumerate(LEVELS) for room in rooms}
 # The library adfric::physics, as CMakeLists.txt names its folders: it knows neither files nor processes.
-PHYSICS = ("base", "numerics", "model", "material", "shape", "wavy", "sphere", "classical", "indenter", "periodic", "contact", "fit", "")
+PHYSICS = ("base", "numerics", "model", "material", "shape", "scene", "wavy", "sphere", "classical", "indenter", "periodic", "contact", "fit", "")
 NOT_FOR_PHYSICS = ("system", "hdf5")
 # Modules from outside that a room may use; bindings of libraries for numbers, and locks of threads, stand in numerics alone.
 FOREIGN = {"physics": {"iso_fortran_env", "ieee_arithmetic"},

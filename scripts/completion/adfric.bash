@@ -22,7 +22,7 @@ _adfric() {
    COMPREPLY=()
    for ((i = 1; i < COMP_CWORD; i++)); do
       case ${COMP_WORDS[i]} in
-      run | fit | merge | check | help)
+      run | fit | merge | check | modernise | help)
          command=${COMP_WORDS[i]}
          break
          ;;
@@ -33,6 +33,7 @@ _adfric() {
    run | fit) options='--output --force --quiet --resume --shard --help' ;;
    merge) options='--virtual --force --quiet --help' ;;
    check) options='--quiet --output-name --help' ;;
+   modernise) options='--help' ;;
    esac
 
    if [ "$before" = --output ]; then
@@ -43,8 +44,8 @@ _adfric() {
       mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
    else
       case $command in
-      '') mapfile -t COMPREPLY < <(compgen -W 'run fit merge check help' -- "$word") ;;
-      run | fit | check) _adfric_files "$word" nml ;;
+      '') mapfile -t COMPREPLY < <(compgen -W 'run fit merge check modernise help' -- "$word") ;;
+      run | fit | check | modernise) _adfric_files "$word" nml ;;
       merge) _adfric_files "$word" h5 ;;
       help) mapfile -t COMPREPLY < <(compgen -W "$(_adfric_topics "${COMP_WORDS[0]}")" -- "$word") ;;
       esac

@@ -14,6 +14,7 @@ module adfric_api_state
    use adfric_input_fit, only: fit_input_t, has_fit_groups, read_fit
    use adfric_input_namelist_file, only: namelist_file_t, no_namelist_file
    use adfric_input_run, only: read_case, read_job, read_job_of_text, run_input_t, say_unknown_model
+   use adfric_input_scene, only: make_model
    use adfric_input_sweep_size, only: find_size_problem
    use adfric_model_model, only: model_t
    use adfric_model_table, only: kind_dataset
@@ -90,9 +91,9 @@ contains
          call read_job(input, known_models, file, run, problems, error)
       end if
       if (allocated(error)) return
-      if (len(run%model_name) > 0) then
-         call new_model(run%model, run%model_name, error)
-         if (allocated(error)) return
+      call make_model(file, run, problems, error)
+      if (allocated(error)) return
+      if (allocated(run%model)) then
          self%is_fit = has_fit_groups(file) .or. present(tables)
          if (self%is_fit) then
             if (present(tables)) file%tables = tables

@@ -27,7 +27,7 @@ module adfric_classical_hertz_model
    use adfric_model_pointwise, only: point_state_t
    use adfric_model_derived, only: derived_t
    use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: result_t, profile_axis_t
+   use adfric_model_table, only: result_t, profile_axis_t, take_units
    implicit none (type, external)
    private
    public :: hertz_model_t, new_hertz_model
@@ -85,7 +85,7 @@ contains
       type(result_t), allocatable :: results(:)
 
       results = self%results
-      if (is_set(values(v_kind))) results = get_hertz_results(nint(values(v_kind)) == kind_line)
+      if (is_set(values(v_kind))) call take_units(get_hertz_results(nint(values(v_kind)) == kind_line), results)
    end function describe_results
 
    !> See `model_t`: forces on a line are those per length.

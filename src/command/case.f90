@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Read the input of a command and make its model.
 module adfric_command_case
-   use adfric, only: new_model, known_models
+   use adfric, only: known_models
    use adfric_base_error, only: error_t
    use adfric_base_printable, only: shell_word
    use adfric_base_problems, only: problems_t
@@ -11,6 +11,7 @@ module adfric_command_case
    use adfric_input_fit_rows, only: fit_groups
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_run, only: run_input_t, read_job, read_case
+   use adfric_input_scene, only: make_model
    implicit none (type, external)
    private
    public :: open_case, open_input, run_or_fit, run_only, fit_only
@@ -50,10 +51,8 @@ contains
       type(error_t), allocatable :: error
 
       call read_job(path, known_models, file, run, problems, error)
-      if (.not. allocated(error) .and. len(run%model_name) > 0) then
-         call new_model(run%model, run%model_name, error)
-         if (.not. allocated(error)) call read_run_or_fit(file, kind, run, details, problems)
-      end if
+      if (.not. allocated(error)) call make_model(file, run, problems, error)
+      if (.not. allocated(error) .and. allocated(run%model)) call read_run_or_fit(file, kind, run, details, problems)
       if (allocated(error)) then
          call outcome%fail(error)
       else if (problems%count() > 0) then

@@ -2,7 +2,7 @@
 !> `adfric check`: read and validate an input, and say what it means.
 module adfric_command_check
    use adfric_base_unset, only: is_set
-   use adfric_base_words, only: pad
+   use adfric_base_words, only: count_words, get_word, pad
    use adfric_base_text, only: newline, show_count, show_number, show_text
    use adfric_command_case, only: open_input, run_or_fit
    use adfric_command_fit_check, only: describe_fit
@@ -15,11 +15,13 @@ module adfric_command_check
    use adfric_fit_stack_model, only: stack_model_t
    use adfric_input_fit, only: fit_input_t
    use adfric_input_run, only: run_input_t
-   use adfric_model_model, only: derived_t
+   use adfric_model_model, only: derived_t, model_t
    use adfric_model_table, only: kind_dataset
+   use adfric_model_vocabulary, only: list_groups
    use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: axis_t
    use adfric_output_resources, only: file_size_of, show_bytes
+   use adfric_scene_solvers, only: accuracy_of
    use adfric_run_time_estimate, only: time_estimate_t, estimate_time
    implicit none (type, external)
    private
@@ -47,7 +49,7 @@ contains
       if (command%names_output .and. outcome%exit_status == exit_success) call outcome%say(run%output//newline)
       if (outcome%exit_status /= exit_success .or. command%is_quiet .or. command%names_output) return
       if (len(run%title) > 0) call outcome%say(run%title//newline)
-      call outcome%say(pad('model', name_width)//run%model%name//newline)
+      call outcome%say(describe_model(run%model))
       call outcome%say(describe_values(run)//describe_tables(run%datasets))
       select type (model => run%model)
       type is (stack_model_t)
@@ -71,6 +73,20 @@ contains
       call outcome%say(pad('results file', name_width)//run%output//', ' &
          //show_bytes(file_size_of(run))//newline)
    end subroutine check_case
+
+   !> The model, or the scene with the solver that answers it.
+   pure function describe_model(model) result(text)
+      !> The model.
+      class(model_t), intent(in) :: model
+      character(:), allocatable :: text
+
+      if (allocated(model%scene)) then
+         text = pad('scene', name_width)//model%scene//newline//pad('solver', name_width)//model%name//', '// &
+            accuracy_of(model%name)//newline
+      else
+         text = pad('model', name_width)//model%name//newline
+      end if
+   end function describe_model
 
    !> What there is to say of a fit.
    subroutine check_fit(model, details, run, outcome)
@@ -114,28 +130,42 @@ contains
       !> The run that the input describes.
       type(run_input_t), intent(in) :: run
       character(:), allocatable :: lines
-      character(:), allocatable :: group
-      integer :: i
+      character(:), allocatable :: groups, of_group
+      integer :: g, i
 
       lines = ''
-      group = ''
-      do i = 1, size(run%model%variables)
-         associate (variable => run%model%variables(i), value => run%plan%base(i))
-            if (run%plan%is_swept(i) .or. .not. is_set(value)) cycle
-            if (variable%group /= group) lines = lines//'&'//variable%group//newline
-            group = variable%group
-            lines = lines//pad('  '//variable%name, name_width)
-            if (variable%kind == kind_dataset) then
-               lines = lines//run%datasets(i)%describe()
-            else
-               lines = lines//show_input_value(variable, value)
-            end if
-            lines = lines//show_unit(run%model%unit_of(run%plan%base, i))
-            if (.not. run%is_given(i)) lines = lines//' (default)'
-            lines = lines//newline
-         end associate
+      groups = list_groups(run%model)
+      do g = 1, count_words(groups)
+         of_group = ''
+         do i = 1, size(run%model%variables)
+            if (run%model%variables(i)%group /= get_word(groups, g) .or. run%model%variables(i)%is_hidden) cycle
+            if (run%plan%is_swept(i) .or. .not. is_set(run%plan%base(i))) cycle
+            of_group = of_group//describe_value(run, i)
+         end do
+         if (len(of_group) > 0) lines = lines//'&'//get_word(groups, g)//newline//of_group
       end do
    end function describe_values
+
+   !> A variable that has one value.
+   function describe_value(run, place) result(line)
+      !> The run that the input describes.
+      type(run_input_t), intent(in) :: run
+      !> Place of the variable in the table of the model.
+      integer, intent(in) :: place
+      character(:), allocatable :: line
+
+      associate (variable => run%model%variables(place))
+         line = pad('  '//variable%name, name_width)
+         if (variable%kind == kind_dataset) then
+            line = line//run%datasets(place)%describe()
+         else
+            line = line//show_input_value(variable, run%plan%base(place))
+         end if
+         line = line//show_unit(run%model%unit_of(run%plan%base, place))
+         if (.not. run%is_given(place)) line = line//' (default)'
+         line = line//newline
+      end associate
+   end function describe_value
 
    !> How the tables of text were read, each once.
    function describe_tables(datasets) result(lines)

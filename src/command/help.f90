@@ -9,6 +9,7 @@ module adfric_command_help
    use adfric_command_help_lists, only: model_box_t, list_topics, show_list
    use adfric_command_help_names, only: describe_model, describe_outputs, describe_name, describe_common, &
       describe_variables, list_names, list_words
+   use adfric_command_help_scenes, only: describe_scenes, list_scene_names
    use adfric_command_help_pages, only: usage_page, input_page, tables_page, outputs_head
    use adfric_command_line, only: command_t, known_commands
    use adfric_command_outcome, only: outcome_t
@@ -21,7 +22,7 @@ module adfric_command_help
    public :: give_help
 
    !> Topics that are pages.
-   character(*), parameter :: page_topics = 'input tables outputs names'
+   character(*), parameter :: page_topics = 'scenes input tables outputs names'
 
 contains
 
@@ -90,6 +91,8 @@ contains
          if (len(named) > 0) text = text//newline//named
       else if (topic == 'outputs') then
          text = outputs_head//newline//describe_common('')//newline//describe_every_model(models, topic)
+      else if (topic == 'scenes') then
+         text = describe_scenes(models)
       else if (topic == 'input') then
          text = input_page
       else if (topic == 'tables') then
@@ -115,6 +118,7 @@ contains
       text = ''
       if (has_word(known_commands, topic)) text = usage_page
       if (has_word(every_common_name(), topic)) text = input_page
+      if (len(text) == 0 .and. has_word(list_scene_names(models), topic)) text = describe_scenes(models)
       text = text//describe_common(topic)
       of_fits = describe_fits(topic)
       if (len(text) > 0 .and. len(of_fits) > 0) text = text//newline
@@ -192,6 +196,7 @@ contains
       do i = 1, size(models)
          names = names//' '//list_names(models(i)%model)
       end do
+      names = names//' '//list_scene_names(models)
    end function every_name
 
 end module adfric_command_help

@@ -127,7 +127,7 @@ contains
       last_group = ''
       do i = 1, size(variables)
          associate (variable => variables(i))
-            if (.not. is_meant(variable, name)) cycle
+            if (variable%is_hidden .or. .not. is_meant(variable, name)) cycle
             if (variable%group /= last_group) text = text//'&'//variable%group//newline
             last_group = variable%group
             text = text//describe_variable(variable)
@@ -174,6 +174,7 @@ contains
       text = ''
       do i = 1, size(results)
          associate (result => results(i))
+            if (result%is_hidden) cycle
             has_state = result%n_states() > 0
             if (.not. (len(name) == 0 .or. name == result%name)) then
                if (.not. has_state) cycle

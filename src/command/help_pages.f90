@@ -27,9 +27,11 @@ module adfric_command_help_pages
       '      read and validate, write nothing; print the value of every variable, the number of points,'//newline// &
       '      how long a run takes, and what looks like a slip in the units; --quiet prints nothing but errors,'//newline// &
       '      --output-name nothing but the name of the results file'//newline// &
+      '  adfric modernise INPUT.nml'//newline// &
+      '      print an input that names a model as a scene'//newline// &
       '  adfric help [TOPIC]'//newline// &
-      '      topics: models, groups, variables, results, units, input, tables, outputs; or the name of a model,'//newline// &
-      '      group, variable, result or status, or a word that a variable or a result may be;'//newline// &
+      '      topics: scenes, models, groups, variables, results, units, input, tables, outputs; or the name of'//newline// &
+      '      a model, group, variable, result or status, or a word that a variable or a result may be;'//newline// &
       '      names lists all of these, one a line'//newline// &
       '  adfric --version'//newline// &
       newline// &
@@ -45,7 +47,8 @@ module adfric_command_help_pages
       'An input is a file of namelist groups, in any order, with comments after !. SI units.'//newline// &
       newline// &
       '  &job'//newline// &
-      '    model = ''NAME''       model to be solved (adfric help NAME shows its groups)'//newline// &
+      '    model = ''NAME''       model to be solved (adfric help NAME shows its groups); without it the input'//newline// &
+      '                         describes a scene, and the program finds the solver (adfric help scenes)'//newline// &
       '    title = ''TEXT''       stands in the results file'//newline// &
       '    output = ''FILE.h5''   results file; default: the name of the input with .h5'//newline// &
       '  /'//newline// &

@@ -11,7 +11,7 @@ module adfric_command_line
    public :: known_commands
 
    !> What the program can do.
-   character(*), parameter :: known_commands = 'run fit merge check help'
+   character(*), parameter :: known_commands = 'run fit merge check modernise help'
    !> Options of all commands.
    character(*), parameter :: known_options = '--output --force --resume --shard --virtual --quiet --output-name --help --version'
 
@@ -23,9 +23,9 @@ module adfric_command_line
 
    !> What the user wants.
    type :: command_t
-      !> 'run', 'fit', 'merge', 'check', 'help' or 'version'.
+      !> 'run', 'fit', 'merge', 'check', 'modernise', 'help' or 'version'.
       character(:), allocatable :: name
-      !> Name of the input (run, fit and check), of the results file (merge) or topic (help); empty if there is none.
+      !> Name of the input (run, fit, check and modernise), of the results file (merge) or topic (help); empty if there is none.
       character(:), allocatable :: subject
       !> Names of the parts (merge).
       type(argument_t), allocatable :: others(:)

@@ -79,7 +79,7 @@ contains
             end if
          end associate
       end do
-      k = fit%model%index_of('model', 'theory')
+      k = fit%model%solver_index_of('model', 'theory')
       if (k == 0) return
       call find_word(fit%model%variables(k)%choices, nint(fit%base(k)), theory)
       adheres = adheres .and. theory /= 'hertz' .and. theory /= 'none'

@@ -260,7 +260,7 @@ contains
       other = fit
       is_adhesion = .false.
       is_known = .false.
-      theory = fit%model%index_of('model', 'theory')
+      theory = fit%model%solver_index_of('model', 'theory')
       if (theory == 0) return
       do k = 1, size(fit%model%variables)
          select case (fit%model%variables(k)%name)

@@ -100,7 +100,7 @@ contains
       call add_derived(all_rows, 'lambda', '-', 'Maugis''s parameter lambda', 0.0_dp)
       call add_derived(all_rows, 'pull_off_load', 'N', 'load at which the contact is lost when the load is held', 0.0_dp)
       first = 1
-      theory = fit%model%index_of('model', 'theory')
+      theory = fit%model%solver_index_of('model', 'theory')
       select case (get_word(fit%model%variables(theory)%choices, nint(fit%base(theory))))
       case ('hertz')
          first = size(all_rows) + 1
@@ -113,7 +113,7 @@ contains
          if (allocated(fit%derived)) then
             if (len_trim(fit%derived) > 0) is_wanted(i) = is_wanted(i) .and. has_word(fit%derived, all_rows(i)%name)
          end if
-         k = fit%model%index_of('sphere', all_rows(i)%name)
+         k = fit%model%solver_index_of('sphere', all_rows(i)%name)
          if (k == 0) cycle
          is_wanted(i) = is_wanted(i) .and. .not. is_set(fit%base(k)) .and. .not. any(fit%frees%variable == k)
       end do

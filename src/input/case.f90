@@ -10,7 +10,8 @@ module adfric_input_case
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest
    use adfric_input_variable, only: read_variable, describe_allowed
-   use adfric_input_vocabulary, only: common_groups, list_known_groups, output_names, say_unknown_group, say_unknown_variable
+   use adfric_input_vocabulary, only: common_groups, job_names, list_known_groups, output_names, say_unknown_group, &
+      say_unknown_variable
    use adfric_model_model, only: model_t
    use adfric_model_table, only: kind_dataset, variable_t
    use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of
@@ -79,10 +80,23 @@ contains
             if (.not. has_word(groups, file%groups(assignment%group)%name)) cycle
             if (file%find_assignment(assignment%group, trim(assignment%name)) /= i) cycle
             if (file%groups(assignment%group)%name == 'output' .and. has_word(output_names, assignment%name)) cycle
+            if (file%groups(assignment%group)%name == 'job' .and. has_word(job_names, assignment%name)) cycle
+            if (is_read(model, trim(file%groups(assignment%group)%name), trim(assignment%name))) cycle
             call read_assignment(file, i, model, input, problems)
          end associate
       end do
    end subroutine read_groups
+
+   !> Was a name read when the solver of the scene was chosen? The solver may have it as well.
+   pure logical function is_read(model, group, name)
+      !> The model, which knows such names.
+      class(model_t), intent(in) :: model
+      !> Group and name.
+      character(*), intent(in) :: group, name
+
+      is_read = allocated(model%scene_names)
+      if (is_read) is_read = has_word(model%scene_names, group//'%'//name) .and. model%index_of(group, name) == 0
+   end function is_read
 
    !> Report groups that the model does not have, and mark what is behind a group that makes no sense.
    subroutine check_group_names(file, model, common, input, problems)

@@ -176,7 +176,7 @@ contains
 
       is_dugdale_given = .false.
       do k = 1, 2
-         place = model%index_of('sphere', get_word('adhesion_stress adhesion_range', k))
+         place = model%solver_index_of('sphere', get_word('adhesion_stress adhesion_range', k))
          if (place == 0) cycle
          is_dugdale_given = is_dugdale_given .or. (is_set(input%values(place)) .and. .not. input%is_swept(place))
       end do
@@ -211,7 +211,7 @@ contains
       character(:), allocatable :: theory
       integer :: place, i, k
 
-      place = model%index_of('model', 'theory')
+      place = model%solver_index_of('model', 'theory')
       if (place == 0) return
       theory = get_word(model%variables(place)%choices, nint(input%values(place)))
       if (theory == 'maugis_dugdale') return

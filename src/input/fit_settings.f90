@@ -124,7 +124,7 @@ contains
 
       call reader%read_texts(file, 'theories', words, problems)
       if (len(words) == 0) return
-      place = model%index_of('model', 'theory')
+      place = model%solver_index_of('model', 'theory')
       if (place == 0) then
          call reader%report(file, 'theories', 'the model '''//model%name//''' has no theories', problems)
          return

@@ -28,6 +28,8 @@ module adfric_input_run
    type, extends(run_t) :: run_input_t
       !> Name of the model; empty if the file names none that is known.
       character(:), allocatable :: model_name
+      !> Does the file describe a scene, and name no model?
+      logical :: is_scene = .false.
       !> Which variables the file gives in their groups, shape `(n_variables)`.
       logical, allocatable :: is_given(:)
    end type run_input_t
@@ -102,16 +104,30 @@ contains
       if (problems%is_enough()) return
       run%text = file%text
       group = file%find_group('job')
+      run%is_scene = describes_scene(file, group)
       if (group == 0) then
+         if (run%is_scene) return
          ! a file without any group is no input, and that has been said
          if (size(file%groups) > 0 .or. problems%count() == 0) call report_missing_job(file, known_models, problems)
          return
       end if
-      call report_unknown_names(file, group, job_names, problems)
+      call report_unknown_names(file, group, job_names//trim(merge(' units solver', '             ', run%is_scene)), problems)
       call read_word(file, group, 'title', run%title, problems)
       call read_output(file, group, run%output, problems)
-      call read_model(file, group, known_models, run%model_name, problems)
+      if (.not. run%is_scene) call read_model(file, group, known_models, run%model_name, problems)
    end subroutine find_job
+
+   !> Does an input describe a scene, and name no model?
+   pure logical function describes_scene(file, job)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of its `&job`; 0 if it has none.
+      integer, intent(in) :: job
+
+      describes_scene = file%find_group('surface') > 0 .or. file%find_group('traction') > 0
+      if (job > 0) describes_scene = describes_scene .and. file%find_assignment(job, 'model') == 0 &
+         .and. .not. file%groups(job)%is_garbled
+   end function describes_scene
 
    !> Read the case and the sweep of the model that the input wants, and hand the model its datasets.
    subroutine read_case(file, run, problems)

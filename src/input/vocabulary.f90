@@ -8,7 +8,7 @@ module adfric_input_vocabulary
    use adfric_input_suggestion, only: find_nearest, did_you_mean
    use adfric_model_model, only: model_t
    use adfric_model_table, only: variable_t, kind_real, kind_integer
-   use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of
+   use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of, order_of_scenes
    implicit none (type, external)
    private
    public :: common_groups, job_names, sweep_names, sample_names, range_names, cases_names, refine_names, &
@@ -96,9 +96,49 @@ contains
       character(:), allocatable :: known
 
       known = list_known_groups(model, common)
-      text = 'unknown group for the model '''//model%name//''', allowed: &'//join_words(known, ', &')
+      if (allocated(model%scene)) then
+         if (len(groups_in_scene(model, group)) > 0) then
+            text = 'is a group of the model '''//model%name//'''; a scene has its variables in &'// &
+               join_words(groups_in_scene(model, group), ', &')//' (adfric modernise writes such an input anew)'
+            return
+         end if
+      else if (has_word(order_of_scenes, group)) then
+         text = 'is a group of scenes, and &job names the model '''//model%name//''', whose groups are &'// &
+            join_words(list_groups(model), ', &')//'; leave the model out'
+         return
+      end if
+      text = 'unknown group for '//name_of(model)//', allowed: &'//join_words(known, ', &')
       if (len(find_nearest(group, known)) > 0) text = text//'; did you mean &'//find_nearest(group, known)//'?'
    end function say_unknown_group
+
+   !> Groups in which a scene has the variables that its solver has in a group of its own; empty if it has none such.
+   pure function groups_in_scene(model, group) result(groups)
+      !> The solver, in the language of scenes.
+      class(model_t), intent(in) :: model
+      !> Name of the group.
+      character(*), intent(in) :: group
+      character(:), allocatable :: groups
+      integer :: i
+
+      groups = ''
+      do i = 1, size(model%variables)
+         associate (variable => model%variables(i))
+            if (variable%is_hidden .or. .not. allocated(variable%solver_group)) cycle
+            if (variable%solver_group == group .and. .not. has_word(groups, variable%group)) groups = groups//' '//variable%group
+         end associate
+      end do
+      groups = adjustl(groups)
+   end function groups_in_scene
+
+   !> What is solved: the scene, or the model of this name.
+   pure function name_of(model) result(text)
+      !> The model.
+      class(model_t), intent(in) :: model
+      character(:), allocatable :: text
+
+      text = 'the model '''//model%name//''''
+      if (allocated(model%scene)) text = 'the scene '''//model%scene//''''
+   end function name_of
 
    !> What to say of a variable that a group does not have; the model may have it elsewhere.
    pure function say_unknown_variable(model, group, name) result(text)
@@ -112,6 +152,14 @@ contains
       character(:), allocatable :: home, near
       integer :: k
 
+      if (allocated(model%scene)) then
+         do k = 1, size(model%variables)
+            if (.not. model%variables(k)%is_called(group, name) .or. model%variables(k)%is_hidden) cycle
+            text = 'is a name of the model '''//model%name//'''; in a scene it is &'//model%variables(k)%group//' '// &
+               model%variables(k)%name//' (adfric modernise writes such an input anew)'
+            return
+         end do
+      end if
       home = list_groups_of(model, name)
       do k = 1, count_words(common_groups)
          if (len(home) == 0 .and. has_word(list_common_names(get_word(common_groups, k)), name)) home = get_word(common_groups, k)

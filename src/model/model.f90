@@ -40,6 +40,10 @@ module adfric_model_model
       integer :: largest_block = huge(1)
       !> May several threads share the work of one point?
       logical :: shares_points = .false.
+      !> What is solved, in words, where the input describes a scene and names no model; else not allocated.
+      character(:), allocatable :: scene
+      !> Names `group%name` that the choice of the solver has read already, separated by a blank; not allocated: none.
+      character(:), allocatable :: scene_names
       !> Whom points that take long ask whether the run shall end; null: nobody.
       class(watch_t), pointer :: watch => null()
    contains
@@ -68,6 +72,7 @@ module adfric_model_model
       procedure :: profile_shape
       procedure :: unit_of
       procedure :: index_of
+      procedure :: solver_index_of
    end type model_t
 
    abstract interface
@@ -318,7 +323,7 @@ contains
       allocate (is_given(size(derived)), source=.false.)
       do i = 1, size(derived)
          do k = 1, size(self%variables)
-            if (self%variables(k)%name == derived(i)%name) is_given(i) = is_given(i) .or. is_set(values(k))
+            if (self%variables(k)%own_name() == derived(i)%name) is_given(i) = is_given(i) .or. is_set(values(k))
          end do
       end do
       derived = pack(derived, .not. is_given)
@@ -424,6 +429,18 @@ contains
       end associate
    end function unit_of
 
+   !> Place of a variable in `variables` by the name that the solver has for it; 0 if there is none.
+   pure integer function solver_index_of(self, group, name)
+      !> The model, whose table of variables is searched.
+      class(model_t), intent(in) :: self
+      !> Group of the variable, without `&`, and its name, both in the language of the solver.
+      character(*), intent(in) :: group, name
+
+      do solver_index_of = size(self%variables), 1, -1
+         if (self%variables(solver_index_of)%is_called(group, name)) return
+      end do
+   end function solver_index_of
+
    !> Place of a variable in `variables`; 0 if there is none of that name.
    pure integer function index_of(self, group, name)
       !> The model, whose table of variables is searched.
@@ -434,7 +451,7 @@ contains
       character(*), intent(in) :: name
 
       do index_of = size(self%variables), 1, -1
-         if (self%variables(index_of)%group /= group) cycle
+         if (self%variables(index_of)%group /= group .or. self%variables(index_of)%is_hidden) cycle
          if (self%variables(index_of)%name == name) return
       end do
    end function index_of

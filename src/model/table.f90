@@ -8,7 +8,8 @@ module adfric_model_table
    use adfric_model_status, only: status_meanings
    implicit none (type, external)
    private
-   public :: variable_t, result_t, profile_t, profile_axis_t, count_t, extra_t, results_of_every_run, doubt_row, common_results
+   public :: variable_t, result_t, profile_t, profile_axis_t, count_t, extra_t
+   public :: results_of_every_run, doubt_row, common_results, take_units
    public :: kind_real, kind_integer, kind_logical, kind_choice, kind_dataset, kind_text
 
    !> Kinds of namelist variables. No model has a text: names of files and the like stand in the groups that every model shares.
@@ -53,9 +54,15 @@ module adfric_model_table
       logical :: has_bare_name = .true.
       !> Sizes that it usually has, where they are others than those of its unit (`adfric_model_plausible_range`).
       real(dp) :: usual_lower = unset, usual_upper = unset
+      !> Group and name in the language of the solver, where a scene calls the variable otherwise; else not allocated.
+      character(:), allocatable :: solver_group, solver_name
+      !> Has the variable no meaning in the scene? It cannot be given then, and nobody hears of it.
+      logical :: is_hidden = .false.
    contains
       procedure :: n_columns
       procedure :: n_attributes
+      procedure :: is_called
+      procedure :: own_name
    end type variable_t
 
    !> A result per point.
@@ -72,6 +79,10 @@ module adfric_model_table
       logical :: is_main = .false.
       !> Is it found by counting, such as an area by cells, so that it varies in steps?
       logical :: is_counted = .false.
+      !> Name in the language of the solver, where a scene calls the result otherwise; else not allocated.
+      character(:), allocatable :: solver_name
+      !> Has the result no meaning in the scene? It is absent from the file then, and nobody hears of it.
+      logical :: is_hidden = .false.
    contains
       procedure :: n_states
    end type result_t
@@ -176,6 +187,43 @@ contains
       n_attributes = 0
       if (allocated(self%attributes)) n_attributes = count_words(self%attributes)
    end function n_attributes
+
+   !> Give results the units that the same rows have for another case; what they are called stays.
+   pure subroutine take_units(rows, results)
+      !> The rows with the units of the case.
+      type(result_t), intent(in) :: rows(:)
+      !> Results of the model, in the same order.
+      type(result_t), intent(inout) :: results(:)
+      integer :: i
+
+      do i = 1, size(results)
+         results(i)%unit = rows(i)%unit
+      end do
+   end subroutine take_units
+
+   !> Name of a variable in the language of the solver.
+   pure function own_name(self) result(name)
+      !> The variable.
+      class(variable_t), intent(in) :: self
+      character(:), allocatable :: name
+
+      name = self%name
+      if (allocated(self%solver_name)) name = self%solver_name
+   end function own_name
+
+   !> Is this the name that the solver has for a variable, whatever the scene calls it?
+   pure logical function is_called(self, group, name)
+      !> The variable.
+      class(variable_t), intent(in) :: self
+      !> Group and name in the language of the solver.
+      character(*), intent(in) :: group, name
+
+      if (allocated(self%solver_group)) then
+         is_called = self%solver_group == group .and. self%solver_name == name
+      else
+         is_called = self%group == group .and. self%name == name
+      end if
+   end function is_called
 
    !> Number of states of an enumerated result; 0 for a number.
    pure integer function n_states(self)

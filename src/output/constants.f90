@@ -45,7 +45,7 @@ contains
       taken = list_taken(run)
       do i = 1, size(is_constant)
          is_constant(i) = run%model%variables(i)%kind /= kind_dataset .and. is_set(run%plan%base(i))
-         if (is_constant(i)) is_constant(i) = .not. run%plan%is_swept(i)
+         if (is_constant(i)) is_constant(i) = .not. (run%plan%is_swept(i) .or. run%model%variables(i)%is_hidden)
       end do
       allocate (constants(count(is_constant)))
       n = 0
@@ -126,7 +126,7 @@ contains
          is_constant(i) = .not. has_word(taken, derived(i)%name)
          do k = 1, size(run%model%variables)
             if (.not. run%plan%is_swept(k)) cycle
-            if (derived(i)%follows_from(run%model%variables(k)%name)) is_constant(i) = .false.
+            if (derived(i)%follows_from(run%model%variables(k)%own_name())) is_constant(i) = .false.
          end do
       end do
    end subroutine find_derived_constants

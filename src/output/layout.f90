@@ -155,7 +155,7 @@ contains
       allocate (fields(size(results) + 2))
       n = 0
       do i = 1, size(results)
-         if (has_word(swept, results(i)%name)) cycle
+         if (results(i)%is_hidden .or. has_word(swept, results(i)%name)) cycle
          n = n + 1
          call set_field(fields(n), results(i)%name, results(i)%unit, results(i)%long_name)
          fields(n)%column = i

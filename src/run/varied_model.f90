@@ -38,6 +38,14 @@ module adfric_run_varied_model
 
 contains
 
+   !> Is a result a number that the scene has, so that it varies?
+   elemental logical function is_varied(result)
+      !> Row of the result.
+      type(result_t), intent(in) :: result
+
+      is_varied = result%n_states() == 0 .and. .not. result%is_hidden
+   end function is_varied
+
    !> Make a model tell more.
    subroutine vary_model(model, wanted, scales)
       !> In: the model. Out: a model that holds it.
@@ -60,7 +68,7 @@ contains
       end do
       varied%scales = scales(varied%variables_changed)
       associate (inner => varied%inner)
-         varied%numbers = pack([(i, i=1, size(inner%results))], [(inner%results(i)%n_states() == 0, i=1, size(inner%results))])
+         varied%numbers = pack([(i, i=1, size(inner%results))], is_varied(inner%results))
          allocate (units(size(wanted%derivatives)))
          do k = 1, size(units)
             units(k)%unit = inner%variables(wanted%derivatives(k))%unit

@@ -46,6 +46,8 @@ contains
 
       call move_alloc(inner, self%inner)
       self%name = self%inner%name
+      if (allocated(self%inner%scene)) self%scene = self%inner%scene
+      if (allocated(self%inner%scene_names)) self%scene_names = self%inner%scene_names
       self%summary = self%inner%summary
       self%references = self%inner%references
       self%variables = self%inner%variables

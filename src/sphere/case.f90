@@ -119,6 +119,9 @@ contains
       if (.not. self%has_friction) return
       self%strength = values(v_shear_strength)/self%stress_unit
       if (is_set(values(v_pressure_factor))) self%pressure_factor = values(v_pressure_factor)
+      ! one body that yields has one ratio
+      if (is_set(values(v_body_poisson_ratio)) .and. .not. is_set(values(v_second_young_modulus))) &
+         & self%poisson = values(v_body_poisson_ratio)
       if (is_set(values(v_poisson_ratio))) self%poisson = values(v_poisson_ratio)
       self%interaction = values(v_interaction)
       self%slip_energy_ratio = slip_energy_ratio_of(values(v_interaction:v_slip_energy_ratio), values(v_shear_strength), &

@@ -114,7 +114,8 @@ contains
          if (is_set(values(v_lateral_stiffness)) .and. .not. (values(v_events) > 0 .or. is_set(values(v_base_displacement)))) &
             & call add(v_lateral_stiffness, 'has no meaning without events or base_displacement')
          if (is_moved .and. .not. is_static) call add(v_state, 'is sliding beside a tangential force or displacement')
-         if (is_moved .or. values(v_events) > 0) call require(variables, values, [v_poisson_ratio], problems)
+         if ((is_moved .or. values(v_events) > 0) .and. .not. (is_set(values(v_body_poisson_ratio)) .and. &
+            & .not. is_set(values(v_second_young_modulus)))) call require(variables, values, [v_poisson_ratio], problems)
          if (values(v_interaction) > 0) then
             if (.not. is_static .or. values(v_events) > 0 .or. is_set(values(v_base_displacement))) then
                call require_one(variables, values, [v_slip_energy_ratio, v_critical_slip], .true., problems)

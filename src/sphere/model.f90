@@ -13,7 +13,7 @@ module adfric_sphere_model
    use adfric_model_doubt, only: doubt_contact_too_wide
    use adfric_model_status, only: status_solved
    use adfric_model_rows, only: count_row
-   use adfric_model_table, only: result_t, profile_t, profile_axis_t
+   use adfric_model_table, only: result_t, profile_t, profile_axis_t, take_units
    use adfric_sphere_case, only: sphere_case_t, resolve_case
    use adfric_sphere_check, only: check_sphere_values
    use adfric_sphere_contact, only: theory_maugis_dugdale, theory_dmt
@@ -89,7 +89,7 @@ contains
       type(result_t), allocatable :: results(:)
 
       results = self%results
-      if (is_reduced(values)) results = get_sphere_results(.true.)
+      if (is_reduced(values)) call take_units(get_sphere_results(.true.), results)
    end function describe_results
 
    !> See `model_t`.

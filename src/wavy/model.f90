@@ -7,7 +7,7 @@ module adfric_wavy_model
    use adfric_model_derived, only: derived_t
    use adfric_model_model, only: model_t
    use adfric_model_rows, only: count_row, set_coordinate
-   use adfric_model_table, only: result_t, profile_axis_t
+   use adfric_model_table, only: result_t, profile_axis_t, take_units
    use adfric_numerics_found_once, only: found_once_t
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d, kind_map
    use adfric_wavy_check, only: check_wavy_values
@@ -101,7 +101,7 @@ contains
       type(result_t), allocatable :: results(:)
 
       results = self%results
-      if (is_set(values(v_kind))) results = get_wavy_results(has_width(values))
+      if (is_set(values(v_kind))) call take_units(get_wavy_results(has_width(values)), results)
    end function describe_results
 
    !> SI unit of a variable: the load of a 2-D wave is one per width.

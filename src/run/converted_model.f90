@@ -1,0 +1,551 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A solver some of whose variables and results a scene counts otherwise: amplitude for height, lengths for spacings, an angle for a
+!> word, and stresses over the nominal area for the forces of a period.
+!>
+!> Places of variables and results are those of the solver, and each value is converted by itself. With
+!>
+!>     height = 2 amplitude,   spacing = length/samples,   degrees = 180 direction/pi,
+!>     stress = force/period (a wave along x, and profiles),   force/(length_x length_y) (waves and heights over x and y)
+module adfric_run_converted_model
+   use adfric_base_constants, only: pi
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set, unset
+   use adfric_base_words, only: has_word
+   use adfric_model_derived, only: derived_t
+   use adfric_model_model, only: model_t
+   use adfric_model_profile_receiver, only: profile_receiver_t
+   use adfric_model_table, only: kind_real, profile_axis_t, profile_t, result_t
+   use adfric_run_wrapped_model, only: wrapped_model_t
+   implicit none (type, external)
+   private
+   public :: converted_model_t, convert_model
+
+   !> How a value of the scene becomes that of the solver.
+   integer, parameter :: as_it_is = 0, doubled = 1, by_samples_x = 2, by_samples_y = 3, to_reverse = 4, to_axis = 5, to_degrees = 6
+   !> Results of a period that a scene counts over the nominal area.
+   character(*), parameter :: of_period = 'load friction_force contact_area adhesion_area dissipation edge_loss pull_off_load '// &
+      & 'friction_sample_error'
+   !> Directions count as the nearest one that is allowed if they are no further off [rad].
+   real(dp), parameter :: direction_tolerance = 1.0e-4_dp
+
+   !> The solver with the values of a scene.
+   type, extends(wrapped_model_t) :: converted_model_t
+      !> How each variable is converted; shape `(n_variables)`.
+      integer, allocatable :: how(:)
+      !> Does the result count over the nominal area? Shape `(n_results)`.
+      logical, allocatable :: is_of_period(:)
+      !> Samples of the heights along x and y; 1 where there are none.
+      integer :: n_x = 1, n_y = 1
+      !> Spacing of the samples by the attributes of their dataset [m]; `unset` where there is none.
+      real(dp) :: dx = unset, dy = unset
+      !> Places of the sizes of a period; 0 where there are none.
+      integer :: period = 0, length_x = 0, length_y = 0
+      !> Is the period one over x and y?
+      logical :: is_over_area = .false.
+   contains
+      procedure :: check_values
+      procedure :: wants_profiles
+      procedure :: get_profile_axes
+      procedure :: solve_block
+      procedure :: solve_block_and_profiles
+      procedure :: solve_profiles
+      procedure :: describe_results
+      procedure :: take_dataset
+      procedure :: take_attribute
+      procedure :: derive_quantities
+      procedure :: describe_case
+      procedure :: describe_doubts
+      procedure :: measure
+      procedure :: count_profiles
+      procedure :: describe_profiles
+      procedure :: unit_of
+      procedure :: is_converted
+      procedure :: of_scene
+      procedure, private :: to_solver
+      procedure, private :: nominal_size
+   end type converted_model_t
+
+contains
+
+   !> Have a solver count as a scene does, if anything of it differs.
+   subroutine convert_model(model, surface)
+      !> In: the solver, with its tables renamed. Out: the same, or one around it.
+      class(model_t), allocatable, intent(inout) :: model
+      !> The surface of the scene.
+      character(*), intent(in) :: surface
+      type(converted_model_t), allocatable :: converted
+      integer :: i
+
+      if (.not. has_word('wavy_sliding surface_sliding hertz hertz_history wave_1d wave_2d_elastic surface_elastic', model%name)) &
+         return
+      allocate (converted)
+      call converted%wrap(model)
+      converted%results = converted%inner%results
+      allocate (converted%how(size(converted%variables)), source=as_it_is)
+      allocate (converted%is_of_period(size(converted%results)), source=.false.)
+      do i = 1, size(converted%variables)
+         call convert_row(converted, i)
+      end do
+      if (converted%name == 'wavy_sliding') call count_over_area(converted, surface)
+      call move_alloc(converted, model)
+   end subroutine convert_model
+
+   !> Find out how a variable is converted, and have its row say what the scene means by it.
+   subroutine convert_row(self, place)
+      !> The solver with the values of a scene.
+      class(converted_model_t), intent(inout) :: self
+      !> Place of the variable.
+      integer, intent(in) :: place
+
+      associate (variable => self%variables(place))
+         if (variable%is_called('surface', 'height')) then
+            self%how(place) = doubled
+         else if (variable%is_called('surface', 'spacing') .and. .not. variable%is_hidden) then
+            self%how(place) = by_samples_x
+         else if (variable%is_called('surface', 'strip_spacing')) then
+            self%how(place) = by_samples_y
+         else if (variable%is_called('surface', 'reverse')) then
+            self%how(place) = to_reverse
+            call be_angle('direction to which the body slides: 0 along +x, or pi against it')
+         else if (variable%is_called('operating', 'tangential_axis')) then
+            self%how(place) = to_axis
+            call be_angle('direction of the tangential force from the first axis (x, or the major one): 0 or pi/2')
+         else if (variable%is_called('surface', 'direction')) then
+            self%how(place) = to_degrees
+            call be_angle('direction to which the body slides, from +x to +y; a multiple of pi/2, of pi/4 for waves')
+         end if
+      end associate
+
+   contains
+
+      !> The variable is an angle for the scene, in place of a word or of degrees.
+      subroutine be_angle(meaning)
+         !> What it is.
+         character(*), intent(in) :: meaning
+
+         associate (variable => self%variables(place))
+            variable%kind = kind_real
+            variable%unit = 'rad'
+            variable%meaning = meaning
+            variable%choices = ''
+            variable%lower = -2*pi
+            variable%upper = 2*pi
+            if (is_set(variable%default)) variable%default = 0
+         end associate
+      end subroutine be_angle
+
+   end subroutine convert_row
+
+   !> Have the results of a period count over its nominal area.
+   subroutine count_over_area(self, surface)
+      !> The solver with the values of a scene.
+      class(converted_model_t), intent(inout) :: self
+      !> The surface of the scene.
+      character(*), intent(in) :: surface
+      integer :: j
+
+      self%period = self%index_of('surface', 'period')
+      self%length_x = self%index_of('surface', 'length_x')
+      self%length_y = self%index_of('surface', 'length_y')
+      self%is_over_area = surface == 'wave_product' .or. surface == 'heights'
+      do j = 1, size(self%results)
+         self%is_of_period(j) = has_word(of_period, self%results(j)%solver_name)
+         if (self%is_of_period(j)) self%results(j)%unit = unit_over_area(self%results(j)%unit)
+      end do
+   end subroutine count_over_area
+
+   !> Unit of what the solver counts for a period, over the nominal area: Pa for a force, 1 for an area.
+   pure function unit_over_area(unit) result(over_area)
+      !> Unit of the solver.
+      character(*), intent(in) :: unit
+      character(:), allocatable :: over_area
+
+      over_area = '-'
+      if (index(unit, 'N') > 0) over_area = 'Pa'
+   end function unit_over_area
+
+   !> Nominal size of a period: its length, or its area [m or m^2].
+   pure real(dp) function nominal_size(self, values)
+      !> The solver with the values of a scene.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the scene; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      if (is_set(values(self%period))) then
+         nominal_size = values(self%period)
+         if (self%is_over_area) nominal_size = nominal_size**2
+         return
+      end if
+      nominal_size = length_of(self%length_x, self%dx, self%n_x)
+      if (self%is_over_area) nominal_size = nominal_size*length_of(self%length_y, self%dy, self%n_y)
+
+   contains
+
+      !> Length of the heights along an axis.
+      pure real(dp) function length_of(place, spacing, n)
+         !> Place of the variable that gives it.
+         integer, intent(in) :: place
+         !> Spacing by the attribute of the dataset [m].
+         real(dp), intent(in) :: spacing
+         !> Number of samples.
+         integer, intent(in) :: n
+
+         length_of = spacing*n
+         if (is_set(values(place))) length_of = values(place)
+      end function length_of
+
+   end function nominal_size
+
+   !> Values of the solver.
+   pure function to_solver(self, values) result(converted)
+      !> The solver with the values of a scene.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the scene; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: converted(size(values))
+      integer :: i
+
+      do i = 1, size(values)
+         converted(i) = values(i)
+         if (.not. is_set(values(i))) cycle
+         select case (self%how(i))
+         case (doubled)
+            converted(i) = 2*values(i)
+         case (by_samples_x)
+            converted(i) = values(i)/self%n_x
+         case (by_samples_y)
+            converted(i) = values(i)/self%n_y
+         case (to_reverse)
+            converted(i) = merge(1, 0, modulo(nint(values(i)/pi), 2) == 1)
+         case (to_axis)
+            converted(i) = 1 + modulo(nint(2*values(i)/pi), 2)
+         case (to_degrees)
+            converted(i) = 180*values(i)/pi
+            if (abs(converted(i) - 45*nint(converted(i)/45)) < 180*direction_tolerance/pi) &
+               converted(i) = 45*nint(converted(i)/45)
+         end select
+      end do
+   end function to_solver
+
+   !> Does a scene count a variable otherwise than the solver?
+   pure logical function is_converted(self, place)
+      !> The solver with the values of a scene.
+      class(converted_model_t), intent(in) :: self
+      !> Place of the variable.
+      integer, intent(in) :: place
+
+      is_converted = self%how(place) /= as_it_is
+   end function is_converted
+
+   !> Value of a scene.
+   pure real(dp) function of_scene(self, place, value)
+      !> The solver with the values of a scene.
+      class(converted_model_t), intent(in) :: self
+      !> Place of the variable.
+      integer, intent(in) :: place
+      !> Value of the solver.
+      real(dp), intent(in) :: value
+
+      of_scene = value
+      select case (self%how(place))
+      case (doubled)
+         of_scene = value/2
+      case (by_samples_x)
+         of_scene = value*self%n_x
+      case (by_samples_y)
+         of_scene = value*self%n_y
+      case (to_reverse)
+         of_scene = pi*value
+      case (to_axis)
+         of_scene = pi/2*(value - 1)
+      case (to_degrees)
+         of_scene = value*pi/180
+      end select
+   end function of_scene
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      real(dp) :: step
+      integer :: i
+
+      do i = 1, size(values)
+         if (self%how(i) /= to_reverse .and. self%how(i) /= to_axis) cycle
+         step = merge(pi, pi/2, self%how(i) == to_reverse)
+         if (is_swept(i)) call problems%add(self%variables(i)%group, self%variables(i)%name, &
+            'is swept; a run has one direction')
+         if (.not. is_set(values(i))) cycle
+         if (abs(values(i) - step*nint(values(i)/step)) > direction_tolerance) call problems%add(self%variables(i)%group, &
+            self%variables(i)%name, 'is no multiple of '//trim(merge('pi  ', 'pi/2', self%how(i) == to_reverse)))
+      end do
+      call self%inner%check_values(self%to_solver(values), is_swept, problems)
+   end subroutine check_values
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = self%inner%wants_profiles(self%to_solver(values))
+   end function wants_profiles
+
+   !> See `model_t`.
+   subroutine get_profile_axes(self, values, axes)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the axes in the order of their names `profile_axes`.
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
+
+      call self%inner%get_profile_axes(self%to_solver(values), axes)
+   end subroutine get_profile_axes
+
+   !> See `model_t`.
+   subroutine solve_block(self, values, results, error_estimate, status, counts)
+      !> The model; all threads solve with the same one.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables for each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
+      real(dp), intent(out) :: results(:, :)
+      !> Relative error of the main result, estimated; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> One of `status_...` for each point; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
+      real(dp), intent(out) :: counts(:)
+
+      call self%inner%solve_block(all_to_solver(self, values), results, error_estimate, status, counts)
+      call divide_results(self, values, results)
+   end subroutine solve_block
+
+   !> Values of the solver for each point.
+   pure function all_to_solver(self, values) result(converted)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the scene for each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      real(dp) :: converted(size(values, 1), size(values, 2))
+      integer :: i
+
+      do i = 1, size(values, 2)
+         converted(:, i) = self%to_solver(values(:, i))
+      end do
+   end function all_to_solver
+
+   !> Have results of a period count over its nominal area.
+   pure subroutine divide_results(self, values, results)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the scene for each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> In: the results of the solver. Out: those of the scene; shape `(n_results, n_points)`.
+      real(dp), intent(inout) :: results(:, :)
+      integer :: i
+
+      if (.not. any(self%is_of_period)) return
+      do i = 1, size(values, 2)
+         where (self%is_of_period) results(:, i) = results(:, i)/self%nominal_size(values(:, i))
+      end do
+   end subroutine divide_results
+
+   !> See `model_t`.
+   subroutine solve_block_and_profiles(self, values, results, error_estimate, status, counts, profiles, receiver)
+      !> The model; all threads solve with the same one.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables for each point; shape `(n_variables, n_points)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives the results of each point; shape `(n_results, n_points)`; NaN where there is no value.
+      real(dp), intent(out) :: results(:, :)
+      !> Relative error of the main result, estimated; shape `(n_points)`.
+      real(dp), intent(out) :: error_estimate(:)
+      !> One of `status_...` for each point; shape `(n_points)`.
+      integer, intent(out) :: status(:)
+      !> Receives what was counted at the points of the block, in the order of the table `counts`; shape `(n_counts)`.
+      real(dp), intent(out) :: counts(:)
+      !> Room for the profiles of one point, of their shape; what stands in it at the end has no meaning.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      !> Takes the profiles of one solved point after the other, and says whether more are wanted.
+      class(profile_receiver_t), intent(inout) :: receiver
+
+      call self%inner%solve_block_and_profiles(all_to_solver(self, values), results, error_estimate, status, counts, profiles, &
+         receiver)
+      call divide_results(self, values, results)
+   end subroutine solve_block_and_profiles
+
+   !> See `model_t`.
+   subroutine solve_profiles(self, values, results, profiles)
+      !> The model; all threads solve with the same one.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results that `solve_block` found for this point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> Receives the profiles; shape `(n_last_axis, n_first_axis, n_profiles)`.
+      real(dp), intent(out) :: profiles(:, :, :)
+
+      call self%inner%solve_profiles(self%to_solver(values), of_solver(self, values, results), profiles)
+   end subroutine solve_profiles
+
+   !> Results of the solver.
+   pure function of_solver(self, values, results) result(inner)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the scene; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the scene; shape `(n_results)` or longer.
+      real(dp), intent(in) :: results(:)
+      real(dp) :: inner(size(self%results))
+
+      inner = results(:size(inner))
+      if (any(self%is_of_period)) then
+         where (self%is_of_period) inner = inner*self%nominal_size(values)
+      end if
+   end function of_solver
+
+   !> See `model_t`.
+   function describe_results(self, values) result(results)
+      !> The model, whose table of results is read.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+      integer :: j
+
+      allocate (results, source=self%inner%describe_results(self%to_solver(values)))
+      do j = 1, size(results)
+         if (self%is_of_period(j)) results(j)%unit = self%results(j)%unit
+      end do
+   end function describe_results
+
+   !> See `model_t`.
+   subroutine take_dataset(self, place, values, problems)
+      !> The model.
+      class(converted_model_t), intent(inout) :: self
+      !> Place of the dataset in `variables`.
+      integer, intent(in) :: place
+      !> Values of the dataset; shape `(n_last, n_first)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (self%variables(place)%is_called('surface', 'heights')) then
+         self%n_x = size(values, 1)
+         self%n_y = size(values, 2)
+      end if
+      call self%inner%take_dataset(place, values, problems)
+      self%largest_block = self%inner%largest_block
+   end subroutine take_dataset
+
+   !> See `model_t`.
+   subroutine take_attribute(self, place, name, value, problems)
+      !> The model.
+      class(converted_model_t), intent(inout) :: self
+      !> Place of the dataset in `variables`.
+      integer, intent(in) :: place
+      !> Name of the attribute.
+      character(*), intent(in) :: name
+      !> The number.
+      real(dp), intent(in) :: value
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      if (name == 'dx') self%dx = value
+      if (name == 'dy') self%dy = value
+      call self%inner%take_attribute(place, name, value, problems)
+   end subroutine take_attribute
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(derived)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+
+      allocate (derived, source=self%inner%derive_quantities(self%to_solver(values)))
+   end function derive_quantities
+
+   !> See `model_t`.
+   function describe_case(self, values) result(text)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = self%inner%describe_case(self%to_solver(values))
+   end function describe_case
+
+   !> See `model_t`.
+   function describe_doubts(self, values) result(text)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = self%inner%describe_doubts(self%to_solver(values))
+   end function describe_doubts
+
+   !> See `model_t`.
+   subroutine measure(self, values, results, measures)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      call self%inner%measure(self%to_solver(values), of_solver(self, values, results), measures)
+   end subroutine measure
+
+   !> See `model_t`.
+   pure integer function count_profiles(self, values)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      count_profiles = self%inner%count_profiles(self%to_solver(values))
+   end function count_profiles
+
+   !> See `model_t`.
+   function describe_profiles(self, values) result(profiles)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(profile_t), allocatable :: profiles(:)
+
+      allocate (profiles, source=self%inner%describe_profiles(self%to_solver(values)))
+   end function describe_profiles
+
+   !> See `model_t`.
+   function unit_of(self, values, place) result(unit)
+      !> The model.
+      class(converted_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%variables(place)%unit
+      if (self%how(place) == as_it_is) unit = self%inner%unit_of(self%to_solver(values), place)
+   end function unit_of
+
+end module adfric_run_converted_model

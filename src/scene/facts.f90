@@ -1,0 +1,157 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The facts of a scene that decide which solver answers it and which of its results have a meaning.
+module adfric_scene_facts
+   use adfric_base_words, only: count_words, get_word, has_word
+   implicit none (type, external)
+   private
+   public :: scene_t, find_facts, describe_scene
+
+   !> What an input says of its scene.
+   type :: scene_t
+      !> Names `group%name` that are given, separated by a blank; of what is swept, the name
+      !> may stand without its group.
+      character(:), allocatable :: names
+      !> Word of `&surface kind`, or of `&traction kind` where loads are given; empty if there is none.
+      character(:), allocatable :: surface
+      !> Word of `&solid extent`.
+      character(:), allocatable :: extent
+      !> Word of `&operating state`; empty if there is none.
+      character(:), allocatable :: state
+      !> One of: `half_space`, `relaxing`, `layer`, `foundation`.
+      character(:), allocatable :: solid
+      !> One of: `none`, `adhesion`, `shear`, `coulomb`, `adhesion+shear`, `adhesion+coulomb`.
+      character(:), allocatable :: interface
+      !> One of: `press`, `slide`, `tangential`, `path`.
+      character(:), allocatable :: operation
+      !> All facts, separated by a blank.
+      character(:), allocatable :: facts
+   contains
+      procedure :: has
+   end type scene_t
+
+   !> A fact, and the names that it follows from.
+   character(*), parameter :: signs(*) = [character(200) :: &
+      & 'adhesion adhesion%work_of_adhesion adhesion%adhesion_stress adhesion%adhesion_range adhesion%lambda '// &
+      & 'job%units', &
+      & 'range adhesion%adhesion_stress adhesion%adhesion_range adhesion%lambda adhesion%theory job%units', &
+      & 'shear friction%shear_strength friction%law', &
+      & 'coulomb friction%coulomb_coefficient', &
+      & 'tangential operating%tangential_force operating%tangential_displacement operating%tangential_stress '// &
+      & 'operating%base_displacement history%tangential_forces history%tangential_displacements', &
+      & 'path history%loads history%approaches history%tangential_forces history%tangential_displacements', &
+      & 'relaxes solid%modulus solid%moduli solid%young_moduli solid%relaxation_times solid%relaxation_time solid%master_curve', &
+      & 'young solid%young_modulus solid%young_moduli', &
+      & 'events output%events', &
+      & 'pull_off output%pull_off', &
+      & 'interaction friction%interaction', &
+      & 'spring operating%lateral_stiffness', &
+      & 'machine operating%base_approach operating%machine_stiffness', &
+      & 'moves operating%velocity', &
+      & 'position position%position_x position%position_y position%position_z']
+
+contains
+
+   !> Find what follows from names and words.
+   pure subroutine find_facts(self)
+      !> In: names, surface, extent and state. Out: all.
+      type(scene_t), intent(inout) :: self
+      integer :: i, k
+      logical :: slides
+
+      self%facts = trim(self%surface//' '//self%extent)
+      do i = 1, size(signs)
+         do k = 2, count_words(signs(i))
+            if (.not. is_named(self%names, get_word(signs(i), k))) cycle
+            self%facts = self%facts//' '//get_word(signs(i), 1)
+            exit
+         end do
+      end do
+      ! a master curve with a Poisson's ratio is one of Young's modulus
+      if (is_named(self%names, 'solid%master_curve') .and. is_named(self%names, 'solid%poisson_ratio')) &
+         self%facts = self%facts//' young'
+
+      slides = self%has('moves') .or. self%state == 'sliding'
+      if (slides) self%facts = self%facts//' slides'
+      if (slides .or. self%has('shear')) self%facts = self%facts//' interface'
+      if (self%has('events') .and. self%has('shear')) self%facts = self%facts//' lateral'
+      if (self%surface == 'line_punch') self%facts = self%facts//' whole_face'
+
+      self%solid = self%extent
+      if (self%extent == 'half_space' .and. self%has('relaxes')) self%solid = 'relaxing'
+      if (self%solid == 'relaxing') self%facts = self%facts//' relaxing'
+      self%interface = 'none'
+      if (self%has('adhesion')) self%interface = 'adhesion'
+      if (self%has('coulomb')) then
+         self%interface = trim(merge('adhesion+', '         ', self%has('adhesion')))//'coulomb'
+      else if (self%has('shear')) then
+         self%interface = trim(merge('adhesion+', '         ', self%has('adhesion')))//'shear'
+      end if
+      self%operation = 'press'
+      if (self%has('tangential')) self%operation = 'tangential'
+      if (slides) self%operation = 'slide'
+      if (self%has('path')) self%operation = 'path'
+   end subroutine find_facts
+
+   !> Is a variable named, with its group or, as in a sweep, without?
+   pure logical function is_named(names, name)
+      !> Names that are given.
+      character(*), intent(in) :: names
+      !> The variable with its group.
+      character(*), intent(in) :: name
+
+      is_named = has_word(names, name) .or. has_word(names, name(index(name, '%') + 1:))
+   end function is_named
+
+   !> Is something a fact of a scene?
+   pure logical function has(self, fact)
+      !> The scene, whose facts are read.
+      class(scene_t), intent(in) :: self
+      !> The fact.
+      character(*), intent(in) :: fact
+
+      has = has_word(self%facts, fact)
+   end function has
+
+   !> A scene in words.
+   pure function describe_scene(surface, solid, interface, operation) result(text)
+      !> Surface, solid, interface and operation, as in a `scene_t`.
+      character(*), intent(in) :: surface, solid, interface, operation
+      character(:), allocatable :: text
+
+      text = surface
+      select case (solid)
+      case ('half_space')
+         text = text//' on an elastic half-space'
+      case ('relaxing')
+         text = text//' on a viscoelastic half-space'
+      case ('layer')
+         text = text//' on a viscoelastic layer'
+      case default
+         text = text//' on a foundation'
+      end select
+      select case (interface)
+      case ('none')
+      case ('adhesion')
+         text = text//' with adhesion'
+      case ('shear')
+         text = text//' with a shear strength'
+      case ('coulomb')
+         text = text//' with a coefficient of friction'
+      case ('adhesion+shear')
+         text = text//' with adhesion and a shear strength'
+      case default
+         text = text//' with adhesion and a coefficient of friction'
+      end select
+      select case (operation)
+      case ('slide')
+         text = text//', sliding'
+      case ('tangential')
+         text = text//', under a tangential force'
+      case ('path')
+         text = text//', along a path of loading'
+      case default
+         text = text//', pressed'
+      end select
+   end function describe_scene
+
+end module adfric_scene_facts

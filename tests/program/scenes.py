@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes: the table of what can be solved, the language of inputs and results, and inputs of models written anew as scenes."""
+
+import csv
+import os
+import re
+import sys
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+from runs import Runs, main  # noqa: E402
+
+SOURCE = Path(os.environ["ADFRIC_SOURCE"])
+INPUTS = SOURCE/"inputs"
+NAMES = SOURCE/"tests/reference/scene_names.csv"
+# Sizes of each surface; the lists of round kinds are those of one body each.
+SURFACES = {
+    "sphere": "radius = 1e-3", "paraboloid": "radius = 1e-3", "cone": "slope = 0.1", "power": "exponent = 4.0, power_coefficient = 1e6",
+    "flat_punch": "face_radius = 1e-5", "flat_cone": "face_radius = 1e-5, slope = 0.1", "flat_paraboloid": "face_radius = 1e-5, radius = 1e-3",
+    "rounded_punch": "face_radius = 1e-5, radius = 1e-3", "rounded_cone": "slope = 0.1, radius = 1e-3",
+    "polynomial": "coefficient_2 = 500.0, coefficient_4 = 1e6", "ellipsoid": "radius_1x = 1e-3, radius_1y = 2e-3", "cylinder": "radius = 1e-3",
+    "line_punch": "face_half_width = 1e-5", "wedge": "slope = 0.1", "line_polynomial": "coefficient_2 = 500.0",
+    "wave_1d": "period = 1e-4, amplitude = 1e-6", "wave_2d": "period = 1e-4, amplitude = 1e-6", "wave_product": "period = 1e-4, amplitude = 1e-6",
+    "cosines": "period = 1e-4, amplitudes = 1e-6, 3e-7, phases = 0.0, 1.0", "profile": "heights = 'z.h5:/profile', length_x = 1e-4",
+    "heights": "heights = 'z.h5:/map', length_x = 1e-4, length_y = 1e-4"}
+PERIODIC = ("wave_1d", "wave_2d", "wave_product", "cosines", "profile", "heights")
+ELASTIC = "&solid young_modulus = 7.5e6, poisson_ratio = 0.5 /\n"
+RELAXING = "&solid modulus = 1e7, moduli = 9e7, relaxation_times = 1e-3{more} /\n"
+COLUMNS = "&solid extent = 'foundation', stiffness = 1e11, relaxation_time = 1e-4, retardation_ratio = 10.0 /\n"
+ADHESION = "&adhesion work_of_adhesion = 0.05, adhesion_stress = 1e6 /\n"
+LIGHT = "&adhesion work_of_adhesion = 1e-4, adhesion_stress = 1e3 /\n"
+
+
+def scene_of(surface, column):
+    """An input for a cell of the table."""
+    load = "mean_pressure = 5e4" if surface in PERIODIC else "load = 1e-3"
+    force = "tangential_stress = 1e3" if surface in PERIODIC else "tangential_force = 1e-6"
+    sliding = "" if surface in PERIODIC else ", state = 'sliding'"
+    adhesion = LIGHT if surface in PERIODIC else ADHESION
+    rest = {1: ELASTIC + f"&operating {load} /\n",
+            2: ELASTIC + adhesion + f"&operating {load} /\n",
+            3: ELASTIC + f"&friction shear_strength = 1e5 /\n&operating {load}{sliding} /\n",
+            4: ELASTIC + adhesion + f"&friction shear_strength = 1e5 /\n&operating {load}{sliding} /\n",
+            5: ELASTIC + f"&friction coulomb_coefficient = 0.3 /\n&operating {load}, {force} /\n",
+            6: ELASTIC + "&friction coulomb_coefficient = 0.3 /\n&history loads = 1e-3, 1e-3, 1e-3, tangential_forces = 1e-4, -1e-4, 0.0 /\n",
+            7: RELAXING.format(more="") + f"&operating {load}, velocity = 0.01 /\n",
+            8: RELAXING.format(more=", extent = 'layer', thickness = 1e-4, base = 'frictionless'") + f"&operating {load}, velocity = 0.01 /\n",
+            9: COLUMNS + f"&operating {load}, velocity = 0.01 /\n",
+            10: COLUMNS + adhesion + f"&operating {load}, velocity = 0.01 /\n"}[column]
+    cells = "&numerics cells = 64 /\n" if surface == "wave_2d" or surface in PERIODIC and column == 8 and surface not in ("profile", "heights") else ""
+    return f"&job output = 'run.h5' /\n&surface kind = '{surface}', {SURFACES[surface]} /\n{rest}{cells}"
+
+
+def results_of(name):
+    """The results of each point, by their names, and the name of the solver."""
+    with h5py.File(name) as file:
+        shape = file["status"].shape
+        return {key: item[()] for key, item in file.items()
+                if isinstance(item, h5py.Dataset) and item.shape == shape and "flag_meanings" not in item.attrs}, file.attrs["model"]
+
+
+class Scenes(Runs):
+    def setUp(self):
+        super().setUp()
+        x = np.arange(32)*2*np.pi/32
+        with h5py.File(self.folder/"z.h5", "w") as file:
+            file["profile"] = 1e-6*np.cos(x) + 2e-7*np.cos(3*x + 1)
+            file["map"] = 1e-6*np.cos(x)[:, None]*np.cos(x) + 2e-7*np.cos(3*x + 1)
+
+    def table(self):
+        """The cells of `adfric help scenes`: surface, column, letter."""
+        page, _ = self.run_program("help", "scenes")
+        rows = [line.split() for line in page.splitlines() if line.split()[:1] and line.split()[0] in SURFACES and len(line.split()) == 11]
+        self.assertEqual([row[0] for row in rows], list(SURFACES))
+        return [(row[0], column, letter) for row in rows for column, letter in enumerate(row[1:], 1)]
+
+    def test_every_cell(self):
+        """What the table promises is solved, and what it does not is refused with the group that stands in the way."""
+        cells = self.table()
+        self.assertGreater(sum(letter == "e" for _, _, letter in cells), 80)
+        for surface, column, letter in cells:
+            with self.subTest(surface=surface, column=column):
+                self.write(scene_of(surface, column))
+                if letter == "-":
+                    _, errors = self.run_program("run", "--quiet", "--force", "run.nml", status=2)
+                    self.assertRegex(errors, r"run.nml: &\w+: nothing solves .*; the nearest scene that can be solved is .* \(adfric help scenes\)")
+                else:
+                    self.run_program("run", "--quiet", "--force", "run.nml")
+                    with h5py.File(self.folder/"run.h5") as file:
+                        self.assertTrue(np.all(file["status"][()] == 0), f"{surface}, {column}")
+                        self.assertNotIn("-", file)
+
+    def test_readme(self):
+        """README shows the same table."""
+        lines = (SOURCE/"README.md").read_text().splitlines()
+        shown = [[cell.strip().strip("`") for cell in line.strip("|").split("|")] for line in lines
+                 if line.startswith("| `") and len(line.strip("|").split("|")) == 11]
+        words = {"exact": "e", "numerical": "n", "": "-"}
+        self.assertEqual([(row[0], column, words[cell]) for row in shown for column, cell in enumerate(row[1:], 1)], self.table())
+
+    def test_inputs_of_models(self):
+        """Every shipped input that names a model is written anew as a scene, and the results have the same bits."""
+        with open(NAMES, newline="") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        new_names = {}
+        for row in rows:
+            if row["kind"] == "result":
+                new_names.setdefault((row["model"], row["old_name"]), []).append(row["new_name"])
+        n_compared = 0
+        for path in sorted(INPUTS.glob("*.nml")):
+            text = short(path.read_text())
+            if re.search(r"'[\w/]+\.h5:", text) or "&data" in text or "&refine" in text or "&uncertain" in text or "model =" not in text:
+                continue
+            with self.subTest(path.name):
+                n_compared += self.compare(text, new_names)
+        self.assertGreater(n_compared, 600)
+
+    def compare(self, text, new_names):
+        """Number of results that an input and its scene have in common, all with the same bits or over the nominal area."""
+        self.write(re.sub(r"output = '[^']*'", "output = 'old.h5'", text), "old.nml")
+        scene, _ = self.run_program("modernise", "old.nml")
+        self.write(scene.replace("'old.h5'", "'new.h5'"), "new.nml")
+        self.assertNotIn("model =", scene)
+        for name in ("old", "new"):
+            self.run_program("run", "--quiet", "--force", f"{name}.nml")
+        # a scene stays as it is
+        self.assertEqual(self.run_program("modernise", "new.nml")[0], (self.folder/"new.nml").read_text())
+        old, model = results_of(self.folder/"old.h5")
+        new, solver = results_of(self.folder/"new.h5")
+        self.assertEqual(model, solver)
+        n = 0
+        size = None
+        for name, values in new.items():
+            sources = [key for key in old if name in new_names.get((model, key), [key])]
+            same = [key for key in sources if np.array_equal(old[key], values, equal_nan=True)]
+            if same or not sources or name == "friction_force":
+                n += len(same)
+                continue
+            # a result of a period, over its nominal size, which is one number
+            with np.errstate(all="ignore"):
+                ratios = old[sources[0]]/values
+            ratios = ratios[np.isfinite(ratios)]
+            self.assertGreater(len(ratios), 0, name)
+            size = ratios[0] if size is None else size
+            np.testing.assert_allclose(ratios, size, rtol=1e-15, err_msg=name)
+            n += 1
+        self.assertGreater(n, 0)
+        return n
+
+    def test_mixture(self):
+        """Names of a model in a scene, and groups of scenes beside a model: each is told what the other language has."""
+        scene = scene_of("wave_1d", 9)
+        for old, new, message in (
+                ("amplitude = 1e-6", "height = 2e-6", r"&surface height: is a name of the model 'wavy_sliding'; in a scene it is &surface amplitude"),
+                ("&solid extent", "&foundation stiffness = 1.0 /\n&solid extent", r"&foundation: is a group of the model 'wavy_sliding'; a scene has"),
+                ("&job output", "&job model = 'sphere', output", r"&solid: is a group of scenes, and &job names the model 'sphere'"),
+                ("'wave_1d'", "'wave_id'", r"&surface kind: unknown word, given 'wave_id', allowed: .*; did you mean 'wave_1d'\?"),
+                ("kind = 'wave_1d', ", "", r"&surface kind: is missing, one of sphere, paraboloid"),
+                ("'foundation'", "'foundations'", r"&solid extent: unknown word"),
+                ("&job output", "&job solver = 'sphere', output", r"&job solver: sphere does not solve wave_1d on a foundation, sliding")):
+            self.assertIn(old, scene)
+            self.write(scene.replace(old, new))
+            process = self.start("check", "run.nml")
+            output, errors = process.communicate(timeout=60)
+            self.assertEqual((process.returncode, output), (2, ""))
+            self.assertRegex(errors, message)
+
+    def test_solver(self):
+        """check says which solver answers; several may know a scene, and one of them can be asked for."""
+        scene = scene_of("paraboloid", 1)
+        peaks = {}
+        for solver, more in (("indenter", ""), ("hertz", ", solver = 'hertz'")):
+            self.write(scene.replace("&job output", f"&job{more[1:] + ',' if more else ''} output"))
+            output, _ = self.run_program("check", "run.nml")
+            self.assertRegex(output, r"scene +paraboloid on an elastic half-space, pressed\nsolver +" + solver + ", exact\n")
+            self.run_program("run", "--quiet", "--force", "run.nml")
+            peaks[solver] = results_of(self.folder/"run.h5")[0]
+        self.assertNotIn("peak_pressure", peaks["indenter"])
+        for name in ("contact_radius", "approach", "mean_contact_pressure"):
+            np.testing.assert_allclose(peaks["hertz"][name], peaks["indenter"][name], rtol=1e-14, err_msg=name)
+
+    def test_sweeps(self):
+        """A swept variable counts as given, with its group or without."""
+        for name in ("work_of_adhesion", "adhesion%work_of_adhesion"):
+            self.write(scene_of("sphere", 1) + f"&adhesion adhesion_stress = 1e6 /\n&sweep variable = '{name}', values = 0.01, 0.05 /\n")
+            output, _ = self.run_program("check", "run.nml")
+            self.assertIn("sphere on an elastic half-space with adhesion, pressed", output)
+            self.run_program("run", "--quiet", "--force", "run.nml")
+            self.assertIn("pull_off_load", results_of(self.folder/"run.h5")[0])
+
+    def test_without_a_range(self):
+        """Adhesion by its work alone is that of JKR: pull-off at 3/2 pi w R."""
+        self.write(scene_of("paraboloid", 1).replace("&operating load = 1e-3", "&adhesion work_of_adhesion = 0.05 /\n&operating load = 0.0"))
+        self.run_program("run", "--quiet", "run.nml")
+        results, solver = results_of(self.folder/"run.h5")
+        self.assertEqual(solver, "sphere")
+        np.testing.assert_allclose(results["pull_off_load"], -1.5*np.pi*0.05*1e-3, rtol=1e-14)
+
+    def test_directions(self):
+        """Angles in radians: against +x is pi, along y pi/2; others are refused where the solver has two or four."""
+        forward = scene_of("profile", 9)
+        friction = {}
+        for direction in ("0.0", "3.14159265"):
+            self.write(forward.replace("velocity = 0.01", f"velocity = 0.01, direction = {direction}"))
+            self.run_program("run", "--quiet", "--force", "run.nml")
+            friction[direction] = results_of(self.folder/"run.h5")[0]["friction_stress"]
+        self.assertNotEqual(friction["0.0"], friction["3.14159265"])
+        self.write(forward.replace("velocity = 0.01", "velocity = 0.01, direction = 1.0"))
+        _, errors = self.run_program("run", "--quiet", "run.nml", status=2)
+        self.assertIn("&operating direction: is no multiple of pi", errors)
+        self.write(scene_of("wave_2d", 7).replace("velocity = 0.01", "velocity = 0.01, direction = 0.785398163"))
+        self.run_program("run", "--quiet", "--force", "run.nml")
+
+    def test_lengths(self):
+        """A profile by its length and by the attribute of its spacing."""
+        scene = scene_of("profile", 9)
+        values = []
+        for text in (scene, scene.replace(", length_x = 1e-4", "")):
+            self.write(text)
+            with h5py.File(self.folder/"z.h5", "a") as file:
+                file["profile"].attrs["dx"] = 1e-4/32
+            self.run_program("run", "--quiet", "--force", "run.nml")
+            values.append(results_of(self.folder/"run.h5")[0])
+        for name in ("friction_stress", "contact_fraction", "approach", "mean_pressure"):
+            if name in values[0]:
+                np.testing.assert_allclose(values[0][name], values[1][name], rtol=1e-14, err_msg=name)
+
+
+def short(text):
+    """An input with three points a sweep."""
+    text = re.sub(r"count = \d+", "count = 3", text)
+    return re.sub(r"'\.\./tests", f"'{SOURCE}/tests", text)
+
+
+if __name__ == "__main__":
+    main()
