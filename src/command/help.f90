@@ -118,7 +118,6 @@ contains
       text = ''
       if (has_word(known_commands, topic)) text = usage_page
       if (has_word(every_common_name(), topic)) text = input_page
-      if (len(text) == 0 .and. has_word(list_scene_names(models), topic)) text = describe_scenes(models)
       text = text//describe_common(topic)
       of_fits = describe_fits(topic)
       if (len(text) > 0 .and. len(of_fits) > 0) text = text//newline
@@ -126,6 +125,9 @@ contains
       of_models = describe_every_model(models, topic)
       if (len(text) > 0 .and. len(of_models) > 0) text = text//newline
       text = text//of_models
+      if (len(text) > 0) return
+      ! a name that scenes alone have
+      if (has_word(list_scene_names(models), topic)) text = describe_scenes(models)
    end function explain
 
    !> What the groups of fits say of a topic; empty if they do not have the name.

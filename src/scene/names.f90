@@ -424,6 +424,7 @@ contains
       integer :: i
 
       do i = 1, size(rules)
+         if (index(rules(i), ' '//name(:scan(name//'%', '%') - 1)) == 0) cycle
          from = get_word(rules(i), 2)
          if (index(name, from) /= 1) cycle
          ! a group stands for all its variables
@@ -448,6 +449,7 @@ contains
 
       new_name = name
       do i = 1, size(variable_rules)
+         if (index(variable_rules(i), ' '//name(:scan(name//'%', '%') - 1)) == 0) cycle
          from = get_word(variable_rules(i), 2)
          if (index(name, from) /= 1 .or. get_word(variable_rules(i), 3) == hidden) cycle
          if (from /= name .and. from(len(from):) /= '%') cycle

@@ -124,7 +124,7 @@ class Readme(Runs):
     def test_synopses(self):
         """The program's own help has the commands and options of the synopses."""
         shown = [line for language, block in self.blocks if language == "text" for line in block.splitlines() if line.startswith("adfric")]
-        self.assertEqual(["run", "fit", "merge", "check", "help"], [line.split()[1] for line in shown])
+        self.assertEqual(["run", "fit", "merge", "check", "modernise", "help"], [line.split()[1] for line in shown])
         usage = self.shell("adfric --help")
         for line in shown:
             self.assertRegex(usage, rf"(?m)^\s*adfric {line.split()[1]}\b")
