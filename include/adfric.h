@@ -196,6 +196,9 @@ int adfric_sweep_together(adfric_case self, int32_t n_names, const char *const *
 /** Name of the model of a case. */
 int adfric_model_of(adfric_case self, const char **model);
 
+/** The scene of a case in words, where its input describes one; empty for a case of a model. */
+int adfric_scene_of(adfric_case self, const char **scene);
+
 /** Number of points of a case; 1 where nothing is swept. */
 int adfric_point_count(adfric_case self, int64_t *n);
 

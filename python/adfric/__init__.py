@@ -7,6 +7,7 @@
 >>> tip.contact_radius.plot()
 
 solve     a model at one point or many -> xarray.Dataset
+scene     a surface on a solid, with an interface, in some operation -> Case
 run       an input, as `adfric run` does -> xarray.Dataset
 open      a results file -> xarray.Dataset
 plot      figures of results
@@ -20,7 +21,7 @@ contacts  many single contacts, microseconds each
 """
 
 from . import contacts
-from .cases import Case, run, solve
+from .cases import Case, run, scene, solve
 from .errors import Error, FailedError, InputError, StoppedError
 from .figures import plot
 from .files import open_file as open  # noqa: A004
@@ -33,4 +34,4 @@ from .tables import Model, Result, Variable, models
 __version__ = _library.adfric_version().decode().split()[0]
 # but for open, which would take the place of Python's own
 __all__ = ["Case", "Error", "FailedError", "Fit", "InputError", "Model", "Result", "StoppedError", "Variable", "contacts", "fit",
-           "models", "plot", "read_curve", "read_master_curve", "read_surface", "run", "solve"]
+           "models", "plot", "read_curve", "read_master_curve", "read_surface", "run", "scene", "solve"]

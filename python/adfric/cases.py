@@ -16,6 +16,7 @@ import numpy as np
 from . import library as _library
 from .errors import FailedError, InputError, StoppedError
 from .files import name_of
+from .fit_text import block, plain
 from .journal import Journal
 from .library import library, text_for, text_of
 from .results import dataset_of
@@ -66,6 +67,48 @@ def solve(model, /, *, together=(), threads=0, progress=None, **variables):
         if together:
             case.sweep_together(together)
         return case.solve(threads=threads, progress=progress)
+
+
+def scene(*, title=None, sweep=None, **groups):
+    """A case of a scene: a surface on a solid, with an interface, in some operation.
+
+    Parameters
+    ----------
+    title : str
+        Stands in the results.
+    sweep : dict
+        Arrays of values by the names of the variables that are swept, or by "group%name"; the first one varies slowest.
+    **groups
+        The groups of an input, each a dictionary of its variables in SI units: surface, solid, adhesion, friction, operating,
+        history, traction, position, numerics, output. `adfric help scenes` has all of them. `lambda_` is lambda.
+
+    Returns
+    -------
+    Case
+        What it solves, in words, is its `scene`; `solve()` gives the results.
+
+    Raises
+    ------
+    InputError
+        Something that was given is wrong, or nothing solves the scene.
+
+    Examples
+    --------
+    >>> tip = adfric.scene(surface={"kind": "paraboloid", "radius": 140e-9}, solid={"contact_modulus": 44e9},
+    ...                    adhesion={"work_of_adhesion": 0.19, "lambda_": 0.8}, friction={"shear_strength": 0.96e9},
+    ...                    operating={"state": "sliding"}, sweep={"load": np.linspace(-1e-7, 3e-7, 81)})
+    >>> tip.scene
+    'paraboloid on an elastic half-space with adhesion and a shear strength, sliding'
+    >>> tip.solve().friction_force.plot()
+    """
+    text = block("job", {"title": title})
+    for group, values in groups.items():
+        if isinstance(values, dict):
+            values = {plain(name): value for name, value in values.items()}
+        text += block(group, values)
+    for name, values in (sweep or {}).items():
+        text += block("sweep", {"variable": plain(name), "values": values})
+    return Case.read_text(text)
 
 
 def run(path, *, output=None, force=False, threads=0, progress=None):
@@ -180,15 +223,23 @@ class Case:
         library.adfric_model_of(self._open_handle(), name)
         return text_of(name.value)
 
+    @property
+    def scene(self):
+        """What is solved, in words, where the case is that of a scene; empty where it is that of a model."""
+        words = ctypes.c_char_p()
+        library.adfric_scene_of(self._open_handle(), words)
+        return text_of(words.value)
+
     def set(self, **variables):
         """Set variables by name, as `adfric.solve` does: a number ends the sweep of its variable, an array of numbers begins one."""
-        table = models()[self.model].variables
+        # the tables of models have their own names, not those of scenes
+        table = {} if self.scene else models()[self.model].variables
         groups = {variable.group for variable in table.values()}
         for name, value in variables.items():
             # a word of Python has an underscore behind it
             name = name[:-1] if name.endswith("_") and keyword.iskeyword(name[:-1]) else name
             if isinstance(value, dict):
-                if name not in groups:
+                if table and name not in groups:
                     raise InputError(f"{name}: no group of model {self.model}, allowed: {', '.join(sorted(groups))}")
                 for inner, part in value.items():
                     self._set(f"{name}%{inner}", part, table)

@@ -85,6 +85,7 @@ ARGUMENTS = {
     "adfric_sweep": (CASE, c_char_p, c_int64, c_void_p),
     "adfric_sweep_together": (CASE, c_int32, POINTER(c_char_p), c_int64, c_void_p),
     "adfric_model_of": (CASE, POINTER(c_char_p)),
+    "adfric_scene_of": (CASE, POINTER(c_char_p)),
     "adfric_point_count": (CASE, POINTER(c_int64)),
     "adfric_check": (CASE,),
     "adfric_solve": (CASE, c_int32, Progress, c_void_p, POINTER(RESULTS)),

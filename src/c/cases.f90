@@ -137,23 +137,53 @@ contains
       integer(c_int64_t), intent(in), value :: self
       !> Receives the name of the model.
       type(c_ptr), intent(in), value :: model
+
+      call give_text(self, .false., model, status)
+   end function model_of
+
+   !> See adfric.h.
+   integer(c_int) function scene_of(self, scene) bind(c, name='adfric_scene_of') result(status)
+      !> Handle of the case.
+      integer(c_int64_t), intent(in), value :: self
+      !> Receives the scene in words; empty for a case of a model.
+      type(c_ptr), intent(in), value :: scene
+
+      call give_text(self, .true., scene, status)
+   end function scene_of
+
+   !> Give the name of the model of a case, or its scene.
+   subroutine give_text(self, is_scene, text, status)
+      !> Handle of the case.
+      integer(c_int64_t), intent(in) :: self
+      !> Is the scene wanted, and not the name of the model?
+      logical, intent(in) :: is_scene
+      !> Receives the text.
+      type(c_ptr), intent(in) :: text
+      !> Receives what has become of the call.
+      integer(c_int), intent(out) :: status
       type(state_t), pointer :: state
       type(error_t), allocatable :: error
-      type(c_ptr), pointer :: name
+      type(c_ptr), pointer :: given
       type(c_ptr) :: kept
+      character(:), allocatable :: words
 
       call take_case(self, state, error)
       if (.not. allocated(error)) then
-         call refuse_null(model, 'model', error)
-         if (.not. allocated(error)) call keep_text(state%run%model%name, kept, error)
+         call refuse_null(text, trim(merge('scene', 'model', is_scene)), error)
          if (.not. allocated(error)) then
-            call c_f_pointer(model, name)
-            name = kept
+            words = state%run%model%name
+            if (is_scene) words = ''
+            if (is_scene .and. allocated(state%run%model%scene)) words = state%run%model%scene
+            call keep_text(words, kept, error)
+         end if
+         if (.not. allocated(error)) then
+            call c_f_pointer(text, given)
+            given = kept
          end if
          call leave_object(self)
       end if
       status = status_of(error)
-   end function model_of
+   end subroutine give_text
 
    !> See adfric.h.
    integer(c_int) function point_count(self, n) bind(c, name='adfric_point_count') result(status)

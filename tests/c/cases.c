@@ -175,11 +175,13 @@ static void test_input(void)
    adfric_results found = 0;
    adfric_array radius;
    adfric_attribute_info attribute;
-   const char *model = NULL;
+   const char *model = NULL, *scene = NULL;
    int32_t n = 0;
    int n_seen = 0;
    CHECK_OK(adfric_read_text(text, &tip));
    CHECK_OK(adfric_model_of(tip, &model));
+   CHECK_OK(adfric_scene_of(tip, &scene));
+   CHECK(strlen(scene) == 0);
    CHECK(strcmp(model, "sphere") == 0);
    CHECK_OK(adfric_solve(tip, 0, NULL, NULL, &found));
    CHECK_OK(adfric_attribute_count(found, &n));
