@@ -108,7 +108,7 @@ contains
       call new_model(model, name, error)
       if (allocated(error)) error stop 'input: a solver of the table of scenes is not known'
       call rename_tables(model, scene%facts)
-      call convert_model(model, scene%surface)
+      call convert_model(model, scene%surface, scene%facts)
       model%scene = describe_scene(scene%surface, scene%solid, scene%interface, scene%operation)
       model%scene_names = words_of_scene
    end subroutine make_solver

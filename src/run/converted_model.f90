@@ -6,6 +6,8 @@
 !>
 !>     height = 2 amplitude,   spacing = length/samples,   degrees = 180 direction/pi,
 !>     stress = force/period (a wave along x, and profiles),   force/(length_x length_y) (waves and heights over x and y)
+!>
+!> Of work, stress and range of adhesion a scene gives any two; the solver gets those that it knows: work = stress range.
 module adfric_run_converted_model
    use adfric_base_constants, only: pi
    use adfric_base_kinds, only: dp
@@ -23,6 +25,8 @@ module adfric_run_converted_model
 
    !> How a value of the scene becomes that of the solver.
    integer, parameter :: as_it_is = 0, doubled = 1, by_samples_x = 2, by_samples_y = 3, to_reverse = 4, to_axis = 5, to_degrees = 6
+   !> What of adhesion follows from the other two: nothing, the work, or the stress.
+   integer, parameter :: follows_nothing = 0, follows_work = 1, follows_stress = 2
    !> Results of a period that a scene counts over the nominal area.
    character(*), parameter :: of_period = 'load friction_force contact_area adhesion_area dissipation edge_loss pull_off_load '// &
       & 'friction_sample_error'
@@ -41,6 +45,8 @@ module adfric_run_converted_model
       real(dp) :: dx = unset, dy = unset
       !> Places of the sizes of a period; 0 where there are none.
       integer :: period = 0, length_x = 0, length_y = 0
+      !> What of adhesion follows from the other two, and the places of the three.
+      integer :: follows = follows_nothing, work = 0, stress = 0, range = 0
       !> Is the period one over x and y?
       logical :: is_over_area = .false.
    contains
@@ -69,17 +75,21 @@ module adfric_run_converted_model
 contains
 
    !> Have a solver count as a scene does, if anything of it differs.
-   subroutine convert_model(model, surface)
+   subroutine convert_model(model, surface, facts)
       !> In: the solver, with its tables renamed. Out: the same, or one around it.
       class(model_t), allocatable, intent(inout) :: model
       !> The surface of the scene.
       character(*), intent(in) :: surface
+      !> Facts of the scene, separated by a blank.
+      character(*), intent(in) :: facts
       type(converted_model_t), allocatable :: converted
-      integer :: i
+      integer :: i, follows
 
-      if (.not. has_word('wavy_sliding surface_sliding hertz hertz_history wave_1d wave_2d_elastic surface_elastic', model%name)) &
-         return
+      follows = find_what_follows(model%name, facts)
+      if (follows == follows_nothing .and. .not. has_word( &
+         'wavy_sliding surface_sliding hertz hertz_history wave_1d wave_2d_elastic surface_elastic', model%name)) return
       allocate (converted)
+      converted%follows = follows
       call converted%wrap(model)
       converted%results = converted%inner%results
       allocate (converted%how(size(converted%variables)), source=as_it_is)
@@ -88,8 +98,28 @@ contains
          call convert_row(converted, i)
       end do
       if (converted%name == 'wavy_sliding') call count_over_area(converted, surface)
+      converted%work = converted%index_of('adhesion', 'work_of_adhesion')
+      converted%stress = converted%index_of('adhesion', 'adhesion_stress')
+      converted%range = converted%index_of('adhesion', 'adhesion_range')
       call move_alloc(converted, model)
    end subroutine convert_model
+
+   !> What of adhesion a scene leaves out that its solver asks for. Round bodies ask for the work beside another one, surfaces of
+   !> waves and heights for the stress.
+   pure integer function find_what_follows(solver, facts) result(follows)
+      !> Name of the solver.
+      character(*), intent(in) :: solver
+      !> Facts of the scene, separated by a blank.
+      character(*), intent(in) :: facts
+
+      follows = follows_nothing
+      if (has_word('sphere indenter', solver)) then
+         if (has_word(facts, 'stress_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'work_given')) &
+            follows = follows_work
+      else if (has_word(facts, 'work_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'stress_given')) then
+         follows = follows_stress
+      end if
+   end function find_what_follows
 
    !> Find out how a variable is converted, and have its row say what the scene means by it.
    subroutine convert_row(self, place)
@@ -226,6 +256,14 @@ contains
                converted(i) = 45*nint(converted(i)/45)
          end select
       end do
+      select case (self%follows)
+      case (follows_work)
+         converted(self%work) = values(self%stress)*values(self%range)
+         converted(self%range) = unset
+      case (follows_stress)
+         converted(self%stress) = values(self%work)/values(self%range)
+         converted(self%range) = unset
+      end select
    end function to_solver
 
    !> Does a scene count a variable otherwise than the solver?

@@ -33,6 +33,9 @@ module adfric_scene_facts
    character(*), parameter :: signs(*) = [character(200) :: &
       & 'adhesion adhesion%work_of_adhesion adhesion%adhesion_stress adhesion%adhesion_range adhesion%lambda '// &
       & 'job%units', &
+      & 'work_given adhesion%work_of_adhesion', &
+      & 'stress_given adhesion%adhesion_stress', &
+      & 'range_given adhesion%adhesion_range', &
       & 'range adhesion%adhesion_stress adhesion%adhesion_range adhesion%lambda adhesion%theory job%units', &
       & 'shear friction%shear_strength friction%law', &
       & 'coulomb friction%coulomb_coefficient', &

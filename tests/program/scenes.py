@@ -200,6 +200,35 @@ class Scenes(Runs):
         self.assertEqual(solver, "sphere")
         np.testing.assert_allclose(results["pull_off_load"], -1.5*np.pi*0.05*1e-3, rtol=1e-14)
 
+    def test_adhesion(self):
+        """Of work, stress and range any two say the same, for every kind of solver; one of them may be swept."""
+        pairs = ("work_of_adhesion = 4e-4, adhesion_stress = 1e3", "work_of_adhesion = 4e-4, adhesion_range = 4e-7",
+                 "adhesion_stress = 1e3, adhesion_range = 4e-7")
+        for surface, column in (("paraboloid", 2), ("paraboloid", 4), ("cone", 2), ("wave_1d", 2), ("wave_2d", 2), ("heights", 2),
+                                ("wave_1d", 10), ("wave_product", 10), ("profile", 10)):
+            found = []
+            for pair in pairs:
+                scene = re.sub(r"&adhesion .*", f"&adhesion {pair} /", scene_of(surface, column))
+                self.write(scene)
+                self.run_program("run", "--quiet", "--force", "run.nml")
+                found.append(results_of(self.folder/"run.h5")[0])
+            self.assertGreater(len(found[0]), 5)
+            for other in found[1:]:
+                same = found[0].keys() & other.keys()
+                self.assertLessEqual(len(found[0].keys() ^ other.keys()), 6)
+                for name, values in found[0].items():
+                    if name in same - {"error_estimate", "contact_violation", "energy_imbalance"}:
+                        # the loss of a loop is a small difference of energies of the size of the work, an extreme depth one of heights
+                        least = 1e-12*4e-4 if name == "adhesion_hysteresis" else 1e-10*1e-6 if "pull_off" in name else 0
+                        np.testing.assert_allclose(other[name], values, rtol=1e-9, atol=least, err_msg=f"{surface}, {column}: {name}")
+        self.write(re.sub(r"&adhesion .*", "&adhesion adhesion_range = 4e-7 /\n&sweep variable = 'adhesion_stress', values = 5e2, 1e3 /",
+                          scene_of("paraboloid", 2)))
+        self.run_program("run", "--quiet", "--force", "run.nml")
+        swept = results_of(self.folder/"run.h5")[0]
+        self.write(re.sub(r"&adhesion .*", f"&adhesion {pairs[0]} /", scene_of("paraboloid", 2)))
+        self.run_program("run", "--quiet", "--force", "run.nml")
+        np.testing.assert_allclose(swept["contact_radius"][1], results_of(self.folder/"run.h5")[0]["contact_radius"], rtol=1e-14)
+
     def test_directions(self):
         """Angles in radians: against +x is pi, along y pi/2; others are refused where the solver has two or four."""
         forward = scene_of("profile", 9)
