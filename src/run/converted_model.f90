@@ -14,24 +14,19 @@ module adfric_run_converted_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: has_word
-   use adfric_model_derived, only: derived_t
    use adfric_model_model, only: model_t
    use adfric_model_profile_receiver, only: profile_receiver_t
-   use adfric_model_table, only: kind_real, profile_axis_t, profile_t, result_t
+   use adfric_model_table, only: kind_real, result_t
+   use adfric_run_conversion, only: as_it_is, by_samples_x, by_samples_y, direction_tolerance, doubled, find_what_follows, &
+      follows_nothing, follows_stress, follows_work, to_axis, to_degrees, to_reverse, to_scene, to_solver, unit_over_area
    use adfric_run_wrapped_model, only: wrapped_model_t
    implicit none (type, external)
    private
    public :: converted_model_t, convert_model
 
-   !> How a value of the scene becomes that of the solver.
-   integer, parameter :: as_it_is = 0, doubled = 1, by_samples_x = 2, by_samples_y = 3, to_reverse = 4, to_axis = 5, to_degrees = 6
-   !> What of adhesion follows from the other two: nothing, the work, or the stress.
-   integer, parameter :: follows_nothing = 0, follows_work = 1, follows_stress = 2
    !> Results of a period that a scene counts over the nominal area.
    character(*), parameter :: of_period = 'load friction_force contact_area adhesion_area dissipation edge_loss pull_off_load '// &
       & 'friction_sample_error'
-   !> Directions count as the nearest one that is allowed if they are no further off [rad].
-   real(dp), parameter :: direction_tolerance = 1.0e-4_dp
 
    !> The solver with the values of a scene.
    type, extends(wrapped_model_t) :: converted_model_t
@@ -51,24 +46,16 @@ module adfric_run_converted_model
       logical :: is_over_area = .false.
    contains
       procedure :: check_values
-      procedure :: wants_profiles
-      procedure :: get_profile_axes
       procedure :: solve_block
       procedure :: solve_block_and_profiles
-      procedure :: solve_profiles
       procedure :: describe_results
       procedure :: take_dataset
       procedure :: take_attribute
-      procedure :: derive_quantities
-      procedure :: describe_case
-      procedure :: describe_doubts
-      procedure :: measure
-      procedure :: count_profiles
-      procedure :: describe_profiles
       procedure :: unit_of
       procedure :: is_converted
       procedure :: of_scene
-      procedure, private :: to_solver
+      procedure :: inner_values
+      procedure :: inner_results
       procedure, private :: nominal_size
    end type converted_model_t
 
@@ -103,23 +90,6 @@ contains
       converted%range = converted%index_of('adhesion', 'adhesion_range')
       call move_alloc(converted, model)
    end subroutine convert_model
-
-   !> What of adhesion a scene leaves out that its solver asks for. Round bodies ask for the work beside another one, surfaces of
-   !> waves and heights for the stress.
-   pure integer function find_what_follows(solver, facts) result(follows)
-      !> Name of the solver.
-      character(*), intent(in) :: solver
-      !> Facts of the scene, separated by a blank.
-      character(*), intent(in) :: facts
-
-      follows = follows_nothing
-      if (has_word('sphere indenter', solver)) then
-         if (has_word(facts, 'stress_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'work_given')) &
-            follows = follows_work
-      else if (has_word(facts, 'work_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'stress_given')) then
-         follows = follows_stress
-      end if
-   end function find_what_follows
 
    !> Find out how a variable is converted, and have its row say what the scene means by it.
    subroutine convert_row(self, place)
@@ -185,16 +155,6 @@ contains
       end do
    end subroutine count_over_area
 
-   !> Unit of what the solver counts for a period, over the nominal area: Pa for a force, 1 for an area.
-   pure function unit_over_area(unit) result(over_area)
-      !> Unit of the solver.
-      character(*), intent(in) :: unit
-      character(:), allocatable :: over_area
-
-      over_area = '-'
-      if (index(unit, 'N') > 0) over_area = 'Pa'
-   end function unit_over_area
-
    !> Nominal size of a period: its length, or its area [m or m^2].
    pure real(dp) function nominal_size(self, values)
       !> The solver with the values of a scene.
@@ -227,9 +187,9 @@ contains
 
    end function nominal_size
 
-   !> Values of the solver.
-   pure function to_solver(self, values) result(converted)
-      !> The solver with the values of a scene.
+   !> See `wrapped_model_t`.
+   pure function inner_values(self, values) result(converted)
+      !> The model.
       class(converted_model_t), intent(in) :: self
       !> Values of the scene; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -238,23 +198,7 @@ contains
 
       do i = 1, size(values)
          converted(i) = values(i)
-         if (.not. is_set(values(i))) cycle
-         select case (self%how(i))
-         case (doubled)
-            converted(i) = 2*values(i)
-         case (by_samples_x)
-            converted(i) = values(i)/self%n_x
-         case (by_samples_y)
-            converted(i) = values(i)/self%n_y
-         case (to_reverse)
-            converted(i) = merge(1, 0, modulo(nint(values(i)/pi), 2) == 1)
-         case (to_axis)
-            converted(i) = 1 + modulo(nint(2*values(i)/pi), 2)
-         case (to_degrees)
-            converted(i) = 180*values(i)/pi
-            if (abs(converted(i) - 45*nint(converted(i)/45)) < 180*direction_tolerance/pi) &
-               converted(i) = 45*nint(converted(i)/45)
-         end select
+         if (is_set(values(i)) .and. self%how(i) /= as_it_is) converted(i) = to_solver(self%how(i), values(i), [self%n_x, self%n_y])
       end do
       select case (self%follows)
       case (follows_work)
@@ -264,7 +208,7 @@ contains
          converted(self%stress) = values(self%work)/values(self%range)
          converted(self%range) = unset
       end select
-   end function to_solver
+   end function inner_values
 
    !> Does a scene count a variable otherwise than the solver?
    pure logical function is_converted(self, place)
@@ -285,21 +229,7 @@ contains
       !> Value of the solver.
       real(dp), intent(in) :: value
 
-      of_scene = value
-      select case (self%how(place))
-      case (doubled)
-         of_scene = value/2
-      case (by_samples_x)
-         of_scene = value*self%n_x
-      case (by_samples_y)
-         of_scene = value*self%n_y
-      case (to_reverse)
-         of_scene = pi*value
-      case (to_axis)
-         of_scene = pi/2*(value - 1)
-      case (to_degrees)
-         of_scene = value*pi/180
-      end select
+      of_scene = to_scene(self%how(place), value, [self%n_x, self%n_y])
    end function of_scene
 
    !> See `model_t`.
@@ -324,30 +254,8 @@ contains
          if (abs(values(i) - step*nint(values(i)/step)) > direction_tolerance) call problems%add(self%variables(i)%group, &
             self%variables(i)%name, 'is no multiple of '//trim(merge('pi  ', 'pi/2', self%how(i) == to_reverse)))
       end do
-      call self%inner%check_values(self%to_solver(values), is_swept, problems)
+      call self%inner%check_values(self%inner_values(values), is_swept, problems)
    end subroutine check_values
-
-   !> See `model_t`.
-   pure logical function wants_profiles(self, values)
-      !> The model.
-      class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-
-      wants_profiles = self%inner%wants_profiles(self%to_solver(values))
-   end function wants_profiles
-
-   !> See `model_t`.
-   subroutine get_profile_axes(self, values, axes)
-      !> The model.
-      class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Receives the axes in the order of their names `profile_axes`.
-      type(profile_axis_t), allocatable, intent(out) :: axes(:)
-
-      call self%inner%get_profile_axes(self%to_solver(values), axes)
-   end subroutine get_profile_axes
 
    !> See `model_t`.
    subroutine solve_block(self, values, results, error_estimate, status, counts)
@@ -378,7 +286,7 @@ contains
       integer :: i
 
       do i = 1, size(values, 2)
-         converted(:, i) = self%to_solver(values(:, i))
+         converted(:, i) = self%inner_values(values(:, i))
       end do
    end function all_to_solver
 
@@ -422,35 +330,21 @@ contains
       call divide_results(self, values, results)
    end subroutine solve_block_and_profiles
 
-   !> See `model_t`.
-   subroutine solve_profiles(self, values, results, profiles)
-      !> The model; all threads solve with the same one.
-      class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Results that `solve_block` found for this point; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
-      !> Receives the profiles; shape `(n_last_axis, n_first_axis, n_profiles)`.
-      real(dp), intent(out) :: profiles(:, :, :)
-
-      call self%inner%solve_profiles(self%to_solver(values), of_solver(self, values, results), profiles)
-   end subroutine solve_profiles
-
-   !> Results of the solver.
-   pure function of_solver(self, values, results) result(inner)
+   !> See `wrapped_model_t`.
+   pure function inner_results(self, values, results) result(inner)
       !> The model.
       class(converted_model_t), intent(in) :: self
       !> Values of the scene; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the scene; shape `(n_results)` or longer.
       real(dp), intent(in) :: results(:)
-      real(dp) :: inner(size(self%results))
+      real(dp) :: inner(size(self%inner%results))
 
       inner = results(:size(inner))
       if (any(self%is_of_period)) then
          where (self%is_of_period) inner = inner*self%nominal_size(values)
       end if
-   end function of_solver
+   end function inner_results
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
@@ -461,7 +355,7 @@ contains
       type(result_t), allocatable :: results(:)
       integer :: j
 
-      allocate (results, source=self%inner%describe_results(self%to_solver(values)))
+      allocate (results, source=self%inner%describe_results(self%inner_values(values)))
       do j = 1, size(results)
          if (self%is_of_period(j)) results(j)%unit = self%results(j)%unit
       end do
@@ -505,74 +399,6 @@ contains
    end subroutine take_attribute
 
    !> See `model_t`.
-   function derive_quantities(self, values) result(derived)
-      !> The model.
-      class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      type(derived_t), allocatable :: derived(:)
-
-      allocate (derived, source=self%inner%derive_quantities(self%to_solver(values)))
-   end function derive_quantities
-
-   !> See `model_t`.
-   function describe_case(self, values) result(text)
-      !> The model.
-      class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      character(:), allocatable :: text
-
-      text = self%inner%describe_case(self%to_solver(values))
-   end function describe_case
-
-   !> See `model_t`.
-   function describe_doubts(self, values) result(text)
-      !> The model.
-      class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      character(:), allocatable :: text
-
-      text = self%inner%describe_doubts(self%to_solver(values))
-   end function describe_doubts
-
-   !> See `model_t`.
-   subroutine measure(self, values, results, measures)
-      !> The model.
-      class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      !> Results of the point, NaN where they are not known; shape `(n_results)`.
-      real(dp), intent(in) :: results(:)
-      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
-      real(dp), intent(inout) :: measures(:)
-
-      call self%inner%measure(self%to_solver(values), of_solver(self, values, results), measures)
-   end subroutine measure
-
-   !> See `model_t`.
-   pure integer function count_profiles(self, values)
-      !> The model.
-      class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-
-      count_profiles = self%inner%count_profiles(self%to_solver(values))
-   end function count_profiles
-
-   !> See `model_t`.
-   function describe_profiles(self, values) result(profiles)
-      !> The model.
-      class(converted_model_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-      type(profile_t), allocatable :: profiles(:)
-
-      allocate (profiles, source=self%inner%describe_profiles(self%to_solver(values)))
-   end function describe_profiles
-
-   !> See `model_t`.
    function unit_of(self, values, place) result(unit)
       !> The model.
       class(converted_model_t), intent(in) :: self
@@ -583,7 +409,7 @@ contains
       character(:), allocatable :: unit
 
       unit = self%variables(place)%unit
-      if (self%how(place) == as_it_is) unit = self%inner%unit_of(self%to_solver(values), place)
+      if (self%how(place) == as_it_is) unit = self%inner%unit_of(self%inner_values(values), place)
    end function unit_of
 
 end module adfric_run_converted_model

@@ -17,6 +17,8 @@ module adfric_run_wrapped_model
       class(model_t), allocatable :: inner
    contains
       procedure :: wrap
+      procedure :: inner_values
+      procedure :: inner_results
       procedure :: check_values
       procedure :: wants_profiles
       procedure :: get_profile_axes
@@ -58,6 +60,34 @@ contains
       self%shares_points = self%inner%shares_points
    end subroutine wrap
 
+   !> Values of the inner model: here the same. A model that counts otherwise overrides it.
+   pure function inner_values(self, values) result(inner)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: inner(size(values))
+
+      inner = values
+      associate (unused => self)
+      end associate
+   end function inner_values
+
+   !> Results of the inner model, which are the first ones: here the same. A model that counts otherwise overrides it.
+   pure function inner_results(self, values, results) result(inner)
+      !> The model.
+      class(wrapped_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of a point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      real(dp) :: inner(size(self%inner%results))
+
+      inner = results(:size(inner))
+      associate (unused => values)
+      end associate
+   end function inner_results
+
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
       !> The model.
@@ -69,7 +99,7 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call self%inner%check_values(values, is_swept, problems)
+      call self%inner%check_values(self%inner_values(values), is_swept, problems)
    end subroutine check_values
 
    !> See `model_t`.
@@ -79,7 +109,7 @@ contains
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = self%inner%wants_profiles(values)
+      wants_profiles = self%inner%wants_profiles(self%inner_values(values))
    end function wants_profiles
 
    !> See `model_t`.
@@ -91,7 +121,7 @@ contains
       !> Receives the axes in the order of their names `profile_axes`.
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
 
-      call self%inner%get_profile_axes(values, axes)
+      call self%inner%get_profile_axes(self%inner_values(values), axes)
    end subroutine get_profile_axes
 
    !> See `model_t`.
@@ -105,7 +135,7 @@ contains
       !> Receives the profiles; shape `(n_last_axis, n_first_axis, n_profiles)`.
       real(dp), intent(out) :: profiles(:, :, :)
 
-      call self%inner%solve_profiles(values, results(:size(self%inner%results)), profiles)
+      call self%inner%solve_profiles(self%inner_values(values), self%inner_results(values, results), profiles)
    end subroutine solve_profiles
 
    !> See `model_t`.
@@ -174,7 +204,7 @@ contains
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
 
-      allocate (derived, source=self%inner%derive_quantities(values))
+      allocate (derived, source=self%inner%derive_quantities(self%inner_values(values)))
    end function derive_quantities
 
    !> See `model_t`.
@@ -185,7 +215,7 @@ contains
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
-      text = self%inner%describe_case(values)
+      text = self%inner%describe_case(self%inner_values(values))
    end function describe_case
 
    !> See `model_t`.
@@ -196,7 +226,7 @@ contains
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
-      text = self%inner%describe_doubts(values)
+      text = self%inner%describe_doubts(self%inner_values(values))
    end function describe_doubts
 
    !> See `model_t`.
@@ -210,7 +240,7 @@ contains
       !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
 
-      call self%inner%measure(values, results(:size(self%inner%results)), measures)
+      call self%inner%measure(self%inner_values(values), self%inner_results(values, results), measures)
    end subroutine measure
 
    !> See `model_t`.
@@ -220,7 +250,7 @@ contains
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      count_profiles = self%inner%count_profiles(values)
+      count_profiles = self%inner%count_profiles(self%inner_values(values))
    end function count_profiles
 
    !> See `model_t`.
@@ -231,7 +261,7 @@ contains
       real(dp), intent(in) :: values(:)
       type(profile_t), allocatable :: profiles(:)
 
-      allocate (profiles, source=self%inner%describe_profiles(values))
+      allocate (profiles, source=self%inner%describe_profiles(self%inner_values(values)))
    end function describe_profiles
 
    !> See `model_t`.
@@ -244,7 +274,7 @@ contains
       integer, intent(in) :: place
       character(:), allocatable :: unit
 
-      unit = self%inner%unit_of(values, place)
+      unit = self%inner%unit_of(self%inner_values(values), place)
    end function unit_of
 
 end module adfric_run_wrapped_model

@@ -1,0 +1,102 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> How a number of a scene becomes that of its solver, and back.
+module adfric_run_conversion
+   use adfric_base_constants, only: pi
+   use adfric_base_kinds, only: dp
+   use adfric_base_words, only: has_word
+   implicit none (type, external)
+   private
+   public :: as_it_is, doubled, by_samples_x, by_samples_y, to_reverse, to_axis, to_degrees, direction_tolerance
+   public :: follows_nothing, follows_work, follows_stress
+   public :: find_what_follows, to_scene, to_solver, unit_over_area
+
+   !> How a value of the scene becomes that of the solver.
+   integer, parameter :: as_it_is = 0, doubled = 1, by_samples_x = 2, by_samples_y = 3, to_reverse = 4, to_axis = 5, to_degrees = 6
+   !> Directions count as the nearest one that is allowed if they are no further off [rad].
+   real(dp), parameter :: direction_tolerance = 1.0e-4_dp
+   !> What of adhesion follows from the other two: nothing, the work, or the stress.
+   integer, parameter :: follows_nothing = 0, follows_work = 1, follows_stress = 2
+
+contains
+
+   !> Value of the solver.
+   pure real(dp) function to_solver(how, value, samples) result(converted)
+      !> How it is converted.
+      integer, intent(in) :: how
+      !> Value of the scene.
+      real(dp), intent(in) :: value
+      !> Samples of the heights along x and y.
+      integer, intent(in) :: samples(2)
+
+      converted = value
+      select case (how)
+      case (doubled)
+         converted = 2*value
+      case (by_samples_x)
+         converted = value/samples(1)
+      case (by_samples_y)
+         converted = value/samples(2)
+      case (to_reverse)
+         converted = merge(1, 0, modulo(nint(value/pi), 2) == 1)
+      case (to_axis)
+         converted = 1 + modulo(nint(2*value/pi), 2)
+      case (to_degrees)
+         converted = 180*value/pi
+         if (abs(converted - 45*nint(converted/45)) < 180*direction_tolerance/pi) converted = 45*nint(converted/45)
+      end select
+   end function to_solver
+
+   !> Value of the scene.
+   pure real(dp) function to_scene(how, value, samples) result(converted)
+      !> How it is converted.
+      integer, intent(in) :: how
+      !> Value of the solver.
+      real(dp), intent(in) :: value
+      !> Samples of the heights along x and y.
+      integer, intent(in) :: samples(2)
+
+      converted = value
+      select case (how)
+      case (doubled)
+         converted = value/2
+      case (by_samples_x)
+         converted = value*samples(1)
+      case (by_samples_y)
+         converted = value*samples(2)
+      case (to_reverse)
+         converted = pi*value
+      case (to_axis)
+         converted = pi/2*(value - 1)
+      case (to_degrees)
+         converted = value*pi/180
+      end select
+   end function to_scene
+
+   !> What of adhesion a scene leaves out that its solver asks for. Round bodies ask for the work beside another one, surfaces of
+   !> waves and heights for the stress.
+   pure integer function find_what_follows(solver, facts) result(follows)
+      !> Name of the solver.
+      character(*), intent(in) :: solver
+      !> Facts of the scene, separated by a blank.
+      character(*), intent(in) :: facts
+
+      follows = follows_nothing
+      if (has_word('sphere indenter', solver)) then
+         if (has_word(facts, 'stress_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'work_given')) &
+            follows = follows_work
+      else if (has_word(facts, 'work_given') .and. has_word(facts, 'range_given') .and. .not. has_word(facts, 'stress_given')) then
+         follows = follows_stress
+      end if
+   end function find_what_follows
+
+   !> Unit of what the solver counts for a period, over the nominal area: Pa for a force, 1 for an area.
+   pure function unit_over_area(unit) result(over_area)
+      !> Unit of the solver.
+      character(*), intent(in) :: unit
+      character(:), allocatable :: over_area
+
+      over_area = '-'
+      if (index(unit, 'N') > 0) over_area = 'Pa'
+   end function unit_over_area
+
+end module adfric_run_conversion
