@@ -16,6 +16,9 @@ module adfric_fit_course
 
    !> Steps in standard errors that end a search with derivatives by steps forward, and what counts as a combination of columns then.
    real(dp), parameter :: forward_step = 1.0e-4_dp, forward_rank = 1.0e-5_dp, central_step = 1.0e-6_dp, central_rank = 1.0e-7_dp
+   !> The same where an ordinate has bends everywhere, such as an area on cells: its sum has many least places side by side, within a
+   !> part of the standard error. A search ends at ten times this step where nothing lowers the sum.
+   real(dp), parameter :: step_at_bends = 0.03_dp
    !> The same for the best minimum with exact derivatives.
    real(dp), parameter :: last_step = 1.0e-9_dp
 
@@ -33,6 +36,8 @@ module adfric_fit_course
       type(minima_t) :: minima
       !> Covariance of the numbers that are fitted.
       real(dp), allocatable :: covariance(:, :)
+      !> Has an ordinate bends everywhere?
+      logical :: has_bends = .false.
       !> Points; points, events and priors; degrees of freedom.
       integer :: n_points = 0, n_terms = 0, freedom = 0
       !> Square of the unit of the residuals: that of the ordinates where sigma is not known, else 1; and variance of a point in it.
@@ -63,7 +68,23 @@ contains
       if (size(course%objective%others) == 0) return
       course%limits%step_tolerance = forward_step
       course%limits%rank_tolerance = forward_rank
+      course%has_bends = has_bends(fit)
+      if (.not. course%has_bends) return
+      course%limits%step_tolerance = step_at_bends
+      course%limits%same_distance = 10*step_at_bends
    end subroutine begin_course
+
+   !> Has an ordinate bends everywhere, so that a minimum is known to its standard error alone?
+   pure logical function has_bends(fit)
+      !> The fit.
+      type(fit_t), intent(in) :: fit
+      integer :: k
+
+      has_bends = .false.
+      do k = 1, size(fit%data_sets)
+         has_bends = has_bends .or. fit%model%results(fit%data_sets(k)%ordinate)%has_bends
+      end do
+   end function has_bends
 
    !> Are there fewer points, events and priors than free variables, or fewer in contact than those that need contact?
    pure logical function has_too_few_points(course, fit)
@@ -105,6 +126,7 @@ contains
          if (size(course%objective%others) > 0) then
             limits%step_tolerance = central_step
             limits%rank_tolerance = central_rank
+            if (course%has_bends) limits%step_tolerance = step_at_bends
             if (course%minima%cost(k) > least + minima_limit*max(1.0_dp, least/max(course%freedom, 1))) exit
          else if (k > 1) then
             exit

@@ -15,8 +15,6 @@ module adfric_fit_minima
    real(dp), parameter :: minima_limit = 12.0_dp
    !> Most minima.
    integer, parameter :: most_minima = 40
-   !> Two minima are one if they are as near as that in standard errors, and their S too.
-   real(dp), parameter :: same_distance = 0.01_dp, same_cost = 1.0e-4_dp
 
    !> Minima found so far, in the order in which they were found, or sorted.
    type :: minima_t
@@ -82,9 +80,9 @@ contains
       variance = 1
       if (limits%freedom > 0) variance = outcome%cost/limits%freedom
       do k = 1, minima%n
-         if (abs(minima%cost(k) - outcome%cost) > same_cost*variance .and. abs(minima%cost(k) - outcome%cost) > &
+         if (abs(minima%cost(k) - outcome%cost) > limits%same_distance**2*variance .and. abs(minima%cost(k) - outcome%cost) > &
             & 1.0e-20_dp) cycle
-         if (norm2(matmul(work%j(:work%n_rows, :), minima%q(:, k) - q)) > same_distance*sqrt(variance) + 1.0e-10_dp) cycle
+         if (norm2(matmul(work%j(:work%n_rows, :), minima%q(:, k) - q)) > limits%same_distance*sqrt(variance) + 1.0e-10_dp) cycle
          minima%times(k) = minima%times(k) + 1
          if (outcome%status > minima%status(k)) return
          if (outcome%status == minima%status(k) .and. outcome%cost >= minima%cost(k)) return

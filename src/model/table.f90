@@ -79,6 +79,8 @@ module adfric_model_table
       logical :: is_main = .false.
       !> Is it found by counting, such as an area by cells, so that it varies in steps?
       logical :: is_counted = .false.
+      !> Is it continuous, with small jumps of its slope everywhere, such as an area by chords?
+      logical :: has_bends = .false.
       !> Name in the language of the solver, where a scene calls the result otherwise; else not allocated.
       character(:), allocatable :: solver_name
       !> Has the result no meaning in the scene? It is absent from the file then, and nobody hears of it.

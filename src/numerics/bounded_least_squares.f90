@@ -81,6 +81,8 @@ module adfric_numerics_bounded_least_squares
       integer :: freedom = 0
       !> Columns that are combinations of others to this relative accuracy count as such.
       real(dp) :: rank_tolerance = 1.0e-11_dp
+      !> Ends of searches that are no further apart, in standard errors, are one.
+      real(dp) :: same_distance = 0.01_dp
       !> Most steps.
       integer :: most_steps = 200
    end type squares_limits_t

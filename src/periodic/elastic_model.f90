@@ -24,6 +24,7 @@ module adfric_periodic_elastic_model
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
    use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t
+   use adfric_periodic_chords, only: chord_fraction
    use adfric_periodic_variables
    implicit none (type, external)
    private
@@ -307,6 +308,7 @@ contains
       !> Estimated relative error of the area of contact [-]; above 1 where the cells do not see the edge of adhesion.
       real(dp), intent(out) :: error_estimate
       type(adhesion_law_t) :: law
+      real(dp) :: unused
 
       law = self%adhesion_of(values)
       error_estimate = relative_error_of(solution%area)
@@ -320,6 +322,11 @@ contains
          associate (first => self%last_of_solid - n_shear_rows, last => self%last_of_solid - 1)
             call get_friction_of_area(values(first:last), results(r_contact_fraction), results(r_mean_pressure), &
                & law%stress*results(r_adhesion_fraction), results(r_friction_stress), results(r_friction_coefficient))
+         end associate
+         results(r_smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
+         associate (first => self%last_of_solid - n_shear_rows, last => self%last_of_solid - 1)
+            call get_friction_of_area(values(first:last), results(r_smooth_fraction), results(r_mean_pressure), &
+               & law%stress*results(r_adhesion_fraction), results(r_smooth_friction), unused)
          end associate
          if (surface%n_cells(2) > 1) results(r_friction_force) = results(r_friction_stress)*product(surface%period)
          if (.not. law%stress > 0) return
@@ -458,7 +465,7 @@ contains
       !> Periods and cells of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
 
-      associate (size => surface%period/(surface%n_cells*merge(2, 1, surface%is_quarter)))
+      associate (size => surface%cell_sizes())
          cells_per_zone = pi*surface%solid%modulus*law%range/(4*law%stress*maxval(size, mask=surface%n_cells > 1))
       end associate
    end function cells_per_zone

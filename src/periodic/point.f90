@@ -42,6 +42,8 @@ module adfric_periodic_point
       real(dp), allocatable :: shape(:, :)
       !> What it is pressed against; not allocated: an elastic half-space.
       class(periodic_solid_t), allocatable :: solid
+   contains
+      procedure :: cell_sizes
    end type periodic_surface_t
 
    !> What is held at a point.
@@ -80,6 +82,15 @@ module adfric_periodic_point
    end type periodic_memory_t
 
 contains
+
+   !> Sizes of a cell along x and y [m].
+   pure function cell_sizes(self) result(sizes)
+      !> The surface.
+      class(periodic_surface_t), intent(in) :: self
+      real(dp) :: sizes(2)
+
+      sizes = self%period/(self%n_cells*merge(2, 1, self%is_quarter))
+   end function cell_sizes
 
    !> Solve a point; an error means that there is no memory.
    subroutine solve_periodic(surface, goal, memory, solution, slip, error)

@@ -21,6 +21,7 @@ module adfric_periodic_sliding_model
    use adfric_periodic_sliding_case, only: set_sliding_solid, frequencies_of
    use adfric_periodic_sliding_check, only: check_sliding_surface, check_sliding_solid
    use adfric_periodic_sliding_results, only: set_sliding_results, peak_of_wave
+   use adfric_periodic_chords, only: chord_fraction
    use adfric_periodic_sliding_variables
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
@@ -285,6 +286,7 @@ contains
       select type (solid => surface%solid)
       type is (viscoelastic_solid_t)
          call set_sliding_results(values, solid, solution, results, error_estimate)
+         results(r_smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
       end select
       associate (unused => self)
       end associate

@@ -7,7 +7,7 @@ module adfric_periodic_sliding_variables
    use adfric_model_rows, only: above_zero, any_number, choice, number, poisson_ratio, positive, result_row, whole_number
    use adfric_model_table, only: variable_t, result_t
    use adfric_periodic_given_heights, only: set_heights_rows, n_heights_rows
-   use adfric_periodic_variables, only: get_periodic_results, n_periodic_results, r_penetration
+   use adfric_periodic_variables, only: get_periodic_results, n_periodic_results, r_penetration, smooth_fraction_row
    implicit none (type, external)
    private
    public :: set_surface_rows, set_solid_rows, get_sliding_results, cells_of
@@ -30,8 +30,9 @@ module adfric_periodic_sliding_variables
    integer, parameter, public :: r_friction_stress = n_periodic_results + 1, r_friction_coefficient = n_periodic_results + 2, &
       & r_lateral_stress = n_periodic_results + 3, r_full_contact_friction = n_periodic_results + 4, &
       & r_contact_shift = n_periodic_results + 5, r_dissipation = n_periodic_results + 6, &
-      & r_energy_imbalance = n_periodic_results + 7, r_regime = n_periodic_results + 8
-   integer, parameter, public :: n_sliding_results = n_periodic_results + 8
+      & r_energy_imbalance = n_periodic_results + 7, r_regime = n_periodic_results + 8, &
+      & r_smooth_fraction = n_periodic_results + 9
+   integer, parameter, public :: n_sliding_results = n_periodic_results + 9
    !> Regimes, in the order of their meanings.
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2
 
@@ -107,6 +108,7 @@ contains
       r(r_energy_imbalance) = result_row(name='energy_imbalance', unit='-', &
          & long_name='friction from the pressure on the slopes less the energy lost, over the larger of them')
       r(r_regime) = result_row(name='regime', unit='-', long_name='regime', flag_meanings='no_contact partial full')
+      r(r_smooth_fraction) = smooth_fraction_row()
    end function get_sliding_results
 
 end module adfric_periodic_sliding_variables

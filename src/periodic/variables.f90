@@ -11,7 +11,7 @@ module adfric_periodic_variables
    use adfric_model_table, only: variable_t, result_t
    implicit none (type, external)
    private
-   public :: tolerance_row, set_held_rows, pull_off_row, get_periodic_results, get_elastic_results
+   public :: tolerance_row, set_held_rows, pull_off_row, get_periodic_results, get_elastic_results, smooth_fraction_row
 
    !> Places among the rows behind those of the solid.
    integer, parameter, public :: v_mean_pressure = 1, v_penetration = 2, v_profiles = 3
@@ -29,8 +29,8 @@ module adfric_periodic_variables
    integer, parameter, public :: r_regime = 9, r_adhesion_fraction = 10, r_elastic_energy = 11, r_adhesion_energy = 12, &
       & r_pull_off_pressure = 13, r_cells_per_zone = 14, r_friction_stress = 15, r_friction_coefficient = 16, &
       & r_friction_force = 17, r_stick_fraction = 18, r_tangential_displacement = 19, r_tangential_stiffness = 20, &
-      & r_cycle_energy = 21, r_poisson_defect = 22
-   integer, parameter, public :: n_elastic_results = 22
+      & r_cycle_energy = 21, r_poisson_defect = 22, r_smooth_fraction = 23, r_smooth_friction = 24
+   integer, parameter, public :: n_elastic_results = 24
    !> Numbers of the regimes; they have the words of `wave_1d`.
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2, regime_adhesion_only = 3, &
       & regime_adhesion_zones = 4, regime_saturated_adhesion = 5
@@ -97,7 +97,19 @@ contains
       r([r_adhesion_fraction, r_friction_stress, r_friction_coefficient, r_friction_force, r_stick_fraction])%is_counted = .true.
       r(r_poisson_defect) = result_row(name='poisson_defect', unit='-', &
          & long_name='standard deviation over what sticks of the displacement, which nu makes, over the displacement')
+      r(r_smooth_fraction) = smooth_fraction_row()
+      r(r_smooth_friction) = result_row(name='smooth_friction_stress', unit='Pa', &
+         & long_name='friction stress of a shear strength on the area that varies smoothly')
+      r(r_smooth_friction)%has_bends = .true.
    end function get_elastic_results
+
+   !> The row of the area by chords.
+   type(result_t) function smooth_fraction_row() result(row)
+
+      row = result_row(name='smooth_contact_fraction', unit='-', &
+         & long_name='share of the area in contact from where its edge cuts rows and columns of cells, which varies smoothly')
+      row%has_bends = .true.
+   end function smooth_fraction_row
 
    !> The table of results.
    function get_periodic_results() result(r)

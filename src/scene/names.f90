@@ -224,6 +224,7 @@ module adfric_scene_names
       & periodic//' friction_stress - !interface', &
       & periodic//' friction_coefficient - !interface', &
       & 'wave_2d_elastic,surface_elastic friction_force -', &
+      & 'wave_2d_elastic,surface_elastic smooth_friction_stress - !interface', &
       & 'wave_2d_elastic,surface_elastic poisson_defect - !tangential', &
       & 'line_load,strip_load stress_yy stress_zz', &
       & 'line_load,strip_load stress_xy stress_xz', &

@@ -102,6 +102,36 @@ class Sets(Fits):
         self.assertAlmostEqual(float(results["chi2"]), 86.66686746177017, delta=CHI2)
         self.assertEqual({"ordinate_1", "ordinate_2", "residual_2", "curve_1"} - set(results), set())
 
+    def test_areas_on_cells(self):
+        """A modulus by the area of a rough surface, and a shear strength by its friction, from any start; the count is refused."""
+        rng = np.random.default_rng(7)
+        x = np.arange(32)*2*np.pi/32
+        with h5py.File(self.folder/"z.h5", "w") as file:
+            file["z"] = sum(1e-7/k*np.cos(k*x[:, None] + rng.random()*6)*np.cos((4 - k)*x + rng.random()*6) for k in (1, 2, 3))
+        rough = "&surface kind = 'heights', heights = 'z.h5:/z', length_x = 1e-5, length_y = 1e-5 /\n"
+        self.write("&job output = 'run.h5' /\n" + rough + "&solid contact_modulus = 1e9 /\n&friction shear_strength = 1e6 /\n"
+                   "&sweep variable = 'mean_pressure', from = 1e6, to = 3e7, count = 8 /\n")
+        self.run_program("run", "--quiet", "run.nml")
+        true = self.read("run.h5")
+        noise = 1 + 0.01*rng.standard_normal((2, 8))
+        lines = [f"{q:.17g},{a*f:.17g},{t*g:.17g},{0.01*a:.17g},{0.01*t:.17g}" for q, a, t, f, g in zip(
+            true["mean_pressure"], true["smooth_contact_fraction"], true["smooth_friction_stress"], *noise)]
+        self.write("mean_pressure,area,friction,sigma_area,sigma_friction\n" + "\n".join(lines) + "\n", "area.csv")
+        data = "&data file = 'area.csv', abscissa = 'mean_pressure', ordinate = '{}', ordinate_column = '{}', sigma_column = 'sigma_{}' /\n"
+        head = "&job output = 'run.h5' /\n" + rough
+        for start in ("4e8", "3e9"):
+            results = self.fit(head + data.format("smooth_contact_fraction", "area", "area")
+                               + f"&free variable = 'contact_modulus', start = {start} /\n")
+            self.assertEqual(int(results["status"]), 0)
+            self.assertLess(abs(results["contact_modulus"] - 1e9), 4*results["contact_modulus_error"])
+            self.assertLess(results["contact_modulus_error"], 2e7)
+        results = self.fit(head + "&solid contact_modulus = 1e9 /\n" + data.format("smooth_friction_stress", "friction", "friction")
+                           + "&free variable = 'shear_strength' /\n")
+        self.assertLess(abs(results["shear_strength"] - 1e6), 4*results["shear_strength_error"])
+        self.write(head + data.format("contact_fraction", "area", "area") + "&free variable = 'contact_modulus', start = 1e9 /\n")
+        _, errors = self.run_program("fit", "--force", "run.nml", status=2)
+        self.assertIn("smooth_contact_fraction", errors)
+
     def test_wavy(self):
         """Any model, any variable."""
         text = ("&job model = 'wavy_sliding', output = 'run.h5' /\n&surface kind = 'wave_2d', period = 1e-4, height = 1e-5 /\n"

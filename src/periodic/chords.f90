@@ -1,0 +1,119 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Area of contact from where its edge cuts the rows and columns of cells.
+!>
+!> A count of cells varies in steps, which no fit can follow. Here the edge lies between two neighbours, of which one is in contact
+!> with the pressure p and the other has the gap g. Near an edge without a singularity, s from it,
+!>
+!>     p = C sqrt(s)   inside,   g = (4 C/3 E*) s^(3/2)   outside
+!>
+!> (line contact of Hertz, and any other to leading order). The two distances add up to the cell: with r the part of it that is in
+!> contact,
+!>
+!>     r/(1 - r)^3 = K,   K = (16/9) (p cell/E* g)^2 c,
+!>
+!> which has one root between 0 and 1; y = 1 - r solves K y^3 + y = 1. Where a row crosses the edge at an angle t from its normal,
+!> c = cos^2 t. Of an edge without a preferred direction rows cross parts in proportion to cos t, so that c is 2/3 on average, which
+!> is taken over x and y; along a line c = 1. With adhesion p counts from the tension of the zone.
+!> A row has the sum of such parts and of whole cells for its chord. The mean over all rows, and over all columns, is the fraction
+!> in contact (Cavalieri). Each is continuous in p and g: where a cell comes into contact its p and g are 0, and the edge passes
+!> through it.
+module adfric_periodic_chords
+   use adfric_base_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: chord_fraction, part_in_contact
+
+contains
+
+   !> Fraction of the surface in contact.
+   pure real(dp) function chord_fraction(pressure, gap, cell, is_quarter) result(fraction)
+      !> Pressure in the middles of the cells [E*]; shape `(nx, ny)`.
+      real(dp), intent(in) :: pressure(:, :)
+      !> Gap there, 0 in contact; shape of `pressure`.
+      real(dp), intent(in) :: gap(:, :)
+      !> Sizes of a cell along x and y, in the unit of the gap.
+      real(dp), intent(in) :: cell(2)
+      !> Is the map a quarter between planes of symmetry (else it goes on periodically)?
+      logical, intent(in) :: is_quarter
+      real(dp) :: tension, along(2), rate(2)
+      integer :: i, j
+
+      tension = max(-minval(pressure), 0.0_dp)
+      along = 0
+      ! a part in contact has cell^2 c for its factor
+      rate = cell*sqrt(merge(2/3.0_dp, 1.0_dp, size(gap, 2) > 1))
+      do j = 1, size(gap, 2)
+         along(1) = along(1) + chord_of(pressure(:, j) + tension, gap(:, j), rate(1), is_quarter)
+      end do
+      fraction = along(1)/size(gap)
+      if (size(gap, 2) == 1) return
+      do i = 1, size(gap, 1)
+         along(2) = along(2) + chord_of(pressure(i, :) + tension, gap(i, :), rate(2), is_quarter)
+      end do
+      fraction = (along(1) + along(2))/(2*size(gap))
+   end function chord_fraction
+
+   !> Chord of a row, in cells.
+   pure real(dp) function chord_of(pressure, gap, cell, is_quarter) result(chord)
+      !> Pressure above the tension of a zone of adhesion [E*], and gap.
+      real(dp), intent(in) :: pressure(:), gap(:)
+      !> Size of a cell times cos t, in the unit of the gap.
+      real(dp), intent(in) :: cell
+      !> Does the row end at planes of symmetry?
+      logical, intent(in) :: is_quarter
+      integer :: i, n
+
+      n = size(gap)
+      chord = 0
+      do i = 1, n - 1
+         chord = chord + part_of(i, i + 1)
+      end do
+      if (is_quarter) then
+         ! half a cell at either end
+         if (.not. gap(1) > 0) chord = chord + 0.5_dp
+         if (.not. gap(n) > 0) chord = chord + 0.5_dp
+      else
+         chord = chord + part_of(n, 1)
+      end if
+
+   contains
+
+      !> Part in contact between two neighbours.
+      pure real(dp) function part_of(i, k)
+         !> Places of the neighbours.
+         integer, intent(in) :: i, k
+
+         if (gap(i) > 0 .and. gap(k) > 0) then
+            part_of = 0
+         else if (gap(i) > 0) then
+            part_of = part_in_contact(pressure(k), gap(i), cell)
+         else if (gap(k) > 0) then
+            part_of = part_in_contact(pressure(i), gap(k), cell)
+         else
+            part_of = 1
+         end if
+      end function part_of
+
+   end function chord_of
+
+   !> Part of a cell that is in contact, between the middle of a cell in contact and that of one that is not.
+   elemental real(dp) function part_in_contact(pressure, gap, cell) result(part)
+      !> Pressure of the one in contact, above the tension of a zone of adhesion [E*].
+      real(dp), intent(in) :: pressure
+      !> Gap of the other one, > 0.
+      real(dp), intent(in) :: gap
+      !> Size of the cell times cos t, in the unit of the gap.
+      real(dp), intent(in) :: cell
+      real(dp) :: root, y
+
+      ! the root of 3 K; y = 2 sinh(asinh(3 root/2)/3)/root
+      root = min(4*max(pressure, 0.0_dp)*cell/(sqrt(3.0_dp)*gap), 1.0e100_dp)
+      if (root < 1.0e-4_dp) then
+         part = root**2/3
+         return
+      end if
+      y = 2*sinh(asinh(1.5_dp*root)/3)/root
+      part = 1 - y
+   end function part_in_contact
+
+end module adfric_periodic_chords
