@@ -78,20 +78,20 @@ contains
       !> Receives the solver; not allocated if there is none.
       class(model_t), allocatable, intent(out) :: model
       class(model_t), allocatable :: other
-      integer :: row
+      integer :: row, n_unknown, least
 
       call find_facts(scene)
+      least = huge(1)
       do row = 1, n_scenes
          if (len(solver) > 0 .and. get_word(scenes(row), 5) /= solver) cycle
          if (.not. answers(row, words_of(scene))) cycle
          call make_solver(get_word(scenes(row), 5), scene, other)
-         ! where no solver knows all names, the first one says which it does not know
-         if (knows_all(other, scene)) then
-            call move_alloc(other, model)
-            return
-         else if (.not. allocated(model)) then
-            call move_alloc(other, model)
-         end if
+         ! where no solver knows all names, the one that knows most says which it does not know
+         n_unknown = count_unknown(other, scene)
+         if (n_unknown >= least) cycle
+         call move_alloc(other, model)
+         least = n_unknown
+         if (least == 0) exit
       end do
    end subroutine find_solver
 
@@ -113,28 +113,29 @@ contains
       model%scene_names = words_of_scene
    end subroutine make_solver
 
-   !> Does a solver know all names that a scene gives?
-   pure logical function knows_all(model, scene)
+   !> Number of names that a scene gives and its solver does not know.
+   pure integer function count_unknown(model, scene)
       !> The solver, with its tables in the language of scenes.
       class(model_t), intent(in) :: model
       !> The scene.
       type(scene_t), intent(in) :: scene
       character(:), allocatable :: name
       integer :: k, percent
+      logical :: is_known
 
-      knows_all = .true.
+      count_unknown = 0
       do k = 1, count_words(scene%names)
          name = get_word(scene%names, k)
          if (has_word(words_of_scene, name)) cycle
          percent = index(name, '%')
          if (percent == 0) then
-            knows_all = len(list_groups_of(model, name)) > 0
+            is_known = len(list_groups_of(model, name)) > 0
          else
-            knows_all = model%index_of(name(:percent - 1), name(percent + 1:)) > 0
+            is_known = model%index_of(name(:percent - 1), name(percent + 1:)) > 0
          end if
-         if (.not. knows_all) return
+         if (.not. is_known) count_unknown = count_unknown + 1
       end do
-   end function knows_all
+   end function count_unknown
 
    !> Surface, solid, interface and operation.
    pure function words_of(scene) result(words)
