@@ -4,10 +4,9 @@ module adfric_command_help_scenes
    use adfric_base_text, only: newline
    use adfric_base_words, only: count_words, get_word, has_word, pad
    use adfric_command_help_lists, only: model_box_t
-   use adfric_input_variable, only: describe_allowed
    use adfric_model_table, only: variable_t
    use adfric_model_vocabulary, only: order_of_scenes
-   use adfric_scene_names, only: likely_name_of, meaning_of, rename_words
+   use adfric_scene_names, only: likely_name_of, likely_result_of, meaning_of, rename_words
    use adfric_scene_solvers, only: accuracy_of_scene, known_surfaces, known_tractions, word_length
    implicit none (type, external)
    private
@@ -154,13 +153,59 @@ contains
             percent = index(name, '%')
             if (name(:percent - 1) /= group .or. has_word(names, name(percent + 1:))) cycle
             names = names//' '//name(percent + 1:)
-            call rename_words(models(m)%model%name, '', row)
+            if (name == 'operating%direction') row%choices = ''
+            if (name == 'operating%direction') row%unit = 'rad'
             text = text//pad('  '//name(percent + 1:)//unit_of(row), name_width)//meaning_of(name, row%meaning)// &
                newline
-            if (len(row%choices) > 0) text = text//repeat(' ', name_width)//'  '//describe_allowed(row)//newline
+            if (len(row%choices) > 0) text = text//words_line('', words_of_all(models, name))
          end do
       end do
    end subroutine add_group
+
+   !> The results of all scenes, each once.
+   function describe_results(models) result(text)
+      !> All solvers, in their own language.
+      type(model_box_t), intent(in) :: models(:)
+      character(:), allocatable :: text, names, name
+      integer :: m, i
+
+      text = ''
+      names = ''
+      do m = 1, size(models)
+         do i = 1, size(models(m)%model%results)
+            associate (row => models(m)%model%results(i))
+               name = likely_result_of(models(m)%model%name, row%name)
+               if (has_word(names, name)) cycle
+               names = names//' '//name
+               text = text//pad('  '//name, name_width)//row%long_name//newline
+            end associate
+         end do
+      end do
+   end function describe_results
+
+   !> Words of a choice, of all solvers that have it.
+   function words_of_all(models, name) result(words)
+      !> All solvers, in their own language.
+      type(model_box_t), intent(in) :: models(:)
+      !> Name of the variable in the language of scenes, with its group.
+      character(*), intent(in) :: name
+      character(:), allocatable :: words, word
+      type(variable_t) :: row
+      integer :: m, i, k
+
+      words = ''
+      do m = 1, size(models)
+         do i = 1, size(models(m)%model%variables)
+            row = models(m)%model%variables(i)
+            if (likely_name_of(models(m)%model%name, row%group//'%'//row%name) /= name) cycle
+            call rename_words(models(m)%model%name, '', row)
+            do k = 1, count_words(row%choices)
+               word = get_word(row%choices, k)
+               if (.not. has_word(words, word)) words = words//' '//word
+            end do
+         end do
+      end do
+   end function words_of_all
 
    !> Unit of a variable in brackets.
    pure function unit_of(row) result(text)
@@ -179,13 +224,16 @@ contains
       character(:), allocatable :: names, name
       integer :: m, i
 
-      names = known_surfaces//' '//known_tractions//' extent layer foundation half_space'
+      names = known_surfaces//' '//known_tractions//' extent layer foundation half_space '//order_of_scenes
       do m = 1, size(models)
          do i = 1, size(models(m)%model%variables)
             associate (row => models(m)%model%variables(i))
                name = likely_name_of(models(m)%model%name, row%group//'%'//row%name)
                names = names//' '//name(index(name, '%') + 1:)
             end associate
+         end do
+         do i = 1, size(models(m)%model%results)
+            names = names//' '//likely_result_of(models(m)%model%name, models(m)%model%results(i)%name)
          end do
       end do
    end function list_scene_names

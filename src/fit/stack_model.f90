@@ -84,6 +84,7 @@ contains
       call move_alloc(source, self%source)
       self%name = fit%model%name
       self%summary = fit%model%summary
+      if (allocated(fit%model%scene)) self%scene = fit%model%scene
       self%references = fit%model%references
       if (self%is_single()) self%extra_names = list_extra_names(fit)
       call set_variables(self, n_files)

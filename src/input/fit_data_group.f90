@@ -177,6 +177,7 @@ contains
       if (.not. allocated(name)) return
       known = ''
       do i = 1, size(model%results)
+         if (model%results(i)%is_hidden) cycle
          if (is_smooth(model%results(i))) known = known//' '//model%results(i)%name
          if (model%results(i)%name == to_lower(name)) self%data_set%ordinate = i
       end do
@@ -195,7 +196,7 @@ contains
       !> Row of the model's table.
       type(result_t), intent(in) :: result
 
-      is_smooth = result%n_states() == 0 .and. .not. result%is_counted
+      is_smooth = result%n_states() == 0 .and. .not. (result%is_counted .or. result%is_hidden)
    end function is_smooth
 
    !> Read the names of the columns.

@@ -78,6 +78,7 @@ contains
       if (problems%count() > n_before .or. file%groups(group)%is_garbled) return
       known = ''
       do i = 1, size(model%results)
+         if (model%results(i)%is_hidden) cycle
          known = trim(adjustl(known//' '//model%results(i)%name))
          if (model%results(i)%name == name .and. len(name) > 0) place = i
       end do

@@ -189,7 +189,8 @@ contains
       character(:), allocatable :: text
       integer :: i
 
-      text = 'the group is missing, needed: &job model = '''//join_words(known_models, ''' or ''')//''' /'
+      text = 'the group is missing, needed: &surface or &traction of a scene (adfric help scenes), or &job model = '''// &
+         join_words(known_models, ''' or ''')//''' /'
       do i = 1, size(file%groups)
          if (find_nearest(trim(file%groups(i)%name), 'job') /= 'job') cycle
          text = text//'; did you mean it by &'//trim(file%groups(i)%name)//' in line '// &

@@ -257,6 +257,42 @@ contains
          did_you_mean(given, known), place)
    end subroutine read_choice
 
+   !> Report names that no solver has in the language of scenes: where they are unknown the scene may be another one.
+   subroutine report_unknown_names(scene, problems, is_reported)
+      !> The scene.
+      type(scene_t), intent(in) :: scene
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      !> Was there such a name?
+      logical, intent(out) :: is_reported
+      class(model_t), allocatable :: model
+      character(:), allocatable :: name, group, text
+      integer :: n, m, i, percent
+      logical :: is_known
+
+      is_reported = .false.
+      do n = 1, count_words(scene%names)
+         name = get_word(scene%names, n)
+         percent = index(name, '%')
+         if (percent == 0 .or. has_word(words_of_scene, name)) cycle
+         group = name(:percent - 1)
+         is_known = .false.
+         text = 'unknown variable (adfric help scenes)'
+         do m = 1, count_words(known_models)
+            call make_solver(get_word(known_models, m), scene, model)
+            is_known = is_known .or. model%index_of(group, name(percent + 1:)) > 0
+            do i = 1, size(model%variables)
+               if (model%variables(i)%is_hidden .or. .not. model%variables(i)%is_called(group, name(percent + 1:))) cycle
+               text = 'is a name of the model '''//model%name//'''; in a scene it is &'//model%variables(i)%group//' '// &
+                  model%variables(i)%name//' (adfric modernise writes such an input anew)'
+            end do
+         end do
+         if (is_known) cycle
+         call problems%add(group, name(percent + 1:), text)
+         is_reported = .true.
+      end do
+   end subroutine report_unknown_names
+
    !> Say that nobody answers a scene yet, what stands in the way, and which scene is nearest.
    subroutine report_no_solver(scene, solver, problems)
       !> The scene.
@@ -269,6 +305,7 @@ contains
       character(word_length) :: words(4)
       character(:), allocatable :: group
       type(cell_t) :: nearest
+      logical :: is_reported
       integer :: k
 
       if (len(solver) > 0) then
@@ -276,6 +313,8 @@ contains
             scene%interface, scene%operation)//' (adfric help scenes)')
          return
       end if
+      call report_unknown_names(scene, problems, is_reported)
+      if (is_reported) return
       words = words_of(scene)
       call find_cell(words, nearest)
       group = 'surface'

@@ -280,7 +280,7 @@ contains
 
       list = ''
       do i = 1, size(model%variables)
-         if (is_number(model%variables(i))) list = list//' '//full_name(model, i)
+         if (is_number(model%variables(i)) .and. .not. model%variables(i)%is_hidden) list = list//' '//full_name(model, i)
       end do
    end function list_numbers
 

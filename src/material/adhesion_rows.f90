@@ -132,12 +132,13 @@ contains
       type(problems_t), intent(inout) :: problems
 
       if (.not. is_set(values(stress))) then
-         if (is_set(values(surface_energy))) call add(stress, 'is missing [Pa]; surface_energy needs it')
-         if (is_set(values(range))) call add(stress, 'is missing [Pa]; range needs it')
+         if (is_set(values(surface_energy))) call add(stress, 'is missing [Pa]; '//rows(surface_energy)%name//' needs it')
+         if (is_set(values(range))) call add(stress, 'is missing [Pa]; '//rows(range)%name//' needs it')
       else if (is_set(values(surface_energy)) .and. is_set(values(range))) then
-         call add(surface_energy, 'stands beside range; give one of them, their ratio is the stress')
+         call add(surface_energy, 'stands beside '//rows(range)%name//'; give one of them, their ratio is the stress')
       else if (.not. is_set(values(surface_energy)) .and. .not. is_set(values(range))) then
-         if (values(stress) > 0) call add(surface_energy, 'is missing [J/m^2]; stress needs it, or range')
+         if (values(stress) > 0) call add(surface_energy, 'is missing [J/m^2]; '//rows(stress)%name//' needs it, or '// &
+            & rows(range)%name)
       end if
 
    contains

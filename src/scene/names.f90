@@ -15,7 +15,8 @@ module adfric_scene_names
    use adfric_model_table, only: result_t, variable_t
    implicit none (type, external)
    private
-   public :: rename_tables, rename_words, likely_name_of, meaning_of, variable_rules, result_rules, profile_rules, word_rules
+   public :: rename_tables, rename_words, likely_name_of, likely_result_of, meaning_of
+   public :: variable_rules, result_rules, profile_rules, word_rules
 
    !> Stands in a rule for the name of what has no meaning in a scene.
    character(*), parameter :: hidden = '-'
@@ -259,6 +260,11 @@ module adfric_scene_names
       & 'surface%slope slope of a cone or wedge', &
       & 'operating%direction angle from +x, or the major axis, to the sliding or the force', &
       & 'traction%distribution of both tractions: constant, sqrt(1 - x^2/a^2), or sampled', &
+      & 'operating%branch which of several states: of round bodies stable, inner or unstable, of waves adhered or loading', &
+      & 'output%z_min where profiles begin in depth', &
+      & 'output%z_max where profiles end in depth', &
+      & 'output%n_z samples of profiles in depth', &
+      & 'position%position_z depth of the point below the surface', &
       & 'solid%young_modulus Young''s modulus; with relaxation that of long times', &
       & 'solid%poisson_ratio Poisson''s ratio', &
       & 'adhesion%work_of_adhesion work to part a unit of area: stress times range', &
@@ -295,7 +301,9 @@ contains
       end do
       do i = 1, size(model%profiles)
          model%profiles(i)%name = scene_name_of(profile_rules, model%name, model%profiles(i)%name, facts)
+         if (is_of(with_depth, model%name)) model%profiles(i)%long_name = with_z(model%profiles(i)%long_name)
       end do
+      if (is_of(with_depth, model%name)) model%profile_axes = 'z x'
    end subroutine rename_tables
 
    !> Give a variable the value that follows from what a scene leaves out.
@@ -377,7 +385,23 @@ contains
          result%flag_meanings = ''
       end if
       result%name = name
+      if (is_of(with_depth, solver)) result%long_name = with_z(result%long_name)
    end subroutine rename_result
+
+   !> A text with z for the depth, which is y for the solvers of the plane.
+   pure function with_z(text) result(renamed)
+      !> The text.
+      character(*), intent(in) :: text
+      character(:), allocatable :: renamed
+      character(*), parameter :: pairs(*) = [character(9) :: 's_yy s_zz', 's_xy s_xz', 'u_y u_z']
+      integer :: i, place
+
+      renamed = text
+      do i = 1, size(pairs)
+         place = index(renamed, get_word(pairs(i), 1))
+         if (place > 0) renamed = renamed(:place - 1)//get_word(pairs(i), 2)//renamed(place + len(get_word(pairs(i), 1)):)
+      end do
+   end function with_z
 
    !> Have the words of a variable those of scenes.
    pure subroutine rename_words(solver, facts, variable)
@@ -439,27 +463,45 @@ contains
       new_name = name
    end function scene_name_of
 
-   !> What a scene probably calls a variable, before its facts are known.
+   !> What a scene probably calls a variable, with its group, before its facts are known.
    pure function likely_name_of(solver, name) result(new_name)
-      !> Name of the solver.
-      character(*), intent(in) :: solver
-      !> Name in the language of the solver, with its group.
-      character(*), intent(in) :: name
+      !> Name of the solver, and name of the variable in its language.
+      character(*), intent(in) :: solver, name
+      character(:), allocatable :: new_name
+
+      new_name = likely_name(variable_rules, solver, name)
+   end function likely_name_of
+
+   !> The same of a result.
+   pure function likely_result_of(solver, name) result(new_name)
+      !> Name of the solver, and name of the result in its language.
+      character(*), intent(in) :: solver, name
+      character(:), allocatable :: new_name
+
+      new_name = likely_name(result_rules, solver, name)
+   end function likely_result_of
+
+   !> What a scene calls something by the first rule that does not hide it.
+   pure function likely_name(rules, solver, name) result(new_name)
+      !> The rules.
+      character(*), intent(in) :: rules(:)
+      !> Name of the solver, and name in its language.
+      character(*), intent(in) :: solver, name
       character(:), allocatable :: new_name, from
       integer :: i
 
       new_name = name
-      do i = 1, size(variable_rules)
-         if (index(variable_rules(i), ' '//name(:scan(name//'%', '%') - 1)) == 0) cycle
-         from = get_word(variable_rules(i), 2)
-         if (index(name, from) /= 1 .or. get_word(variable_rules(i), 3) == hidden) cycle
+      do i = 1, size(rules)
+         if (index(rules(i), ' '//name(:scan(name//'%', '%') - 1)) == 0) cycle
+         from = get_word(rules(i), 2)
+         if (index(name, from) /= 1 .or. get_word(rules(i), 3) == hidden) cycle
          if (from /= name .and. from(len(from):) /= '%') cycle
-         if (.not. is_of(get_word(variable_rules(i), 1), solver)) cycle
-         new_name = get_word(variable_rules(i), 3)
+         if (.not. is_of(get_word(rules(i), 1), solver)) cycle
+         new_name = get_word(rules(i), 3)
          if (from /= name) new_name = new_name//name(len(from) + 1:)
          return
       end do
-   end function likely_name_of
+   end function likely_name
 
    !> Is a solver among those of a rule?
    pure logical function is_of(solvers, solver)

@@ -168,6 +168,26 @@ class Scenes(Runs):
             output, errors = process.communicate(timeout=60)
             self.assertEqual((process.returncode, output), (2, ""))
             self.assertRegex(errors, message)
+        # the old name of what would make it another scene
+        self.write(scene_of("cylinder", 5).replace("coulomb_coefficient", "coefficient"))
+        _, errors = self.run_program("check", "run.nml", status=2)
+        self.assertIn("; in a scene it is &friction coulomb_coefficient", errors)
+        # what has no meaning is not offered
+        self.write(scene_of("cylinder", 1) + "&sweep variable = 'depth', values = 1.0 /\n")
+        _, errors = self.run_program("check", "run.nml", status=2)
+        self.assertIn("allowed: radius, ", errors)
+        self.assertNotIn(" -,", errors)
+
+    def test_depths(self):
+        """z is the depth of loads on a half-plane, in names, axes and texts."""
+        self.write("&job output = 'run.h5' /\n&traction kind = 'strip', pressure = 1e6, half_width = 1e-3, distribution = 'uniform' /\n"
+                   + ELASTIC + "&output profiles = .true., x_max = 1e-3, n_x = 3, z_min = 1e-4, z_max = 1e-3, n_z = 4 /\n"
+                   "&position position_z = 1e-3 /\n")
+        self.run_program("run", "--quiet", "run.nml")
+        with h5py.File(self.folder/"run.h5") as file:
+            self.assertEqual(file["stress_zz_map"].shape, (4, 3))
+            self.assertEqual([scale.name for dimension in file["stress_zz_map"].dims for scale in dimension.values()], ["/z", "/x"])
+            self.assertIn(b"s_zz", np.bytes_(file["stress_zz"].attrs["long_name"]))
 
     def test_solver(self):
         """check says which solver answers; several may know a scene, and one of them can be asked for."""
