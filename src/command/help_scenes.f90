@@ -48,7 +48,8 @@ contains
          'e: exact (closed forms, roots, integrals), n: numerical (cells or collocation), -: nothing solves it yet.'//newline &
          //newline//describe_table()//newline &
          //'Given loads: &traction kind = ''line'', ''strip'' or ''point'' in place of &surface.'//newline//newline &
-         //'Variables'//newline//describe_groups(models)
+         //'Variables'//newline//describe_groups(models)//newline//'Results, where they have a meaning'//newline// &
+         describe_results(models)
    end function describe_scenes
 
    !> The table of surfaces.
@@ -146,6 +147,7 @@ contains
       character(:), allocatable :: name
       integer :: m, i, percent
 
+      name = ''
       do m = 1, size(models)
          do i = 1, size(models(m)%model%variables)
             row = models(m)%model%variables(i)
@@ -167,11 +169,14 @@ contains
       !> All solvers, in their own language.
       type(model_box_t), intent(in) :: models(:)
       character(:), allocatable :: text, names, name
-      integer :: m, i
+      integer :: k, m, i
 
       text = ''
       names = ''
-      do m = 1, size(models)
+      name = ''
+      ! from bodies to waves: the first solver is that of columns
+      do k = 1, size(models)
+         m = 1 + modulo(k, size(models))
          do i = 1, size(models(m)%model%results)
             associate (row => models(m)%model%results(i))
                name = likely_result_of(models(m)%model%name, row%name)
@@ -194,6 +199,7 @@ contains
       integer :: m, i, k
 
       words = ''
+      word = ''
       do m = 1, size(models)
          do i = 1, size(models(m)%model%variables)
             row = models(m)%model%variables(i)
@@ -224,6 +230,7 @@ contains
       character(:), allocatable :: names, name
       integer :: m, i
 
+      name = ''
       names = known_surfaces//' '//known_tractions//' extent layer foundation half_space '//order_of_scenes
       do m = 1, size(models)
          do i = 1, size(models(m)%model%variables)

@@ -144,6 +144,8 @@ contains
       character(:), allocatable :: group, name
       integer :: i, k, place
 
+      group = ''
+      name = ''
       scene%names = ''
       scene%surface = ''
       scene%state = ''
@@ -349,6 +351,8 @@ contains
       integer :: i, swept
 
       lines = ''
+      name = ''
+      text = ''
       swept = 0
       if (has_word('sweep range', file%groups(group)%name)) swept = swept_variable(file, group, old)
       do i = 1, size(file%assignments)

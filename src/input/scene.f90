@@ -124,6 +124,7 @@ contains
       logical :: is_known
 
       count_unknown = 0
+      name = ''
       do k = 1, count_words(scene%names)
          name = get_word(scene%names, k)
          if (has_word(words_of_scene, name)) cycle
@@ -190,6 +191,8 @@ contains
       integer :: i
 
       names = ''
+      group = ''
+      name = ''
       do i = 1, size(file%assignments)
          group = trim(file%groups(file%assignments(i)%group)%name)
          name = trim(file%assignments(i)%name)
@@ -214,6 +217,7 @@ contains
       integer :: position
 
       position = 1
+      word = ''
       do while (position <= len(text))
          call next_item(text, position, item, flaw)
          if (len(flaw) > 0 .or. item%first == 0) return
@@ -239,6 +243,7 @@ contains
       integer :: number, i, place
 
       number = 0
+      given = ''
       do i = 1, size(file%groups)
          if (file%groups(i)%name == group .and. number == 0) number = file%find_assignment(i, name)
          if (number > 0) exit
@@ -271,6 +276,8 @@ contains
       logical :: is_known
 
       is_reported = .false.
+      name = ''
+      group = ''
       do n = 1, count_words(scene%names)
          name = get_word(scene%names, n)
          percent = index(name, '%')

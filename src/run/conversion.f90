@@ -8,7 +8,7 @@ module adfric_run_conversion
    private
    public :: as_it_is, doubled, by_samples_x, by_samples_y, to_reverse, to_axis, to_degrees, direction_tolerance
    public :: follows_nothing, follows_work, follows_stress
-   public :: find_what_follows, to_scene, to_solver, unit_over_area
+   public :: find_what_follows, text_over_area, to_scene, to_solver, unit_over_area
 
    !> How a value of the scene becomes that of the solver.
    integer, parameter :: as_it_is = 0, doubled = 1, by_samples_x = 2, by_samples_y = 3, to_reverse = 4, to_axis = 5, to_degrees = 6
@@ -98,5 +98,18 @@ contains
       over_area = '-'
       if (index(unit, 'N') > 0) over_area = 'Pa'
    end function unit_over_area
+
+   !> What a result is that the solver counts for a period, over the nominal area.
+   pure function text_over_area(text) result(over_area)
+      !> What the solver says.
+      character(*), intent(in) :: text
+      character(:), allocatable :: over_area
+      character(*), parameter :: of_period = ' on one period'
+      integer :: place
+
+      place = index(text, of_period)
+      over_area = text//' over nominal area'
+      if (place > 0) over_area = text(:place - 1)//' over nominal area'//text(place + len(of_period):)
+   end function text_over_area
 
 end module adfric_run_conversion

@@ -18,7 +18,8 @@ module adfric_run_converted_model
    use adfric_model_profile_receiver, only: profile_receiver_t
    use adfric_model_table, only: kind_real, result_t
    use adfric_run_conversion, only: as_it_is, by_samples_x, by_samples_y, direction_tolerance, doubled, find_what_follows, &
-      follows_nothing, follows_stress, follows_work, to_axis, to_degrees, to_reverse, to_scene, to_solver, unit_over_area
+      follows_nothing, follows_stress, follows_work, to_axis, to_degrees, to_reverse, to_scene, to_solver, text_over_area, &
+      unit_over_area
    use adfric_run_wrapped_model, only: wrapped_model_t
    implicit none (type, external)
    private
@@ -151,7 +152,9 @@ contains
       self%is_over_area = surface == 'wave_product' .or. surface == 'heights'
       do j = 1, size(self%results)
          self%is_of_period(j) = has_word(of_period, self%results(j)%solver_name)
-         if (self%is_of_period(j)) self%results(j)%unit = unit_over_area(self%results(j)%unit)
+         if (.not. self%is_of_period(j)) cycle
+         self%results(j)%unit = unit_over_area(self%results(j)%unit)
+         self%results(j)%long_name = text_over_area(self%results(j)%long_name)
       end do
    end subroutine count_over_area
 
@@ -357,7 +360,7 @@ contains
 
       allocate (results, source=self%inner%describe_results(self%inner_values(values)))
       do j = 1, size(results)
-         if (self%is_of_period(j)) results(j)%unit = self%results(j)%unit
+         if (self%is_of_period(j)) results(j) = self%results(j)
       end do
    end function describe_results
 

@@ -317,6 +317,7 @@ contains
       character(:), allocatable :: value
       integer :: i
 
+      value = ''
       do i = 1, size(default_rules)
          if (.not. is_of(get_word(default_rules(i), 1), solver)) cycle
          if (variable%group//'%'//variable%name /= get_word(default_rules(i), 2) .or. .not. is_so(default_rules(i), facts)) cycle
@@ -448,6 +449,7 @@ contains
       character(:), allocatable :: new_name, from
       integer :: i
 
+      from = ''
       do i = 1, size(rules)
          if (index(rules(i), ' '//name(:scan(name//'%', '%') - 1)) == 0) cycle
          from = get_word(rules(i), 2)
@@ -478,8 +480,21 @@ contains
       character(*), intent(in) :: solver, name
       character(:), allocatable :: new_name
 
-      new_name = likely_name(result_rules, solver, name)
+      ! rules that need a fact are for some scenes
+      new_name = likely_name(pack(result_rules, .not. needs_fact(result_rules)), solver, name)
    end function likely_result_of
+
+   !> Does a rule need a fact to be there?
+   elemental logical function needs_fact(rule)
+      !> The rule.
+      character(*), intent(in) :: rule
+      integer :: k
+
+      needs_fact = .false.
+      do k = 4, count_words(rule)
+         needs_fact = needs_fact .or. index(get_word(rule, k), '!') /= 1
+      end do
+   end function needs_fact
 
    !> What a scene calls something by the first rule that does not hide it.
    pure function likely_name(rules, solver, name) result(new_name)
@@ -491,6 +506,7 @@ contains
       integer :: i
 
       new_name = name
+      from = ''
       do i = 1, size(rules)
          if (index(rules(i), ' '//name(:scan(name//'%', '%') - 1)) == 0) cycle
          from = get_word(rules(i), 2)
