@@ -184,8 +184,11 @@ contains
          !> Number of samples.
          integer, intent(in) :: n
 
-         length_of = spacing*n
-         if (is_set(values(place))) length_of = values(place)
+         if (is_set(values(place))) then
+            length_of = values(place)
+         else
+            length_of = spacing*n
+         end if
       end function length_of
 
    end function nominal_size
