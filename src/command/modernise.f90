@@ -40,9 +40,27 @@ contains
       if (problems%count() > 0) then
          call outcome%fail_with_problems(problems, command%subject)
       else
-         call outcome%say(text)
+         call outcome%say(without_returns(text))
       end if
    end subroutine modernise_input
+
+   !> A text with line ends of one letter, and blanks for tabs.
+   pure function without_returns(text) result(plain)
+      !> The text.
+      character(*), intent(in) :: text
+      character(:), allocatable :: plain
+      integer :: i, n
+
+      plain = text
+      n = 0
+      do i = 1, len(text)
+         if (text(i:i) == achar(13)) cycle
+         n = n + 1
+         plain(n:n) = text(i:i)
+         if (text(i:i) == achar(9)) plain(n:n) = ' '
+      end do
+      plain = plain(:n)
+   end function without_returns
 
    !> Number of samples of the heights along x and y; 0 where the input has none, or their file is not there.
    function counts_of_heights(command) result(counts)

@@ -80,7 +80,7 @@ contains
             if (.not. has_word(groups, file%groups(assignment%group)%name)) cycle
             if (file%find_assignment(assignment%group, trim(assignment%name)) /= i) cycle
             if (file%groups(assignment%group)%name == 'output' .and. has_word(output_names, assignment%name)) cycle
-            if (file%groups(assignment%group)%name == 'job' .and. has_word(job_names, assignment%name)) cycle
+            if (file%groups(assignment%group)%name == 'job' .and. has_word(job_names//' solver', assignment%name)) cycle
             if (is_read(model, trim(file%groups(assignment%group)%name), trim(assignment%name))) cycle
             call read_assignment(file, i, model, input, problems)
          end associate

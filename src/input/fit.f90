@@ -26,6 +26,8 @@ module adfric_input_fit
    use adfric_input_vocabulary, only: full_name, output_names
    use adfric_model_model, only: model_t
    use adfric_model_table, only: result_t, variable_t
+   use adfric_run_conversion, only: follows_nothing
+   use adfric_run_converted_model, only: converted_model_t
    use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: axis_t, new_axis
    use adfric_system_checksum, only: checksum_t
@@ -52,6 +54,20 @@ contains
          file%find_group('event') > 0
    end function has_fit_groups
 
+   !> The fits of a sphere know its work of adhesion, and do not take it from stress and range.
+   subroutine refuse_missing_work(model, problems)
+      !> The model.
+      class(model_t), intent(in) :: model
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      select type (model)
+      class is (converted_model_t)
+         if (model%name == 'sphere' .and. model%follows /= follows_nothing) call problems%add('adhesion', 'work_of_adhesion', &
+            'is missing [J/m^2]; a fit takes it with adhesion_stress or with adhesion_range, not these two')
+      end select
+   end subroutine refuse_missing_work
+
    !> Read the case, the data and what is free; the model of the run becomes the stack of curves.
    subroutine read_fit(file, run, details, problems)
       !> The input, cut into groups and assignments by `read_job`.
@@ -71,6 +87,7 @@ contains
       allocate (rows, source=get_fit_rows())
       call read_groups(file, run%model, input, problems, 'job '//fit_groups)
       call refuse_output(file, problems)
+      call refuse_missing_work(run%model, problems)
       call need_group(file, 'data', problems)
       call need_group(file, 'free', problems)
       call read_data_groups(file, rows, run%model, input, details%groups, problems)

@@ -60,6 +60,7 @@ contains
       call find_solver(scene, '', chosen)
       call count_samples(counts, file, new, problems)
       call check_ordinates(file, old, new, problems)
+      call check_rest(file, old, new, problems)
       is_used = .false.
       if (size(is_used) > 0) is_used(1) = .true.
 
@@ -106,6 +107,99 @@ contains
       if (file%find_assignment(group, 'spacing') > 0) call file%report_variable(problems, group, 'spacing', &
          'is a length of all samples in a scene, and their number is not known; put the file of the heights in its place')
    end subroutine count_samples
+
+   !> What cannot be written as a scene is said: variables without a place in it, columns of tables by the names of the model, and
+   !> numbers of converted variables but for those of sweeps.
+   subroutine check_rest(file, old, new, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The model in its own language, and in that of scenes.
+      class(model_t), intent(in) :: old, new
+      !> Receives what is wrong; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: group, name, words
+      integer :: i, place
+
+      group = ''
+      name = ''
+      words = ''
+      do i = 1, size(file%assignments)
+         group = trim(file%groups(file%assignments(i)%group)%name)
+         name = trim(file%assignments(i)%name)
+         place = old%index_of(group, name)
+         if (place > 0) then
+            if (new%variables(place)%is_hidden .and. .not. (has_no_adhesion(file, old) .and. is_of_adhesion(old, place))) &
+               call file%report_variable(problems, file%assignments(i)%group, name, &
+               'has no place in this scene, or another variable has it; write the scene by hand')
+         else if (group == 'cases' .and. name == 'variables') then
+            words = names_in_scene(strip(file%value_of(i)), old, new)
+            if (words /= strip(file%value_of(i))) call file%report_variable(problems, file%assignments(i)%group, name, &
+               'are '//words//' in a scene; rename the columns of the table first')
+         else if (has_word('uncertain free', group) .and. name == 'variable') then
+            if (is_converted(new, swept_variable(file, file%assignments(i)%group, old))) call file%report_variable(problems, &
+               file%assignments(i)%group, name, 'is counted otherwise in a scene; write this group by hand')
+         else if (has_word('sweep range', group) .and. has_word('from to values', name)) then
+            if (is_converted(new, swept_variable(file, file%assignments(i)%group, old)) .and. &
+               .not. are_numbers(strip(file%value_of(i)))) call file%report_variable(problems, file%assignments(i)%group, name, &
+               'are counted otherwise in a scene; write them as plain numbers')
+         end if
+      end do
+   end subroutine check_rest
+
+   !> Is a variable counted otherwise in a scene?
+   pure logical function is_converted(new, place)
+      !> The solver, in the language of scenes.
+      class(model_t), intent(in) :: new
+      !> Place of the variable; 0: none.
+      integer, intent(in) :: place
+
+      is_converted = .false.
+      select type (new)
+      class is (converted_model_t)
+         if (place > 0) is_converted = new%is_converted(place)
+      end select
+   end function is_converted
+
+   !> Are there numbers alone, without repeats?
+   logical function are_numbers(text)
+      !> Value of the assignment.
+      character(*), intent(in) :: text
+      character(:), allocatable :: flaw
+      real(dp) :: value
+      integer :: k
+
+      are_numbers = index(text, '*') == 0
+      do k = 1, count_items(text)
+         call convert(item_of(text, k), value, flaw)
+         are_numbers = are_numbers .and. len(flaw) == 0
+      end do
+   end function are_numbers
+
+   !> Says an input by a zero that there is no adhesion?
+   logical function has_no_adhesion(file, old)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> The model, in its own language.
+      class(model_t), intent(in) :: old
+      integer :: i, place
+
+      has_no_adhesion = .false.
+      do i = 1, size(file%assignments)
+         place = old%index_of(trim(file%groups(file%assignments(i)%group)%name), trim(file%assignments(i)%name))
+         if (place > 0) has_no_adhesion = has_no_adhesion .or. is_zero(file, i, old, place)
+      end do
+   end function has_no_adhesion
+
+   !> Is a variable one of the size of adhesion?
+   pure logical function is_of_adhesion(old, place)
+      !> The model, in its own language.
+      class(model_t), intent(in) :: old
+      !> Place of the variable.
+      integer, intent(in) :: place
+
+      is_of_adhesion = has_word('work_of_adhesion surface_energy stress range adhesion_stress adhesion_range lambda', &
+         old%variables(place)%name)
+   end function is_of_adhesion
 
    !> Data of what a scene counts over the nominal area have to be divided by it first.
    subroutine check_ordinates(file, old, new, problems)
@@ -164,6 +258,7 @@ contains
             scene%names = scene%names//' '//likely_name_of(old%name, group//'%'//name)
             if (name == 'kind') scene%surface = word_of(file%value_of(i), old%variables(place), renamed(old, place))
             if (name == 'state') scene%state = word_of(file%value_of(i), old%variables(place), old%variables(place))
+            if (name == 'theory') scene%theory = word_of(file%value_of(i), old%variables(place), renamed(old, place))
          else if (has_word(naming, name)) then
             scene%names = scene%names//' '//likely_names(file%value_of(i), old)
          end if
@@ -193,6 +288,21 @@ contains
       class(model_t), intent(in) :: old
       !> Place of the variable.
       integer, intent(in) :: place
+
+      is_nothing = is_zero(file, number, old, place)
+      if (.not. is_nothing .and. is_of_adhesion(old, place)) is_nothing = has_no_adhesion(file, old)
+   end function is_nothing
+
+   !> Is an assignment a work or a stress of adhesion of 0?
+   logical function is_zero(file, number, old, place) result(is_nothing)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the assignment.
+      integer, intent(in) :: number
+      !> The model, in its own language.
+      class(model_t), intent(in) :: old
+      !> Place of the variable.
+      integer, intent(in) :: place
       character(:), allocatable :: flaw
       real(dp) :: value
 
@@ -201,7 +311,7 @@ contains
       call convert(strip(file%value_of(number)), value, flaw)
       is_nothing = len(flaw) == 0
       if (is_nothing) is_nothing = .not. value > 0
-   end function is_nothing
+   end function is_zero
 
    !> The word of one row that stands where another row has the word of an input.
    function word_of(text, row, other) result(word)
@@ -299,6 +409,9 @@ contains
       do i = 1, size(file%assignments)
          associate (assignment => file%assignments(i))
             place = old%index_of(trim(file%groups(assignment%group)%name), trim(assignment%name))
+            if (place == 0 .and. group == 'output' .and. file%groups(assignment%group)%name == 'output') &
+               lines = lines//comments_above(file, i)//line_of(trim(assignment%name)//' = '// &
+               names_in_scene(strip(file%value_of(i)), old, new), comment_behind(file, i))
             if (place == 0) cycle
             if (new%variables(place)%group /= group .or. is_nothing(file, i, old, place)) cycle
             if (.not. is_used(assignment%group)) head = head//comments_before(file, assignment%group)
@@ -364,16 +477,49 @@ contains
             text = names_in_scene(text, old, new)
          else if (has_word(naming_results, name)) then
             text = result_in_scene(text, old, new)
+         else if (file%groups(group)%name == 'fit' .and. name == 'theories') then
+            text = theories_in_scene(text, old, new)
          else if (swept > 0 .and. has_word('from to values', name)) then
             text = numbers_in_scene(text, new, swept)
          end if
          lines = lines//comments_above(file, i)//line_of(name//' = '//text, comment_behind(file, i))
          ! data keep the names of their columns
-         if (text /= strip(file%value_of(i)) .and. file%groups(group)%name == 'data' .and. &
+         if (bare_of(text) /= bare_of(strip(file%value_of(i))) .and. file%groups(group)%name == 'data' .and. &
             file%find_assignment(group, name//'_column') == 0) &
-            lines = lines//line_of(name//'_column = '//strip(file%value_of(i)), '')
+            lines = lines//line_of(name//'_column = '''//bare_of(strip(file%value_of(i)))//'''', '')
       end do
    end function lines_of_common
+
+   !> Words of theories as a scene has them.
+   function theories_in_scene(text, old, new) result(words)
+      !> Words in quotes.
+      character(*), intent(in) :: text
+      !> The model in its own language, and in that of scenes.
+      class(model_t), intent(in) :: old, new
+      character(:), allocatable :: words
+      integer :: k, place
+
+      words = text
+      place = old%index_of('model', 'theory')
+      if (place == 0) return
+      words = ''
+      do k = 1, count_items(text)
+         if (k > 1) words = words//', '
+         words = words//''''//word_of(item_of(text, k), old%variables(place), new%variables(place))//''''
+      end do
+   end function theories_in_scene
+
+   !> A name without its quotes and its group.
+   pure function bare_of(text) result(bare)
+      !> A word in quotes.
+      character(*), intent(in) :: text
+      character(:), allocatable :: bare
+      integer :: first
+
+      first = max(index(text, '%', back=.true.), scan(text, '''"')) + 1
+      bare = text(first:)
+      if (scan(bare, '''"') > 0) bare = bare(:scan(bare, '''"') - 1)
+   end function bare_of
 
    !> Place of the variable that a group sweeps; 0 if it names none.
    integer function swept_variable(file, group, old) result(place)

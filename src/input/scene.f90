@@ -5,7 +5,7 @@ module adfric_input_scene
    use adfric, only: known_models, new_model
    use adfric_base_error, only: error_t
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: join_words, show_text
+   use adfric_base_text, only: join_words, show_text, to_lower
    use adfric_base_words, only: count_words, get_word, has_word
    use adfric_input_item, only: next_item, item_t, take_only_word
    use adfric_input_literal, only: convert
@@ -25,7 +25,7 @@ module adfric_input_scene
 
    !> Groups of a scene, and names that stand for the scene itself.
    character(*), parameter :: scene_groups = 'surface solid adhesion friction operating history traction position numerics '// &
-      'output', words_of_scene = 'surface%kind solid%extent traction%kind'
+      'output', words_of_scene = 'surface%kind solid%extent traction%kind operating%state'
    !> Variables that name other variables.
    character(*), parameter :: naming = 'variable variables with abscissa'
 
@@ -46,7 +46,10 @@ contains
          call new_model(run%model, run%model_name, error)
       else if (run%is_scene .and. .not. problems%is_enough()) then
          call new_scene_model(file, run%model, problems)
-         if (allocated(run%model)) run%model_name = run%model%name
+         if (.not. allocated(run%model)) return
+         run%model_name = run%model%name
+         if (is_reduced(file) .and. run%model%index_of('job', 'units') == 0) call problems%add('job', 'units', &
+            'reduced units are those of a paraboloid with adhesion or friction, allowed here: si')
       end if
    end subroutine make_model
 
@@ -164,6 +167,9 @@ contains
       call read_choice(file, 'solid', 'extent', known_extents, scene%extent, problems)
       scene%state = ''
       call read_choice(file, 'operating', 'state', 'static sliding', scene%state, problems)
+      scene%theory = ''
+      call read_choice(file, 'adhesion', 'theory', 'auto hertz jkr dmt maugis_dugdale', scene%theory, problems)
+      call check_cases(file, problems)
       scene%surface = ''
       if (file%find_group('traction') == 0) then
          call read_choice(file, 'surface', 'kind', known_surfaces, scene%surface, problems)
@@ -180,6 +186,24 @@ contains
       end if
       if (problems%count() > n_before) scene%surface = ''
    end subroutine read_scene
+
+   !> The columns of a table say what is solved, so that the input has to name them; and units are known or refused.
+   subroutine check_cases(file, problems)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      character(:), allocatable :: units
+      integer :: group
+
+      group = file%find_group('cases')
+      if (group > 0) then
+         if (file%find_assignment(group, 'variables') == 0) call file%report_variable(problems, group, 'variables', &
+            'not given, needed: names of the columns, which say what scene is solved')
+      end if
+      units = ''
+      call read_choice(file, 'job', 'units', 'si reduced', units, problems)
+   end subroutine check_cases
 
    !> The names that an input gives values, in groups of the scene or by a sweep.
    subroutine list_given(file, names)
@@ -198,6 +222,9 @@ contains
          name = trim(file%assignments(i)%name)
          if (has_word(scene_groups, group) .or. group == 'job' .and. name == 'units') then
             if (group == 'output' .and. name == 'derivatives') cycle
+            if (group == 'job') then
+               if (.not. is_reduced(file)) cycle
+            end if
             names = names//' '//group//'%'//name
          else if (has_word(naming, name)) then
             call add_named(file%value_of(i), names)
@@ -205,6 +232,18 @@ contains
       end do
       names = adjustl(names)
    end subroutine list_given
+
+   !> Does a scene ask for reduced units?
+   logical function is_reduced(file)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      character(:), allocatable :: word
+      type(problems_t) :: unused
+
+      word = ''
+      call read_choice(file, 'job', 'units', 'si reduced', word, unused)
+      is_reduced = word == 'reduced'
+   end function is_reduced
 
    !> Add the variables that a sweep names.
    subroutine add_named(text, names)
@@ -223,7 +262,7 @@ contains
          if (len(flaw) > 0 .or. item%first == 0) return
          call convert(text(item%first:item%last), word, flaw)
          if (len(flaw) > 0) return
-         names = names//' '//word
+         names = names//' '//to_lower(word)
       end do
    end subroutine add_named
 

@@ -67,6 +67,7 @@ module adfric_model_model
       procedure :: describe_case
       procedure :: measure
       procedure :: describe_doubts
+      procedure :: nominal_size
       procedure :: count_profiles
       procedure :: describe_profiles
       procedure :: profile_shape
@@ -372,6 +373,19 @@ contains
       associate (unused => self, unused_too => values, unused_results => results, unused_measures => measures)
       end associate
    end subroutine measure
+
+   !> Nominal size of what results are counted for, a period: its length or area [m, m^2]. Here there is none; a model of periods
+   !> overrides it.
+   pure real(dp) function nominal_size(self, values)
+      !> The model; nothing of it is read here.
+      class(model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      nominal_size = 1
+      associate (unused => self, unused_too => values)
+      end associate
+   end function nominal_size
 
    !> Number of profiles of this case: all of the table. A model whose last profiles not every case has overrides it.
    pure integer function count_profiles(self, values)

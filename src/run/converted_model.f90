@@ -5,7 +5,7 @@
 !> Places of variables and results are those of the solver, and each value is converted by itself. With
 !>
 !>     height = 2 amplitude,   spacing = length/samples,   degrees = 180 direction/pi,
-!>     stress = force/period (a wave along x, and profiles),   force/(length_x length_y) (waves and heights over x and y)
+!>     stress = force/period,   the period being an area of waves and heights over x and y (`nominal_size` of the solver)
 !>
 !> Of work, stress and range of adhesion a scene gives any two; the solver gets those that it knows: work = stress range.
 module adfric_run_converted_model
@@ -37,27 +37,21 @@ module adfric_run_converted_model
       logical, allocatable :: is_of_period(:)
       !> Samples of the heights along x and y; 1 where there are none.
       integer :: n_x = 1, n_y = 1
-      !> Spacing of the samples by the attributes of their dataset [m]; `unset` where there is none.
-      real(dp) :: dx = unset, dy = unset
-      !> Places of the sizes of a period; 0 where there are none.
-      integer :: period = 0, length_x = 0, length_y = 0
       !> What of adhesion follows from the other two, and the places of the three.
       integer :: follows = follows_nothing, work = 0, stress = 0, range = 0
-      !> Is the period one over x and y?
-      logical :: is_over_area = .false.
+      !> Is the surface a wave, which is the same in both directions?
+      logical :: is_wave = .false.
    contains
       procedure :: check_values
       procedure :: solve_block
       procedure :: solve_block_and_profiles
       procedure :: describe_results
       procedure :: take_dataset
-      procedure :: take_attribute
       procedure :: unit_of
       procedure :: is_converted
       procedure :: of_scene
       procedure :: inner_values
       procedure :: inner_results
-      procedure, private :: nominal_size
    end type converted_model_t
 
 contains
@@ -130,8 +124,8 @@ contains
             variable%unit = 'rad'
             variable%meaning = meaning
             variable%choices = ''
-            variable%lower = -2*pi
-            variable%upper = 2*pi
+            variable%lower = -6.5_dp
+            variable%upper = 6.5_dp
             if (is_set(variable%default)) variable%default = 0
          end associate
       end subroutine be_angle
@@ -146,10 +140,7 @@ contains
       character(*), intent(in) :: surface
       integer :: j
 
-      self%period = self%index_of('surface', 'period')
-      self%length_x = self%index_of('surface', 'length_x')
-      self%length_y = self%index_of('surface', 'length_y')
-      self%is_over_area = surface == 'wave_product' .or. surface == 'heights'
+      self%is_wave = index(surface, 'wave_') == 1
       do j = 1, size(self%results)
          self%is_of_period(j) = has_word(of_period, self%results(j)%solver_name)
          if (.not. self%is_of_period(j)) cycle
@@ -157,41 +148,6 @@ contains
          self%results(j)%long_name = text_over_area(self%results(j)%long_name)
       end do
    end subroutine count_over_area
-
-   !> Nominal size of a period: its length, or its area [m or m^2].
-   pure real(dp) function nominal_size(self, values)
-      !> The solver with the values of a scene.
-      class(converted_model_t), intent(in) :: self
-      !> Values of the scene; shape `(n_variables)`.
-      real(dp), intent(in) :: values(:)
-
-      if (is_set(values(self%period))) then
-         nominal_size = values(self%period)
-         if (self%is_over_area) nominal_size = nominal_size**2
-         return
-      end if
-      nominal_size = length_of(self%length_x, self%dx, self%n_x)
-      if (self%is_over_area) nominal_size = nominal_size*length_of(self%length_y, self%dy, self%n_y)
-
-   contains
-
-      !> Length of the heights along an axis.
-      pure real(dp) function length_of(place, spacing, n)
-         !> Place of the variable that gives it.
-         integer, intent(in) :: place
-         !> Spacing by the attribute of the dataset [m].
-         real(dp), intent(in) :: spacing
-         !> Number of samples.
-         integer, intent(in) :: n
-
-         if (is_set(values(place))) then
-            length_of = values(place)
-         else
-            length_of = spacing*n
-         end if
-      end function length_of
-
-   end function nominal_size
 
    !> See `wrapped_model_t`.
    pure function inner_values(self, values) result(converted)
@@ -206,6 +162,8 @@ contains
          converted(i) = values(i)
          if (is_set(values(i)) .and. self%how(i) /= as_it_is) converted(i) = to_solver(self%how(i), values(i), [self%n_x, self%n_y])
       end do
+      ! a wave is the same in both directions
+      if (self%is_wave) where (self%how == to_reverse) converted = unset
       select case (self%follows)
       case (follows_work)
          converted(self%work) = values(self%stress)*values(self%range)
@@ -257,6 +215,9 @@ contains
          if (is_swept(i)) call problems%add(self%variables(i)%group, self%variables(i)%name, &
             'is swept; a run has one direction')
          if (.not. is_set(values(i))) cycle
+         if (self%how(i) == to_reverse .and. modulo(nint(values(i)/pi), 2) == 1 .and. self%wants_profiles(values) &
+            .and. .not. self%is_wave) call problems%add(self%variables(i)%group, self%variables(i)%name, &
+            'is against the axis of the profiles; leave one of them out')
          if (abs(values(i) - step*nint(values(i)/step)) > direction_tolerance) call problems%add(self%variables(i)%group, &
             self%variables(i)%name, 'is no multiple of '//trim(merge('pi  ', 'pi/2', self%how(i) == to_reverse)))
       end do
@@ -308,7 +269,7 @@ contains
 
       if (.not. any(self%is_of_period)) return
       do i = 1, size(values, 2)
-         where (self%is_of_period) results(:, i) = results(:, i)/self%nominal_size(values(:, i))
+         where (self%is_of_period) results(:, i) = results(:, i)/self%inner%nominal_size(self%inner_values(values(:, i)))
       end do
    end subroutine divide_results
 
@@ -348,7 +309,7 @@ contains
 
       inner = results(:size(inner))
       if (any(self%is_of_period)) then
-         where (self%is_of_period) inner = inner*self%nominal_size(values)
+         where (self%is_of_period) inner = inner*self%inner%nominal_size(self%inner_values(values))
       end if
    end function inner_results
 
@@ -385,24 +346,6 @@ contains
       call self%inner%take_dataset(place, values, problems)
       self%largest_block = self%inner%largest_block
    end subroutine take_dataset
-
-   !> See `model_t`.
-   subroutine take_attribute(self, place, name, value, problems)
-      !> The model.
-      class(converted_model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
-      !> Name of the attribute.
-      character(*), intent(in) :: name
-      !> The number.
-      real(dp), intent(in) :: value
-      !> Receives what is wrong with the input; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-
-      if (name == 'dx') self%dx = value
-      if (name == 'dy') self%dy = value
-      call self%inner%take_attribute(place, name, value, problems)
-   end subroutine take_attribute
 
    !> See `model_t`.
    function unit_of(self, values, place) result(unit)

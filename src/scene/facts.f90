@@ -15,8 +15,8 @@ module adfric_scene_facts
       character(:), allocatable :: surface
       !> Word of `&solid extent`.
       character(:), allocatable :: extent
-      !> Word of `&operating state`; empty if there is none.
-      character(:), allocatable :: state
+      !> Words of `&operating state` and of `&adhesion theory`; empty if there is none.
+      character(:), allocatable :: state, theory
       !> One of: `half_space`, `relaxing`, `layer`, `foundation`.
       character(:), allocatable :: solid
       !> One of: `none`, `adhesion`, `shear`, `coulomb`, `adhesion+shear`, `adhesion+coulomb`.
@@ -36,7 +36,7 @@ module adfric_scene_facts
       & 'work_given adhesion%work_of_adhesion', &
       & 'stress_given adhesion%adhesion_stress', &
       & 'range_given adhesion%adhesion_range', &
-      & 'range adhesion%adhesion_stress adhesion%adhesion_range adhesion%lambda adhesion%theory job%units', &
+      & 'range adhesion%adhesion_stress adhesion%adhesion_range adhesion%lambda job%units', &
       & 'shear friction%shear_strength friction%law', &
       & 'coulomb friction%coulomb_coefficient', &
       & 'tangential operating%tangential_force operating%tangential_displacement operating%tangential_stress '// &
@@ -45,6 +45,7 @@ module adfric_scene_facts
       & 'relaxes solid%modulus solid%moduli solid%young_moduli solid%relaxation_times solid%relaxation_time solid%master_curve', &
       & 'young solid%young_modulus solid%young_moduli', &
       & 'events output%events', &
+      & 'driven operating%base_displacement friction%law', &
       & 'pull_off output%pull_off', &
       & 'interaction friction%interaction', &
       & 'spring operating%lateral_stiffness', &
@@ -69,6 +70,9 @@ contains
             exit
          end do
       end do
+      if (allocated(self%theory)) then
+         if (len(self%theory) > 0 .and. self%theory /= 'auto') self%facts = self%facts//' range'
+      end if
       ! a master curve with a Poisson's ratio is one of Young's modulus
       if (is_named(self%names, 'solid%master_curve') .and. is_named(self%names, 'solid%poisson_ratio')) &
          self%facts = self%facts//' young'

@@ -69,6 +69,7 @@ module adfric_scene_names
       & 'sphere sphere%lambda adhesion%lambda', &
       & 'sphere sphere% solid%', &
       & 'sphere numerics%relative_tolerance adhesion%theory_tolerance', &
+      & 'sphere output%events - !shear', &
       & '* model%theory adhesion%theory', &
       & '* friction%coefficient friction%coulomb_coefficient', &
       & '* contact% surface%', &
@@ -117,6 +118,9 @@ module adfric_scene_names
       & 'surface_sliding penetration approach layer', &
       & 'surface_sliding lateral_stress lateral_friction_stress', &
       & 'surface_sliding full_contact_friction full_contact_friction_stress', &
+      & 'indenter slip - coulomb', &
+      & 'indenter largest_slip - coulomb', &
+      & 'indenter stick_radius - coulomb', &
       & round//' slip - slides', &
       & round//' slip - !tangential', &
       & round//' slip edge_slip', &
@@ -156,7 +160,7 @@ module adfric_scene_names
       & 'sphere friction_force tangential_force', &
       & 'indenter friction_force friction_force slides', &
       & 'indenter friction_force -', &
-      & 'indenter tangential_force - !tangential', &
+      & 'indenter tangential_force - !driven', &
       & round//' sliding_force - slides', &
       & round//' sliding_force - !lateral', &
       & round//' sliding_force friction_force', &

@@ -23,6 +23,7 @@ module adfric_scene_solvers
       & 'paraboloid half_space adhesion press sphere exact', &
       & 'paraboloid half_space shear,adhesion+shear press,slide,tangential sphere exact', &
       & round//' half_space none,adhesion press indenter exact', &
+      & 'paraboloid half_space none press sphere exact', &
       & round//' half_space shear,adhesion+shear press,slide,tangential indenter exact', &
       & round//' half_space coulomb press,tangential indenter exact', &
       & round//' half_space coulomb path indenter_history exact', &

@@ -14,7 +14,7 @@ module adfric_wavy_marched_case
    use adfric_shape_height_line, only: cubic_pieces, linear_pieces
    use adfric_shape_periodic_heights, only: preparation_t
    use adfric_wavy_adhesion, only: edge_continuous, edge_instantaneous
-   use adfric_wavy_case, only: kind_2d, kind_cosines, kind_map, kind_profile
+   use adfric_wavy_case, only: kind_2d, kind_3d, kind_cosines, kind_map, kind_profile
    use adfric_wavy_given_surface, only: given_surface_t
    use adfric_wavy_march_relief, only: relief_t, new_wave_relief, new_measured_relief
    use adfric_wavy_variables, only: v_activation_energy, v_blend_share, v_branch, v_detrend, v_edge, v_height, &
@@ -25,7 +25,7 @@ module adfric_wavy_marched_case
    implicit none (type, external)
    private
    public :: marched_case_t, is_marched, has_heights, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
-      & samples_of, period_of, shape_places, foundation_places
+      & size_of_period, samples_of, period_of, shape_places, foundation_places
 
    !> Place of the word in the choice of the interpolation.
    integer, parameter :: choice_linear = 1
@@ -202,6 +202,23 @@ contains
          call new_prony(prony, relaxed, given%young_moduli*per_modulus, given%relaxation_times)
       end if
    end subroutine get_spectrum
+
+   !> Length of a period, of waves and heights over x and y its area [m, m^2]. Heights that are blended are shorter than their samples,
+   !> mirrored ones twice as long.
+   pure real(dp) function size_of_period(values, given) result(size_of)
+      !> Values of all variables in SI units; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Lists and datasets of the input.
+      type(given_surface_t), intent(in) :: given
+
+      if (is_set(values(v_period))) then
+         size_of = values(v_period)
+         if (nint(values(v_kind)) == kind_3d) size_of = size_of**2
+      else
+         size_of = period_of(values, given)
+         if (nint(values(v_kind)) == kind_map) size_of = size_of*strip_spacing_of(values, given)*size(given%heights, 2)
+      end if
+   end function size_of_period
 
    !> The point that the values describe; they have been checked.
    pure subroutine resolve_marched(values, given, relief, prony, self)

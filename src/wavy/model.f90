@@ -12,7 +12,7 @@ module adfric_wavy_model
    use adfric_wavy_case, only: wavy_case_t, resolve_case, kind_3d, kind_map
    use adfric_wavy_check, only: check_wavy_values
    use adfric_wavy_given_surface, only: given_surface_t, take_given
-   use adfric_wavy_marched_case, only: has_heights, is_marched
+   use adfric_wavy_marched_case, only: has_heights, is_marched, size_of_period
    use adfric_wavy_marched_check, only: check_marched_values
    use adfric_wavy_marched_description, only: describe_marched, doubt_marched, derive_marched
    use adfric_wavy_marched_points, only: solve_marched_block, solve_marched_profiles, row_places, column_places
@@ -52,6 +52,7 @@ module adfric_wavy_model
       procedure :: describe_doubts
       procedure :: measure
       procedure :: unit_of
+      procedure :: nominal_size
    end type wavy_model_t
 
 contains
@@ -117,6 +118,16 @@ contains
       unit = self%variables(place)%unit
       if (place == v_load) unit = trim(merge('N  ', 'N/m', has_width(values)))
    end function unit_of
+
+   !> See `model_t`.
+   pure real(dp) function nominal_size(self, values)
+      !> The model, with its heights.
+      class(wavy_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      nominal_size = size_of_period(values, self%given)
+   end function nominal_size
 
    !> Has the surface a width of its own, so that forces are not per width?
    pure logical function has_width(values)

@@ -178,6 +178,15 @@ class Scenes(Runs):
         self.assertIn("allowed: radius, ", errors)
         self.assertNotIn(" -,", errors)
 
+    def test_fit_without_work(self):
+        """A fit of a sphere asks for the work of adhesion, and does not take it from stress and range."""
+        self.write("load,friction_force\n0,1e-8\n1e-8,2e-8\n2e-8,3e-8\n3e-8,4e-8\n", "tip.csv")
+        self.write("&surface kind = 'paraboloid', radius = 140e-9 /\n&solid contact_modulus = 44e9 /\n&operating state = 'sliding' /\n"
+                   "&adhesion theory = 'maugis_dugdale', adhesion_range = 0.3e-9 /\n&free variable = 'adhesion_stress' /\n"
+                   "&free variable = 'shear_strength' /\n&data file = 'tip.csv', abscissa = 'load', ordinate = 'friction_force' /\n")
+        _, errors = self.run_program("fit", "run.nml", status=2)
+        self.assertIn("&adhesion work_of_adhesion: is missing [J/m^2]; a fit takes it with", errors)
+
     def test_depths(self):
         """z is the depth of loads on a half-plane, in names, axes and texts."""
         self.write("&job output = 'run.h5' /\n&traction kind = 'strip', pressure = 1e6, half_width = 1e-3, distribution = 'uniform' /\n"
@@ -219,6 +228,79 @@ class Scenes(Runs):
         results, solver = results_of(self.folder/"run.h5")
         self.assertEqual(solver, "sphere")
         np.testing.assert_allclose(results["pull_off_load"], -1.5*np.pi*0.05*1e-3, rtol=1e-14)
+
+    def test_nominal_area(self):
+        """A mean pressure that is given is that of the results, however the ends of heights are brought together."""
+        for surface in ("profile", "heights"):
+            for ends in ("", "periodise = 'none'", "periodise = 'blend', blend_fraction = 0.2", "periodise = 'mirror'", "periodise = 'taper'"):
+                scene = scene_of(surface, 9).replace("length_x", f"{ends + ', ' if ends else ''}length_x")
+                self.write(scene)
+                self.run_program("run", "--quiet", "--force", "run.nml")
+                with h5py.File(self.folder/"run.h5") as file:
+                    np.testing.assert_allclose(file["mean_pressure"][()], 5e4, rtol=1e-12, err_msg=f"{surface}, {ends}")
+
+    def test_any_case(self):
+        """Capitals do not count, and columns of a table have to be named."""
+        names = []
+        for name in ("velocity", "Velocity", "Operating%VELOCITY"):
+            scene = scene_of("wave_1d", 7).replace(", velocity = 0.01", "") + f"&sweep variable = '{name}', values = 0.01, 0.1 /\n"
+            self.write(scene)
+            self.run_program("run", "--quiet", "--force", "run.nml")
+            names.append(results_of(self.folder/"run.h5")[0].keys())
+        self.assertIn("dissipation", names[0])
+        self.assertEqual(names[0], names[1])
+        self.assertEqual(names[0], names[2])
+        self.write("velocity\n0.01\n0.1\n", "v.csv")
+        scene = scene_of("wave_1d", 7).replace(", velocity = 0.01", "")
+        self.write(scene + "&cases file = 'v.csv' /\n")
+        _, errors = self.run_program("run", "run.nml", status=2)
+        self.assertIn("&cases variables: not given, needed", errors)
+        self.write(scene + "&cases file = 'v.csv', variables = 'velocity' /\n")
+        self.run_program("run", "--quiet", "--force", "run.nml")
+        self.assertEqual(results_of(self.folder/"run.h5")[0].keys() - names[0], {"case"})
+
+    def test_units(self):
+        """Reduced units are those of a paraboloid; SI units may be named everywhere, and make no adhesion."""
+        self.write(scene_of("paraboloid", 1).replace("&job", "&job units = 'si',"))
+        output, _ = self.run_program("check", "run.nml")
+        self.assertIn("paraboloid on an elastic half-space, pressed", output)
+        for surface, word, message in (("wave_1d", "reduced", "&job units: reduced units are those of a paraboloid"),
+                                       ("cone", "kg", "&job units: unknown word, given 'kg', allowed: 'si', 'reduced'")):
+            self.write(scene_of(surface, 1).replace("&job", f"&job units = '{word}',"))
+            process = self.start("check", "run.nml")
+            _, errors = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 2)
+            self.assertIn(message, errors)
+        self.write("&job units = 'reduced', output = 'run.h5' /\n&surface kind = 'paraboloid' /\n&adhesion lambda = 1.0 /\n&operating load = 0.0 /\n")
+        self.run_program("run", "--quiet", "--force", "run.nml")
+        self.write(scene_of("paraboloid", 1).replace("&job", "&job solver = 'sphere',"))
+        self.run_program("run", "--quiet", "--force", "run.nml")
+        self.assertEqual(results_of(self.folder/"run.h5")[1], "sphere")
+
+    def test_what_cannot_be_written_anew(self):
+        """What an input says and a scene cannot is named; nothing is dropped."""
+        wave = ("&job model = 'wavy_sliding' /\n&surface kind = 'wave_2d', period = 1e-4, {} /\n&foundation stiffness = 1e11, relaxation_time = 1e-4,"
+                " retardation_ratio = 10 /\n&operating velocity = 0.1, mean_pressure = 1e4 /\n")
+        for text, message in (
+                (wave.format("") + "&sweep variable = 'height', values = 2*2e-6, 3e-6 /\n", "&sweep[1] values: are counted otherwise"),
+                (wave.format("height = 2e-6") + "&uncertain variable = 'height', error = 1e-7 /\n", "&uncertain[1] variable: is counted otherwise"),
+                (wave.format("height = 2e-6").replace(", mean_pressure = 1e4", "") + "&cases file = 'x.csv', variables = 'penetration' /\n",
+                 "&cases variables: are 'approach' in a scene; rename the columns"),
+                ("&job model = 'sphere' /\n&sphere radius = 1e-6, young_modulus = 1e9, poisson_ratio = 0.3, work_of_adhesion = 0.1, adhesion_stress = 1e7 /\n"
+                 "&friction shear_strength = 1e6, poisson_ratio = 0.4 /\n&operating load = 0 /\n", "&friction poisson_ratio: has no place in this scene")):
+            self.write(text.replace(", ,", ",").replace(",  /", " /"))
+            _, errors = self.run_program("modernise", "run.nml", status=2)
+            self.assertIn(message, errors)
+        self.write(wave.format("height = 2e-6") + "&output derivatives = 'height', 'velocity' /\r\n")
+        scene, _ = self.run_program("modernise", "run.nml")
+        self.assertIn("derivatives = 'amplitude', 'velocity'\n", scene)
+        self.assertNotIn("\r", scene)
+        self.write("&job model = 'sphere' /\n&sphere radius = 1e-6, contact_modulus = 1e9, work_of_adhesion = 0.0, adhesion_stress = 1e7 /\n&operating load = 1e-6 /\n")
+        scene, _ = self.run_program("modernise", "run.nml")
+        self.assertNotIn("&adhesion", scene)
+        self.write(scene.replace("&job", "&job output = 'run.h5'"), "new.nml")
+        self.run_program("run", "--quiet", "--force", "new.nml")
+        self.assertEqual(results_of(self.folder/"run.h5")[1], "sphere")
 
     def test_adhesion(self):
         """Of work, stress and range any two say the same, for every kind of solver; one of them may be swept."""
