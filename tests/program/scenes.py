@@ -17,6 +17,8 @@ from runs import Runs, main  # noqa: E402
 SOURCE = Path(os.environ["ADFRIC_SOURCE"])
 INPUTS = SOURCE/"inputs"
 NAMES = SOURCE/"tests/reference/scene_names.csv"
+# one of so many alike cases is tried where checks make programs slow to begin
+EVERY = round(1/float(os.environ.get("ADFRIC_RANDOM_CASES", "1")))
 # Sizes of each surface; the lists of round kinds are those of one body each.
 SURFACES = {
     "sphere": "radius = 1e-3", "paraboloid": "radius = 1e-3", "cone": "slope = 0.1", "power": "exponent = 4.0, power_coefficient = 1e6",
@@ -82,7 +84,7 @@ class Scenes(Runs):
         """What the table promises is solved, and what it does not is refused with the group that stands in the way."""
         cells = self.table()
         self.assertGreater(sum(letter == "e" for _, _, letter in cells), 80)
-        for surface, column, letter in cells:
+        for surface, column, letter in cells[::EVERY]:
             with self.subTest(surface=surface, column=column):
                 self.write(scene_of(surface, column))
                 if letter == "-":
@@ -111,13 +113,13 @@ class Scenes(Runs):
             if row["kind"] == "result":
                 new_names.setdefault((row["model"], row["old_name"]), []).append(row["new_name"])
         n_compared = 0
-        for path in sorted(INPUTS.glob("*.nml")):
+        for path in sorted(INPUTS.glob("*.nml"))[::EVERY]:
             text = short(path.read_text())
             if re.search(r"'[\w/]+\.h5:", text) or "&data" in text or "&refine" in text or "&uncertain" in text or "model =" not in text:
                 continue
             with self.subTest(path.name):
                 n_compared += self.compare(text, new_names)
-        self.assertGreater(n_compared, 600)
+        self.assertGreater(n_compared, 600//(2*EVERY - 1))
 
     def compare(self, text, new_names):
         """Number of results that an input and its scene have in common, all with the same bits or over the nominal area."""
