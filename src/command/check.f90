@@ -138,7 +138,7 @@ contains
       do g = 1, count_words(groups)
          of_group = ''
          do i = 1, size(run%model%variables)
-            if (run%model%variables(i)%group /= get_word(groups, g) .or. run%model%variables(i)%is_hidden) cycle
+            if (run%model%variables(i)%group /= get_word(groups, g)) cycle
             if (run%plan%is_swept(i) .or. .not. is_set(run%plan%base(i))) cycle
             of_group = of_group//describe_value(run, i)
          end do
@@ -147,22 +147,22 @@ contains
    end function describe_values
 
    !> A variable that has one value.
-   function describe_value(run, place) result(line)
+   function describe_value(run, at) result(line)
       !> The run that the input describes.
       type(run_input_t), intent(in) :: run
-      !> Place of the variable in the table of the model.
-      integer, intent(in) :: place
+      !> Index of the variable in the table of the model.
+      integer, intent(in) :: at
       character(:), allocatable :: line
 
-      associate (variable => run%model%variables(place))
+      associate (variable => run%model%variables(at))
          line = pad('  '//variable%name, name_width)
          if (variable%kind == kind_dataset) then
-            line = line//run%datasets(place)%describe()
+            line = line//run%datasets(at)%describe()
          else
-            line = line//show_input_value(variable, run%plan%base(place))
+            line = line//show_input_value(variable, run%plan%base(at))
          end if
-         line = line//show_unit(run%model%unit_of(run%plan%base, place))
-         if (.not. run%is_given(place)) line = line//' (default)'
+         line = line//show_unit(run%model%unit_of(run%plan%base, at))
+         if (.not. run%is_given(at)) line = line//' (default)'
          line = line//newline
       end associate
    end function describe_value

@@ -7,7 +7,7 @@ module adfric_command_help_scenes
    use adfric_model_table, only: variable_t
    use adfric_model_vocabulary, only: order_of_scenes
    use adfric_scene_names, only: likely_name_of, likely_result_of, meaning_of, rename_words
-   use adfric_scene_solvers, only: accuracy_of_scene, known_surfaces, known_tractions, word_length
+   use adfric_scene_solvers, only: accuracy_of_scene, known_extents, known_surfaces, known_tractions, word_length
    implicit none (type, external)
    private
    public :: describe_scenes, list_scene_names
@@ -109,7 +109,7 @@ contains
          names = ''
          if (group == 'surface') text = text//words_line('kind', known_surfaces)
          if (group == 'traction') text = text//words_line('kind', known_tractions)
-         if (group == 'solid') text = text//words_line('extent', 'half_space layer foundation')
+         if (group == 'solid') text = text//words_line('extent', known_extents)
          if (has_word('surface traction', group)) names = 'kind'
          call add_group(models, group, names, text)
       end do
@@ -155,8 +155,11 @@ contains
             percent = index(name, '%')
             if (name(:percent - 1) /= group .or. has_word(names, name(percent + 1:))) cycle
             names = names//' '//name(percent + 1:)
-            if (name == 'operating%direction') row%choices = ''
-            if (name == 'operating%direction') row%unit = 'rad'
+            ! an angle in scenes, whatever it is for the solver
+            if (name == 'operating%direction') then
+               row%choices = ''
+               row%unit = 'rad'
+            end if
             text = text//pad('  '//name(percent + 1:)//unit_of(row), name_width)//meaning_of(name, row%meaning)// &
                newline
             if (len(row%choices) > 0) text = text//words_line('', words_of_all(models, name))
@@ -231,7 +234,7 @@ contains
       integer :: m, i
 
       name = ''
-      names = known_surfaces//' '//known_tractions//' extent layer foundation half_space '//order_of_scenes
+      names = known_surfaces//' '//known_tractions//' extent '//known_extents//' '//order_of_scenes
       do m = 1, size(models)
          do i = 1, size(models(m)%model%variables)
             associate (row => models(m)%model%variables(i))

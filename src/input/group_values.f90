@@ -74,7 +74,7 @@ contains
    end subroutine take_count
 
    !> One of several words.
-   subroutine take_choice(file, group, name, choices, word, problems)
+   subroutine take_choice(file, group, name, choices, word, problems, what)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the group in the file, from 1.
@@ -87,15 +87,19 @@ contains
       character(:), allocatable, intent(inout) :: word
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: quoted, given, flaw
+      !> What a word is called in a message; not present: choice.
+      character(*), intent(in), optional :: what
+      character(:), allocatable :: quoted, given, flaw, called
       integer :: number, place
 
       number = file%find_assignment(group, name)
       if (number == 0) return
       given = ''
+      called = 'choice'
+      if (present(what)) called = what
       call take_only_word(file%value_of(number), quoted, flaw, place)
       if (len(flaw) == 0) call convert(quoted, given, flaw)
-      if (len(flaw) == 0 .and. .not. has_word(choices, given)) flaw = 'unknown choice, given '''//show_text(given)//''''
+      if (len(flaw) == 0 .and. .not. has_word(choices, given)) flaw = 'unknown '//called//', given '''//show_text(given)//''''
       if (len(flaw) == 0) word = given
       if (len(flaw) > 0) call file%report_variable(problems, group, name, &
          flaw//', allowed: '''//join_words(choices, ''', ''')//''''//did_you_mean(given, choices), place)

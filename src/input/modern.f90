@@ -5,16 +5,17 @@ module adfric_input_modern
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_base_text, only: newline, show_number, strip
+   use adfric_base_text, only: newline, strip
    use adfric_base_words, only: count_words, get_word, has_word, pad
-   use adfric_input_item, only: item_t, next_item
+   use adfric_input_comments, only: comment_behind, comments_above, comments_before
    use adfric_input_literal, only: convert
+   use adfric_input_modern_values, only: are_numbers, bare_of, count_items, is_converted, item_of, names_in_scene, &
+      numbers_in_scene, result_in_scene, theories_in_scene, value_in_scene, word_of
    use adfric_input_namelist_file, only: namelist_file_t
-   use adfric_input_scene, only: find_solver, make_solver
-   use adfric_input_variable, only: read_variable
-   use adfric_input_vocabulary, only: find_variable, full_name
+   use adfric_input_scene, only: find_solver, make_solver, naming
+   use adfric_input_vocabulary, only: find_variable
    use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_choice, variable_t
+   use adfric_model_table, only: variable_t
    use adfric_model_vocabulary, only: list_groups
    use adfric_run_converted_model, only: converted_model_t
    use adfric_scene_facts, only: find_facts, scene_t
@@ -26,8 +27,8 @@ module adfric_input_modern
    !> Solvers that have one kind of surface, and the word that a scene has for it.
    character(*), parameter :: kinds(*) = [character(30) :: 'sphere paraboloid', 'wave_1d wave_1d', 'wave_2d_elastic wave_2d', &
       & 'surface_elastic heights', 'line_load line', 'strip_load strip', 'point_load point']
-   !> Variables that name variables, and results.
-   character(*), parameter :: naming = 'variable variables with abscissa', naming_results = 'result ordinate'
+   !> Variables that name results.
+   character(*), parameter :: naming_results = 'result ordinate'
    !> Width of an assignment in front of a comment.
    integer, parameter :: assignment_width = 32
 
@@ -49,18 +50,19 @@ contains
       type(error_t), allocatable :: error
       type(scene_t) :: scene
       character(:), allocatable :: groups
-      logical :: is_used(size(file%groups))
+      logical :: is_used(size(file%groups)), is_left_out(size(file%assignments))
       integer :: g
 
       call new_model(old, name, error)
       if (allocated(error)) error stop 'modernise: a model of an input is not known'
-      call find_scene(file, old, scene)
+      call find_left_out(file, old, is_left_out)
+      call find_scene(file, old, is_left_out, scene)
       call find_facts(scene)
       call make_solver(old%name, scene, new)
       call find_solver(scene, '', chosen)
       call count_samples(counts, file, new, problems)
       call check_ordinates(file, old, new, problems)
-      call check_rest(file, old, new, problems)
+      call check_rest(file, old, new, is_left_out, problems)
       is_used = .false.
       if (size(is_used) > 0) is_used(1) = .true.
 
@@ -71,12 +73,12 @@ contains
       do g = 1, size(file%groups)
          if (file%groups(g)%name == 'job') text = text//lines_of_common(file, g, old, new)
       end do
-      call write_group(file, old, new, scene, 'job', is_used, text)
+      call write_group(file, old, new, scene, is_left_out, 'job', is_used, text)
       text = text//'/'//newline
       groups = list_groups(new)
       do g = 1, count_words(groups)
          if (get_word(groups, g) == 'job') cycle
-         call write_group(file, old, new, scene, get_word(groups, g), is_used, text)
+         call write_group(file, old, new, scene, is_left_out, get_word(groups, g), is_used, text)
       end do
       do g = 1, size(file%groups)
          if (file%groups(g)%name == 'job' .or. has_word(list_groups(old), file%groups(g)%name)) cycle
@@ -105,20 +107,22 @@ contains
       group = file%find_group('surface')
       if (counts(1) > 0 .or. group == 0) return
       if (file%find_assignment(group, 'spacing') > 0) call file%report_variable(problems, group, 'spacing', &
-         'is a length of all samples in a scene, and their number is not known; put the file of the heights in its place')
+         'is a length of all samples in a scene, and their number is not known; put the file of the heights in its at')
    end subroutine count_samples
 
-   !> What cannot be written as a scene is said: variables without a place in it, columns of tables by the names of the model, and
+   !> What cannot be written as a scene is said: variables that it does not have, columns of tables by the names of the model, and
    !> numbers of converted variables but for those of sweeps.
-   subroutine check_rest(file, old, new, problems)
+   subroutine check_rest(file, old, new, is_left_out, problems)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The model in its own language, and in that of scenes.
       class(model_t), intent(in) :: old, new
+      !> Is the assignment left out? Shape `(n_assignments)`.
+      logical, intent(in) :: is_left_out(:)
       !> Receives what is wrong; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(:), allocatable :: group, name, words
-      integer :: i, place
+      integer :: i, at
 
       group = ''
       name = ''
@@ -126,9 +130,9 @@ contains
       do i = 1, size(file%assignments)
          group = trim(file%groups(file%assignments(i)%group)%name)
          name = trim(file%assignments(i)%name)
-         place = old%index_of(group, name)
-         if (place > 0) then
-            if (new%variables(place)%is_hidden .and. .not. (has_no_adhesion(file, old) .and. is_of_adhesion(old, place))) &
+         at = index_of_assigned(file, i, old)
+         if (at > 0) then
+            if (new%variables(at)%is_hidden .and. .not. is_left_out(i)) &
                call file%report_variable(problems, file%assignments(i)%group, name, &
                'has no place in this scene, or another variable has it; write the scene by hand')
          else if (group == 'cases' .and. name == 'variables') then
@@ -145,61 +149,6 @@ contains
          end if
       end do
    end subroutine check_rest
-
-   !> Is a variable counted otherwise in a scene?
-   pure logical function is_converted(new, place)
-      !> The solver, in the language of scenes.
-      class(model_t), intent(in) :: new
-      !> Place of the variable; 0: none.
-      integer, intent(in) :: place
-
-      is_converted = .false.
-      select type (new)
-      class is (converted_model_t)
-         if (place > 0) is_converted = new%is_converted(place)
-      end select
-   end function is_converted
-
-   !> Are there numbers alone, without repeats?
-   logical function are_numbers(text)
-      !> Value of the assignment.
-      character(*), intent(in) :: text
-      character(:), allocatable :: flaw
-      real(dp) :: value
-      integer :: k
-
-      are_numbers = index(text, '*') == 0
-      do k = 1, count_items(text)
-         call convert(item_of(text, k), value, flaw)
-         are_numbers = are_numbers .and. len(flaw) == 0
-      end do
-   end function are_numbers
-
-   !> Says an input by a zero that there is no adhesion?
-   logical function has_no_adhesion(file, old)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> The model, in its own language.
-      class(model_t), intent(in) :: old
-      integer :: i, place
-
-      has_no_adhesion = .false.
-      do i = 1, size(file%assignments)
-         place = old%index_of(trim(file%groups(file%assignments(i)%group)%name), trim(file%assignments(i)%name))
-         if (place > 0) has_no_adhesion = has_no_adhesion .or. is_zero(file, i, old, place)
-      end do
-   end function has_no_adhesion
-
-   !> Is a variable one of the size of adhesion?
-   pure logical function is_of_adhesion(old, place)
-      !> The model, in its own language.
-      class(model_t), intent(in) :: old
-      !> Place of the variable.
-      integer, intent(in) :: place
-
-      is_of_adhesion = has_word('work_of_adhesion surface_energy stress range adhesion_stress adhesion_range lambda', &
-         old%variables(place)%name)
-   end function is_of_adhesion
 
    !> Data of what a scene counts over the nominal area have to be divided by it first.
    subroutine check_ordinates(file, old, new, problems)
@@ -228,15 +177,17 @@ contains
    end subroutine check_ordinates
 
    !> Names and words of the scene that an input describes.
-   subroutine find_scene(file, old, scene)
+   subroutine find_scene(file, old, is_left_out, scene)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The model, in its own language.
       class(model_t), intent(in) :: old
+      !> Is the assignment left out? Shape `(n_assignments)`.
+      logical, intent(in) :: is_left_out(:)
       !> Receives the scene.
       type(scene_t), intent(out) :: scene
       character(:), allocatable :: group, name
-      integer :: i, k, place
+      integer :: i, k, at
 
       group = ''
       name = ''
@@ -252,13 +203,13 @@ contains
       do i = 1, size(file%assignments)
          group = trim(file%groups(file%assignments(i)%group)%name)
          name = trim(file%assignments(i)%name)
-         place = old%index_of(group, name)
-         if (place > 0) then
-            if (is_nothing(file, i, old, place)) cycle
+         at = index_of_assigned(file, i, old)
+         if (at > 0) then
+            if (is_left_out(i)) cycle
             scene%names = scene%names//' '//likely_name_of(old%name, group//'%'//name)
-            if (name == 'kind') scene%surface = word_of(file%value_of(i), old%variables(place), renamed(old, place))
-            if (name == 'state') scene%state = word_of(file%value_of(i), old%variables(place), old%variables(place))
-            if (name == 'theory') scene%theory = word_of(file%value_of(i), old%variables(place), renamed(old, place))
+            if (name == 'kind') scene%surface = word_of(file%value_of(i), old%variables(at), renamed(old, at))
+            if (name == 'state') scene%state = word_of(file%value_of(i), old%variables(at), old%variables(at))
+            if (name == 'theory') scene%theory = word_of(file%value_of(i), old%variables(at), renamed(old, at))
          else if (has_word(naming, name)) then
             scene%names = scene%names//' '//likely_names(file%value_of(i), old)
          end if
@@ -267,70 +218,55 @@ contains
    end subroutine find_scene
 
    !> A row with the words that scenes have for its choices.
-   function renamed(old, place) result(row)
+   function renamed(old, at) result(row)
       !> The model, in its own language.
       class(model_t), intent(in) :: old
-      !> Place of the variable.
-      integer, intent(in) :: place
+      !> Index of the variable.
+      integer, intent(in) :: at
       type(variable_t) :: row
 
-      row = old%variables(place)
+      row = old%variables(at)
       call rename_words(old%name, '', row)
    end function renamed
 
-   !> Is an assignment one of adhesion that is none? A scene without adhesion has no such group.
-   logical function is_nothing(file, number, old, place)
+   !> A work or a stress of adhesion of 0 says that there is none. A scene says so by leaving out all of its size.
+   subroutine find_left_out(file, old, is_left_out)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
-      integer, intent(in) :: number
       !> The model, in its own language.
       class(model_t), intent(in) :: old
-      !> Place of the variable.
-      integer, intent(in) :: place
-
-      is_nothing = is_zero(file, number, old, place)
-      if (.not. is_nothing .and. is_of_adhesion(old, place)) is_nothing = has_no_adhesion(file, old)
-   end function is_nothing
-
-   !> Is an assignment a work or a stress of adhesion of 0?
-   logical function is_zero(file, number, old, place) result(is_nothing)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
-      integer, intent(in) :: number
-      !> The model, in its own language.
-      class(model_t), intent(in) :: old
-      !> Place of the variable.
-      integer, intent(in) :: place
+      !> Receives whether the assignment is left out; shape `(n_assignments)`.
+      logical, intent(out) :: is_left_out(:)
+      character(*), parameter :: that_may_be_0 = 'work_of_adhesion surface_energy stress', &
+         sizes = that_may_be_0//' range adhesion_stress adhesion_range lambda'
       character(:), allocatable :: flaw
       real(dp) :: value
+      logical :: is_zero
+      integer :: i
 
-      is_nothing = has_word('work_of_adhesion surface_energy stress', old%variables(place)%name)
-      if (.not. is_nothing) return
-      call convert(strip(file%value_of(number)), value, flaw)
-      is_nothing = len(flaw) == 0
-      if (is_nothing) is_nothing = .not. value > 0
-   end function is_zero
-
-   !> The word of one row that stands where another row has the word of an input.
-   function word_of(text, row, other) result(word)
-      !> Value of the assignment: a word in quotes.
-      character(*), intent(in) :: text
-      !> The row that has the word.
-      type(variable_t), intent(in) :: row
-      !> The row whose word is wanted.
-      type(variable_t), intent(in) :: other
-      character(:), allocatable :: word, given, flaw
-      integer :: k
-
-      word = ''
-      call convert(strip(text), given, flaw)
-      if (len(flaw) > 0) return
-      do k = 1, count_words(row%choices)
-         if (get_word(row%choices, k) == given .and. k <= count_words(other%choices)) word = get_word(other%choices, k)
+      is_zero = .false.
+      do i = 1, size(is_left_out)
+         is_left_out(i) = index_of_assigned(file, i, old) > 0 .and. has_word(sizes, file%assignments(i)%name)
+         if (.not. (is_left_out(i) .and. has_word(that_may_be_0, file%assignments(i)%name))) cycle
+         call convert(strip(file%value_of(i)), value, flaw)
+         if (len(flaw) == 0) is_zero = is_zero .or. .not. value > 0
       end do
-   end function word_of
+      is_left_out = is_left_out .and. is_zero
+   end subroutine find_left_out
+
+   !> Index of the variable that an assignment gives a value, in the table of the model; 0 if the model has none such.
+   pure integer function index_of_assigned(file, number, old)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the assignment.
+      integer, intent(in) :: number
+      !> The model, in its own language.
+      class(model_t), intent(in) :: old
+
+      associate (assignment => file%assignments(number))
+         index_of_assigned = old%index_of(trim(file%groups(assignment%group)%name), trim(assignment%name))
+      end associate
+   end function index_of_assigned
 
    !> The likely names of the variables that a sweep names.
    function likely_names(text, old) result(names)
@@ -339,59 +275,29 @@ contains
       !> The model, in its own language.
       class(model_t), intent(in) :: old
       character(:), allocatable :: names, word, flaw
-      integer :: k, place
+      integer :: k, at
 
       names = ''
       do k = 1, count_items(text)
          call convert(item_of(text, k), word, flaw)
          if (len(flaw) > 0) cycle
-         call find_variable(old, word, '', place, flaw)
-         if (place == 0) cycle
-         names = trim(names//' '//likely_name_of(old%name, old%variables(place)%group//'%'//old%variables(place)%name))
+         call find_variable(old, word, '', at, flaw)
+         if (at == 0) cycle
+         names = trim(names//' '//likely_name_of(old%name, old%variables(at)%group//'%'//old%variables(at)%name))
       end do
       names = adjustl(names)
    end function likely_names
 
-   !> Number of values of an assignment.
-   integer function count_items(text)
-      !> Value of the assignment.
-      character(*), intent(in) :: text
-
-      count_items = 0
-      do while (len(item_of(text, count_items + 1)) > 0)
-         count_items = count_items + 1
-      end do
-   end function count_items
-
-   !> One of the values of an assignment; empty if there are not as many.
-   function item_of(text, number) result(item_text)
-      !> Value of the assignment.
-      character(*), intent(in) :: text
-      !> Number of the value, from 1.
-      integer, intent(in) :: number
-      character(:), allocatable :: item_text, flaw
-      type(item_t) :: item
-      integer :: position, k
-
-      item_text = ''
-      position = 1
-      do k = 1, number
-         item_text = ''
-         if (position > len(text)) return
-         call next_item(text, position, item, flaw)
-         if (len(flaw) > 0 .or. item%first == 0) return
-         item_text = text(item%first:item%last)
-      end do
-   end function item_of
-
    !> Write a group of the scene, if the input has something of it.
-   subroutine write_group(file, old, new, scene, group, is_used, text)
+   subroutine write_group(file, old, new, scene, is_left_out, group, is_used, text)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> The model in its own language, and in that of scenes.
       class(model_t), intent(in) :: old, new
       !> The scene.
       type(scene_t), intent(in) :: scene
+      !> Is the assignment left out? Shape `(n_assignments)`.
+      logical, intent(in) :: is_left_out(:)
       !> Name of the group.
       character(*), intent(in) :: group
       !> Have the comments before a group of the input been written? Shape `(n_groups)`.
@@ -399,7 +305,7 @@ contains
       !> The text so far.
       character(:), allocatable, intent(inout) :: text
       character(:), allocatable :: lines, head
-      integer :: i, place
+      integer :: i, at
 
       lines = ''
       head = ''
@@ -408,16 +314,16 @@ contains
       if (group == 'solid' .and. scene%extent /= 'half_space') lines = line_of('extent = '''//scene%extent//'''', '')
       do i = 1, size(file%assignments)
          associate (assignment => file%assignments(i))
-            place = old%index_of(trim(file%groups(assignment%group)%name), trim(assignment%name))
-            if (place == 0 .and. group == 'output' .and. file%groups(assignment%group)%name == 'output') &
+            at = index_of_assigned(file, i, old)
+            if (at == 0 .and. group == 'output' .and. file%groups(assignment%group)%name == 'output') &
                lines = lines//comments_above(file, i)//line_of(trim(assignment%name)//' = '// &
                names_in_scene(strip(file%value_of(i)), old, new), comment_behind(file, i))
-            if (place == 0) cycle
-            if (new%variables(place)%group /= group .or. is_nothing(file, i, old, place)) cycle
+            if (at == 0) cycle
+            if (new%variables(at)%group /= group .or. is_left_out(i)) cycle
             if (.not. is_used(assignment%group)) head = head//comments_before(file, assignment%group)
             is_used(assignment%group) = .true.
-            lines = lines//comments_above(file, i)//line_of(new%variables(place)%name//' = '//value_in_scene(file%value_of(i), &
-               old, new, place), comment_behind(file, i))
+            lines = lines//comments_above(file, i)//line_of(new%variables(at)%name//' = '//value_in_scene(file%value_of(i), &
+               old, new, at), comment_behind(file, i))
          end associate
       end do
       if (group == 'job') then
@@ -426,31 +332,6 @@ contains
          text = text//newline//head//'&'//group//newline//lines//'/'//newline
       end if
    end subroutine write_group
-
-   !> Value of an assignment as a scene has it.
-   function value_in_scene(given, old, new, place) result(text)
-      !> Value as it stands in the input.
-      character(*), intent(in) :: given
-      !> The model in its own language, and in that of scenes.
-      class(model_t), intent(in) :: old, new
-      !> Place of the variable.
-      integer, intent(in) :: place
-      character(:), allocatable :: text, flaw
-      real(dp) :: value
-      integer :: position
-
-      text = strip(given)
-      select type (new)
-      class is (converted_model_t)
-         if (new%is_converted(place)) then
-            call read_variable(given, old%variables(place), value, flaw, position)
-            if (len(flaw) == 0) text = show_number(new%of_scene(place, value))
-            return
-         end if
-      end select
-      if (old%variables(place)%kind == kind_choice) &
-         text = ''''//word_of(given, old%variables(place), new%variables(place))//''''
-   end function value_in_scene
 
    !> The assignments of a group that all models have, with the names of the scene.
    function lines_of_common(file, group, old, new) result(lines)
@@ -490,39 +371,8 @@ contains
       end do
    end function lines_of_common
 
-   !> Words of theories as a scene has them.
-   function theories_in_scene(text, old, new) result(words)
-      !> Words in quotes.
-      character(*), intent(in) :: text
-      !> The model in its own language, and in that of scenes.
-      class(model_t), intent(in) :: old, new
-      character(:), allocatable :: words
-      integer :: k, place
-
-      words = text
-      place = old%index_of('model', 'theory')
-      if (place == 0) return
-      words = ''
-      do k = 1, count_items(text)
-         if (k > 1) words = words//', '
-         words = words//''''//word_of(item_of(text, k), old%variables(place), new%variables(place))//''''
-      end do
-   end function theories_in_scene
-
-   !> A name without its quotes and its group.
-   pure function bare_of(text) result(bare)
-      !> A word in quotes.
-      character(*), intent(in) :: text
-      character(:), allocatable :: bare
-      integer :: first
-
-      first = max(index(text, '%', back=.true.), scan(text, '''"')) + 1
-      bare = text(first:)
-      if (scan(bare, '''"') > 0) bare = bare(:scan(bare, '''"') - 1)
-   end function bare_of
-
-   !> Place of the variable that a group sweeps; 0 if it names none.
-   integer function swept_variable(file, group, old) result(place)
+   !> Index of the variable that a group sweeps; 0 if it names none.
+   integer function swept_variable(file, group, old) result(at)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
       !> Number of the group.
@@ -532,75 +382,12 @@ contains
       character(:), allocatable :: word, flaw
       integer :: number
 
-      place = 0
+      at = 0
       number = file%find_assignment(group, 'variable')
       if (number == 0) return
       call convert(item_of(file%value_of(number), 1), word, flaw)
-      if (len(flaw) == 0) call find_variable(old, word, '', place, flaw)
+      if (len(flaw) == 0) call find_variable(old, word, '', at, flaw)
    end function swept_variable
-
-   !> Names of variables as a scene has them.
-   function names_in_scene(text, old, new) result(names)
-      !> Words in quotes.
-      character(*), intent(in) :: text
-      !> The model in its own language, and in that of scenes.
-      class(model_t), intent(in) :: old, new
-      character(:), allocatable :: names, word, flaw
-      integer :: k, place
-
-      names = ''
-      do k = 1, count_items(text)
-         call convert(item_of(text, k), word, flaw)
-         place = 0
-         if (len(flaw) == 0) call find_variable(old, word, '', place, flaw)
-         if (place > 0) word = full_name(new, place)
-         if (k > 1) names = names//', '
-         names = names//''''//word//''''
-      end do
-   end function names_in_scene
-
-   !> Name of a result as a scene has it.
-   function result_in_scene(text, old, new) result(name)
-      !> A word in quotes.
-      character(*), intent(in) :: text
-      !> The model in its own language, and in that of scenes.
-      class(model_t), intent(in) :: old, new
-      character(:), allocatable :: name, word, flaw
-      integer :: k
-
-      name = text
-      call convert(text, word, flaw)
-      if (len(flaw) > 0) return
-      do k = 1, size(old%results)
-         if (old%results(k)%name == word) name = ''''//new%results(k)%name//''''
-      end do
-   end function result_in_scene
-
-   !> Numbers of a swept variable as a scene has them.
-   function numbers_in_scene(text, new, place) result(numbers)
-      !> The numbers, or the name of a dataset.
-      character(*), intent(in) :: text
-      !> The solver, in the language of scenes.
-      class(model_t), intent(in) :: new
-      !> Place of the variable.
-      integer, intent(in) :: place
-      character(:), allocatable :: numbers, flaw
-      real(dp) :: value
-      integer :: k
-
-      numbers = text
-      select type (new)
-      class is (converted_model_t)
-         if (.not. new%is_converted(place)) return
-         numbers = ''
-         do k = 1, count_items(text)
-            call convert(item_of(text, k), value, flaw)
-            if (k > 1) numbers = numbers//', '
-            if (len(flaw) == 0) numbers = numbers//show_number(new%of_scene(place, value))
-            if (len(flaw) > 0) numbers = numbers//item_of(text, k)
-         end do
-      end select
-   end function numbers_in_scene
 
    !> A line of a group, with its comment.
    pure function line_of(assignment, comment) result(line)
@@ -615,87 +402,5 @@ contains
       if (len(comment) > 0 .and. len(assignment) + 2 >= assignment_width) line = '  '//assignment//'   '//comment
       line = line//newline
    end function line_of
-
-   !> Lines of comment before a group, from the end of the group before it.
-   function comments_before(file, group) result(lines)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> Number of the group.
-      integer, intent(in) :: group
-      character(:), allocatable :: lines
-      integer :: first
-
-      first = 1
-      if (group > 1) first = end_of_line_at(file%text, file%groups(group - 1)%body_last + 1)
-      lines = comment_lines(file%text(first:file%groups(group)%first - 1))
-   end function comments_before
-
-   !> Lines of comment above an assignment, from the assignment before it.
-   function comments_above(file, number) result(lines)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
-      integer, intent(in) :: number
-      character(:), allocatable :: lines
-      integer :: first
-
-      associate (assignment => file%assignments(number))
-         first = file%groups(assignment%group)%body_first
-         if (number > 1) then
-            if (file%assignments(number - 1)%group == assignment%group) first = file%assignments(number - 1)%value_last + 1
-         end if
-         first = end_of_line_at(file%text, first)
-         lines = comment_lines(file%text(first:assignment%first - 1))
-      end associate
-   end function comments_above
-
-   !> Place behind the end of the line of a place.
-   pure integer function end_of_line_at(text, place)
-      !> The text.
-      character(*), intent(in) :: text
-      !> The place.
-      integer, intent(in) :: place
-
-      end_of_line_at = len(text) + 1
-      if (place > len(text)) return
-      if (index(text(place:), newline) > 0) end_of_line_at = place + index(text(place:), newline)
-   end function end_of_line_at
-
-   !> The lines of a text that are comments.
-   pure function comment_lines(text) result(lines)
-      !> The text, from the beginning of a line.
-      character(*), intent(in) :: text
-      character(:), allocatable :: lines, line
-      integer :: first, last
-
-      lines = ''
-      first = 1
-      do while (first <= len(text))
-         last = end_of_line_at(text, first) - 1
-         line = strip(text(first:last))
-         if (index(line, '!') == 1) lines = lines//text(first:last)
-         first = last + 1
-      end do
-   end function comment_lines
-
-   !> The comment behind an assignment, in its line; empty if there is none.
-   function comment_behind(file, number) result(comment)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
-      integer, intent(in) :: number
-      character(:), allocatable :: comment
-      integer :: first, last, mark
-
-      comment = ''
-      first = file%assignments(number)%value_last + 1
-      last = end_of_line_at(file%text, first) - 1
-      if (last < first) return
-      if (number < size(file%assignments)) then
-         if (file%assignments(number + 1)%first <= last) return
-      end if
-      mark = index(file%text(first:last), '!')
-      if (mark > 0) comment = strip(file%text(first + mark - 1:last))
-   end function comment_behind
 
 end module adfric_input_modern

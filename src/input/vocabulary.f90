@@ -13,7 +13,7 @@ module adfric_input_vocabulary
    private
    public :: common_groups, job_names, sweep_names, sample_names, range_names, cases_names, refine_names, &
       uncertain_names, output_names, list_common_names, list_known_groups
-   public :: say_unknown_group, say_unknown_variable, report_unknown_names
+   public :: say_unknown_group, say_unknown_variable, say_name_of_model, report_unknown_names
    public :: find_variable, list_numbers, is_number, full_name
 
    !> Variables of `&job`.
@@ -140,6 +140,23 @@ contains
       if (allocated(model%scene)) text = 'the scene '''//model%scene//''''
    end function name_of
 
+   !> What to say of a name that the solver of a scene has for a variable; empty if it has none such.
+   pure function say_name_of_model(model, group, name) result(text)
+      !> The solver, in the language of scenes.
+      class(model_t), intent(in) :: model
+      !> Group and name in the language of the solver.
+      character(*), intent(in) :: group, name
+      character(:), allocatable :: text
+      integer :: k
+
+      text = ''
+      if (.not. allocated(model%scene)) return
+      k = model%solver_index_of(group, name)
+      if (k == 0) return
+      if (.not. model%variables(k)%is_hidden) text = 'is a name of the model '''//model%name//'''; in a scene it is &'// &
+         model%variables(k)%group//' '//model%variables(k)%name//' (adfric modernise writes such an input anew)'
+   end function say_name_of_model
+
    !> What to say of a variable that a group does not have; the model may have it elsewhere.
    pure function say_unknown_variable(model, group, name) result(text)
       !> The model, whose table names groups and variables.
@@ -152,14 +169,8 @@ contains
       character(:), allocatable :: home, near
       integer :: k
 
-      if (allocated(model%scene)) then
-         do k = 1, size(model%variables)
-            if (.not. model%variables(k)%is_called(group, name) .or. model%variables(k)%is_hidden) cycle
-            text = 'is a name of the model '''//model%name//'''; in a scene it is &'//model%variables(k)%group//' '// &
-               model%variables(k)%name//' (adfric modernise writes such an input anew)'
-            return
-         end do
-      end if
+      text = say_name_of_model(model, group, name)
+      if (len(text) > 0) return
       home = list_groups_of(model, name)
       do k = 1, count_words(common_groups)
          if (len(home) == 0 .and. has_word(list_common_names(get_word(common_groups, k)), name)) home = get_word(common_groups, k)

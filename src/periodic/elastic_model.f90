@@ -319,12 +319,10 @@ contains
          if (allocated(solution%share)) &
             & results(r_adhesion_fraction) = max(sum(solution%share)/cells - solution%area%corrected, 0.0_dp)
          results(r_regime) = regime_of(solution)
+         results(r_smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
          associate (first => self%last_of_solid - n_shear_rows, last => self%last_of_solid - 1)
             call get_friction_of_area(values(first:last), results(r_contact_fraction), results(r_mean_pressure), &
                & law%stress*results(r_adhesion_fraction), results(r_friction_stress), results(r_friction_coefficient))
-         end associate
-         results(r_smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
-         associate (first => self%last_of_solid - n_shear_rows, last => self%last_of_solid - 1)
             call get_friction_of_area(values(first:last), results(r_smooth_fraction), results(r_mean_pressure), &
                & law%stress*results(r_adhesion_fraction), results(r_smooth_friction), unused)
          end associate

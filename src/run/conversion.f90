@@ -105,11 +105,11 @@ contains
       character(*), intent(in) :: text
       character(:), allocatable :: over_area
       character(*), parameter :: of_period = ' on one period'
-      integer :: place
+      integer :: at
 
-      place = index(text, of_period)
+      at = index(text, of_period)
       over_area = text//' over nominal area'
-      if (place > 0) over_area = text(:place - 1)//' over nominal area'//text(place + len(of_period):)
+      if (at > 0) over_area = text(:at - 1)//' over nominal area'//text(at + len(of_period):)
    end function text_over_area
 
 end module adfric_run_conversion

@@ -2,7 +2,7 @@
 !> A solver some of whose variables and results a scene counts otherwise: amplitude for height, lengths for spacings, an angle for a
 !> word, and stresses over the nominal area for the forces of a period.
 !>
-!> Places of variables and results are those of the solver, and each value is converted by itself. With
+!> Variables and results keep the order of the solver, and each value is converted by itself. With
 !>
 !>     height = 2 amplitude,   spacing = length/samples,   degrees = 180 direction/pi,
 !>     stress = force/period,   the period being an area of waves and heights over x and y (`nominal_size` of the solver)
@@ -16,7 +16,7 @@ module adfric_run_converted_model
    use adfric_base_words, only: has_word
    use adfric_model_model, only: model_t
    use adfric_model_profile_receiver, only: profile_receiver_t
-   use adfric_model_table, only: kind_real, result_t
+   use adfric_model_table, only: kind_real, result_t, variable_t
    use adfric_run_conversion, only: as_it_is, by_samples_x, by_samples_y, direction_tolerance, doubled, find_what_follows, &
       follows_nothing, follows_stress, follows_work, to_axis, to_degrees, to_reverse, to_scene, to_solver, text_over_area, &
       unit_over_area
@@ -37,7 +37,7 @@ module adfric_run_converted_model
       logical, allocatable :: is_of_period(:)
       !> Samples of the heights along x and y; 1 where there are none.
       integer :: n_x = 1, n_y = 1
-      !> What of adhesion follows from the other two, and the places of the three.
+      !> What of adhesion follows from the other two, and the indices of the three.
       integer :: follows = follows_nothing, work = 0, stress = 0, range = 0
       !> Is the surface a wave, which is the same in both directions?
       logical :: is_wave = .false.
@@ -65,19 +65,20 @@ contains
       !> Facts of the scene, separated by a blank.
       character(*), intent(in) :: facts
       type(converted_model_t), allocatable :: converted
+      integer, allocatable :: how(:)
       integer :: i, follows
 
+      how = [(conversion_of(model%variables(i)), i=1, size(model%variables))]
       follows = find_what_follows(model%name, facts)
-      if (follows == follows_nothing .and. .not. has_word( &
-         'wavy_sliding surface_sliding hertz hertz_history wave_1d wave_2d_elastic surface_elastic', model%name)) return
+      if (follows == follows_nothing .and. all(how == as_it_is)) return
       allocate (converted)
-      converted%follows = follows
       call converted%wrap(model)
+      converted%how = how
+      converted%follows = follows
       converted%results = converted%inner%results
-      allocate (converted%how(size(converted%variables)), source=as_it_is)
       allocate (converted%is_of_period(size(converted%results)), source=.false.)
-      do i = 1, size(converted%variables)
-         call convert_row(converted, i)
+      do i = 1, size(how)
+         if (any(how(i) == [to_reverse, to_axis, to_degrees])) call be_angle(converted%variables(i), how(i))
       end do
       if (converted%name == 'wavy_sliding') call count_over_area(converted, surface)
       converted%work = converted%index_of('adhesion', 'work_of_adhesion')
@@ -86,51 +87,42 @@ contains
       call move_alloc(converted, model)
    end subroutine convert_model
 
-   !> Find out how a variable is converted, and have its row say what the scene means by it.
-   subroutine convert_row(self, place)
-      !> The solver with the values of a scene.
-      class(converted_model_t), intent(inout) :: self
-      !> Place of the variable.
-      integer, intent(in) :: place
+   !> How a variable is converted.
+   pure integer function conversion_of(variable) result(how)
+      !> Its row.
+      type(variable_t), intent(in) :: variable
 
-      associate (variable => self%variables(place))
-         if (variable%is_called('surface', 'height')) then
-            self%how(place) = doubled
-         else if (variable%is_called('surface', 'spacing') .and. .not. variable%is_hidden) then
-            self%how(place) = by_samples_x
-         else if (variable%is_called('surface', 'strip_spacing')) then
-            self%how(place) = by_samples_y
-         else if (variable%is_called('surface', 'reverse')) then
-            self%how(place) = to_reverse
-            call be_angle('direction to which the body slides: 0 along +x, or pi against it')
-         else if (variable%is_called('operating', 'tangential_axis')) then
-            self%how(place) = to_axis
-            call be_angle('direction of the tangential force from the first axis (x, or the major one): 0 or pi/2')
-         else if (variable%is_called('surface', 'direction')) then
-            self%how(place) = to_degrees
-            call be_angle('direction to which the body slides, from +x to +y; a multiple of pi/2, of pi/4 for waves')
-         end if
-      end associate
+      how = as_it_is
+      if (variable%is_called('surface', 'height')) how = doubled
+      if (variable%is_called('surface', 'spacing')) how = by_samples_x
+      if (variable%is_called('surface', 'strip_spacing')) how = by_samples_y
+      if (variable%is_called('surface', 'reverse')) how = to_reverse
+      if (variable%is_called('operating', 'tangential_axis')) how = to_axis
+      if (variable%is_called('surface', 'direction')) how = to_degrees
+   end function conversion_of
 
-   contains
+   !> A variable is an angle for the scene, in at of a word or of degrees.
+   pure subroutine be_angle(variable, how)
+      !> Its row.
+      type(variable_t), intent(inout) :: variable
+      !> How it is converted.
+      integer, intent(in) :: how
 
-      !> The variable is an angle for the scene, in place of a word or of degrees.
-      subroutine be_angle(meaning)
-         !> What it is.
-         character(*), intent(in) :: meaning
-
-         associate (variable => self%variables(place))
-            variable%kind = kind_real
-            variable%unit = 'rad'
-            variable%meaning = meaning
-            variable%choices = ''
-            variable%lower = -6.5_dp
-            variable%upper = 6.5_dp
-            if (is_set(variable%default)) variable%default = 0
-         end associate
-      end subroutine be_angle
-
-   end subroutine convert_row
+      select case (how)
+      case (to_reverse)
+         variable%meaning = 'direction to which the body slides: 0 along +x, or pi against it'
+      case (to_axis)
+         variable%meaning = 'direction of the tangential force from the first axis (x, or the major one): 0 or pi/2'
+      case default
+         variable%meaning = 'direction to which the body slides, from +x to +y; a multiple of pi/2, of pi/4 for waves'
+      end select
+      variable%kind = kind_real
+      variable%unit = 'rad'
+      variable%choices = ''
+      variable%lower = -6.5_dp
+      variable%upper = 6.5_dp
+      if (is_set(variable%default)) variable%default = 0
+   end subroutine be_angle
 
    !> Have the results of a period count over its nominal area.
    subroutine count_over_area(self, surface)
@@ -175,25 +167,25 @@ contains
    end function inner_values
 
    !> Does a scene count a variable otherwise than the solver?
-   pure logical function is_converted(self, place)
+   pure logical function is_converted(self, at)
       !> The solver with the values of a scene.
       class(converted_model_t), intent(in) :: self
-      !> Place of the variable.
-      integer, intent(in) :: place
+      !> Index of the variable.
+      integer, intent(in) :: at
 
-      is_converted = self%how(place) /= as_it_is
+      is_converted = self%how(at) /= as_it_is
    end function is_converted
 
    !> Value of a scene.
-   pure real(dp) function of_scene(self, place, value)
+   pure real(dp) function of_scene(self, at, value)
       !> The solver with the values of a scene.
       class(converted_model_t), intent(in) :: self
-      !> Place of the variable.
-      integer, intent(in) :: place
+      !> Index of the variable.
+      integer, intent(in) :: at
       !> Value of the solver.
       real(dp), intent(in) :: value
 
-      of_scene = to_scene(self%how(place), value, [self%n_x, self%n_y])
+      of_scene = to_scene(self%how(at), value, [self%n_x, self%n_y])
    end function of_scene
 
    !> See `model_t`.
@@ -332,7 +324,7 @@ contains
    subroutine take_dataset(self, place, values, problems)
       !> The model.
       class(converted_model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
+      !> Index of the dataset in `variables`.
       integer, intent(in) :: place
       !> Values of the dataset; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
@@ -353,7 +345,7 @@ contains
       class(converted_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
+      !> Index of the variable in `variables`.
       integer, intent(in) :: place
       character(:), allocatable :: unit
 

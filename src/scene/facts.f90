@@ -2,9 +2,10 @@
 !> The facts of a scene that decide which solver answers it and which of its results have a meaning.
 module adfric_scene_facts
    use adfric_base_words, only: count_words, get_word, has_word
+   use adfric_scene_solvers, only: word_length
    implicit none (type, external)
    private
-   public :: scene_t, find_facts, describe_scene
+   public :: scene_t, find_facts, words_of, describe_scene
 
    !> What an input says of its scene.
    type :: scene_t
@@ -53,6 +54,14 @@ module adfric_scene_facts
       & 'moves operating%velocity', &
       & 'position position%position_x position%position_y position%position_z']
 
+   !> Words of a scene, and what is said of it.
+   character(*), parameter :: phrases(*) = [character(70) :: &
+      & 'half_space on an elastic half-space', 'relaxing on a viscoelastic half-space', 'layer on a viscoelastic layer', &
+      & 'foundation on a foundation', &
+      & 'adhesion with adhesion', 'shear with a shear strength', 'coulomb with a coefficient of friction', &
+      & 'adhesion+shear with adhesion and a shear strength', 'adhesion+coulomb with adhesion and a coefficient of friction', &
+      & 'press pressed', 'slide sliding', 'tangential under a tangential force', 'path along a path of loading']
+
 contains
 
    !> Find what follows from names and words.
@@ -88,10 +97,9 @@ contains
       if (self%solid == 'relaxing') self%facts = self%facts//' relaxing'
       self%interface = 'none'
       if (self%has('adhesion')) self%interface = 'adhesion'
-      if (self%has('coulomb')) then
-         self%interface = trim(merge('adhesion+', '         ', self%has('adhesion')))//'coulomb'
-      else if (self%has('shear')) then
-         self%interface = trim(merge('adhesion+', '         ', self%has('adhesion')))//'shear'
+      if (self%has('shear') .or. self%has('coulomb')) then
+         self%interface = trim(merge('coulomb', 'shear  ', self%has('coulomb')))
+         if (self%has('adhesion')) self%interface = 'adhesion+'//self%interface
       end if
       self%operation = 'press'
       if (self%has('tangential')) self%operation = 'tangential'
@@ -119,46 +127,30 @@ contains
       has = has_word(self%facts, fact)
    end function has
 
-   !> A scene in words.
-   pure function describe_scene(surface, solid, interface, operation) result(text)
-      !> Surface, solid, interface and operation, as in a `scene_t`.
-      character(*), intent(in) :: surface, solid, interface, operation
-      character(:), allocatable :: text
+   !> Surface, solid, interface and operation.
+   pure function words_of(self) result(words)
+      !> The scene, with its facts.
+      type(scene_t), intent(in) :: self
+      character(word_length) :: words(4)
 
-      text = surface
-      select case (solid)
-      case ('half_space')
-         text = text//' on an elastic half-space'
-      case ('relaxing')
-         text = text//' on a viscoelastic half-space'
-      case ('layer')
-         text = text//' on a viscoelastic layer'
-      case default
-         text = text//' on a foundation'
-      end select
-      select case (interface)
-      case ('none')
-      case ('adhesion')
-         text = text//' with adhesion'
-      case ('shear')
-         text = text//' with a shear strength'
-      case ('coulomb')
-         text = text//' with a coefficient of friction'
-      case ('adhesion+shear')
-         text = text//' with adhesion and a shear strength'
-      case default
-         text = text//' with adhesion and a coefficient of friction'
-      end select
-      select case (operation)
-      case ('slide')
-         text = text//', sliding'
-      case ('tangential')
-         text = text//', under a tangential force'
-      case ('path')
-         text = text//', along a path of loading'
-      case default
-         text = text//', pressed'
-      end select
+      words = [character(word_length) :: self%surface, self%solid, self%interface, self%operation]
+   end function words_of
+
+   !> A scene in words.
+   pure function describe_scene(words) result(text)
+      !> Surface, solid, interface and operation.
+      character(*), intent(in) :: words(4)
+      character(:), allocatable :: text, word
+      integer :: i, k
+
+      text = trim(words(1))
+      do k = 2, 4
+         if (k == 4) text = text//','
+         do i = 1, size(phrases)
+            word = get_word(phrases(i), 1)
+            if (word == words(k)) text = text//trim(phrases(i)(len(word) + 1:))
+         end do
+      end do
    end function describe_scene
 
 end module adfric_scene_facts

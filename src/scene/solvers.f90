@@ -4,8 +4,8 @@ module adfric_scene_solvers
    use adfric_base_words, only: get_word
    implicit none (type, external)
    private
-   public :: scenes, n_scenes, known_surfaces, known_tractions, known_extents, cell_t, word_length
-   public :: accuracy_of, accuracy_of_scene, answers, find_cell
+   public :: scenes, n_scenes, known_surfaces, known_tractions, known_extents, word_length
+   public :: accuracy_of, accuracy_of_scene, answers, find_nearest
 
    !> Round bodies.
    character(*), parameter :: round = 'sphere,paraboloid,cone,power,flat_punch,flat_cone,flat_paraboloid,rounded_punch,'// &
@@ -54,14 +54,6 @@ module adfric_scene_solvers
    !> Length of the words of a scene.
    integer, parameter :: word_length = 20
 
-   !> A scene of the table.
-   type :: cell_t
-      !> Surface, solid, interface and operation.
-      character(word_length) :: words(4) = ''
-      !> Number of the row; 0 if no row has the scene.
-      integer :: row = 0
-   end type cell_t
-
 contains
 
    !> Are the answers of a solver exact or numerical?
@@ -84,10 +76,12 @@ contains
       character(:), allocatable :: word
       integer :: row
 
-      word = ''
-      do row = n_scenes, 1, -1
-         if (answers(row, words)) word = get_word(scenes(row), 6)
+      do row = 1, n_scenes
+         if (.not. answers(row, words)) cycle
+         word = get_word(scenes(row), 6)
+         return
       end do
+      word = ''
    end function accuracy_of_scene
 
    !> Does a row of the table have a scene?
@@ -96,12 +90,8 @@ contains
       integer, intent(in) :: row
       !> Surface, solid, interface and operation.
       character(*), intent(in) :: words(4)
-      integer :: k
 
-      answers = .true.
-      do k = 1, 4
-         answers = answers .and. has_item(get_word(scenes(row), k), trim(words(k)))
-      end do
+      answers = count_differences(row, words) == 0
    end function answers
 
    !> Is an item on a list?
@@ -116,22 +106,21 @@ contains
 
    !> The scene of the table that is nearest to one that no row has: with the fewest differences, the surface kept before the solid,
    !> the solid before the interface, and that before the operation.
-   pure subroutine find_cell(words, cell)
+   pure subroutine find_nearest(words, nearest)
       !> Surface, solid, interface and operation.
       character(*), intent(in) :: words(4)
-      !> Receives the nearest scene.
-      type(cell_t), intent(out) :: cell
-      integer :: row, distance, least
+      !> Receives those of the nearest scene.
+      character(*), intent(out) :: nearest(4)
+      character(:), allocatable :: list
+      integer :: row, k
 
-      least = huge(1)
-      do row = 1, n_scenes
-         distance = count_differences(row, words)
-         if (distance >= least) cycle
-         least = distance
-         cell%row = row
+      row = minloc([(count_differences(k, words), k=1, n_scenes)], 1)
+      do k = 1, 4
+         list = get_word(scenes(row), k)
+         nearest(k) = words(k)
+         if (.not. has_item(list, trim(words(k)))) nearest(k) = list(:scan(list//',', ',') - 1)
       end do
-      call take_row(cell%row, words, cell%words)
-   end subroutine find_cell
+   end subroutine find_nearest
 
    !> How far a row is from a scene: 0 if it has it.
    pure integer function count_differences(row, words) result(distance)
@@ -147,23 +136,5 @@ contains
          if (.not. has_item(get_word(scenes(row), k), trim(words(k)))) distance = distance + weights(k)
       end do
    end function count_differences
-
-   !> A scene of a row, as near to another one as can be.
-   pure subroutine take_row(row, words, nearest)
-      !> Number of the row.
-      integer, intent(in) :: row
-      !> Surface, solid, interface and operation of the other scene.
-      character(*), intent(in) :: words(4)
-      !> Receives those of the nearest one.
-      character(*), intent(out) :: nearest(4)
-      character(:), allocatable :: list
-      integer :: k
-
-      do k = 1, 4
-         list = get_word(scenes(row), k)
-         nearest(k) = words(k)
-         if (.not. has_item(list, trim(words(k)))) nearest(k) = list(:scan(list//',', ',') - 1)
-      end do
-   end subroutine take_row
 
 end module adfric_scene_solvers

@@ -10,7 +10,7 @@ module adfric_sphere_case
    use adfric_sphere_variables
    implicit none (type, external)
    private
-   public :: sphere_case_t, resolve_case, theory_auto
+   public :: sphere_case_t, resolve_case, has_ratio_of_body, theory_auto
 
    !> Asked to choose the theory; otherwise one of `theory_...`.
    integer, parameter :: theory_auto = -1
@@ -106,6 +106,14 @@ contains
       end if
    end subroutine resolve_operation
 
+   !> Does one body alone yield, whose Poisson's ratio is known by its moduli?
+   pure logical function has_ratio_of_body(values)
+      !> Values of the variables, in the order of `adfric_sphere_variables`.
+      real(dp), intent(in) :: values(:)
+
+      has_ratio_of_body = is_set(values(v_body_poisson_ratio)) .and. .not. is_set(values(v_second_young_modulus))
+   end function has_ratio_of_body
+
    !> Friction.
    pure subroutine resolve_friction(values, self)
       !> Values of the variables, in the order of `adfric_sphere_variables`.
@@ -119,9 +127,7 @@ contains
       if (.not. self%has_friction) return
       self%strength = values(v_shear_strength)/self%stress_unit
       if (is_set(values(v_pressure_factor))) self%pressure_factor = values(v_pressure_factor)
-      ! one body that yields has one ratio
-      if (is_set(values(v_body_poisson_ratio)) .and. .not. is_set(values(v_second_young_modulus))) &
-         & self%poisson = values(v_body_poisson_ratio)
+      if (has_ratio_of_body(values)) self%poisson = values(v_body_poisson_ratio)
       if (is_set(values(v_poisson_ratio))) self%poisson = values(v_poisson_ratio)
       self%interaction = values(v_interaction)
       self%slip_energy_ratio = slip_energy_ratio_of(values(v_interaction:v_slip_energy_ratio), values(v_shear_strength), &

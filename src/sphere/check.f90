@@ -8,7 +8,7 @@ module adfric_sphere_check
    use adfric_material_shear_strength_rows, only: check_shear
    use adfric_model_check, only: require, require_one
    use adfric_model_table, only: variable_t, kind_real
-   use adfric_sphere_case, only: sphere_case_t, resolve_case, theory_auto
+   use adfric_sphere_case, only: sphere_case_t, resolve_case, has_ratio_of_body, theory_auto
    use adfric_sphere_contact, only: theory_hertz, theory_jkr, theory_maugis_dugdale, control_radius, branch_stable
    use adfric_material_interaction, only: is_valid_interaction
    use adfric_sphere_variables
@@ -114,8 +114,8 @@ contains
          if (is_set(values(v_lateral_stiffness)) .and. .not. (values(v_events) > 0 .or. is_set(values(v_base_displacement)))) &
             & call add(v_lateral_stiffness, 'has no meaning without events or base_displacement')
          if (is_moved .and. .not. is_static) call add(v_state, 'is sliding beside a tangential force or displacement')
-         if ((is_moved .or. values(v_events) > 0) .and. .not. (is_set(values(v_body_poisson_ratio)) .and. &
-            & .not. is_set(values(v_second_young_modulus)))) call require(variables, values, [v_poisson_ratio], problems)
+         if ((is_moved .or. values(v_events) > 0) .and. .not. has_ratio_of_body(values)) &
+            & call require(variables, values, [v_poisson_ratio], problems)
          if (values(v_interaction) > 0) then
             if (.not. is_static .or. values(v_events) > 0 .or. is_set(values(v_base_displacement))) then
                call require_one(variables, values, [v_slip_energy_ratio, v_critical_slip], .true., problems)
