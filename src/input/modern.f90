@@ -206,6 +206,8 @@ contains
          at = index_of_assigned(file, i, old)
          if (at > 0) then
             if (is_left_out(i)) cycle
+            ! SI units say nothing of the scene
+            if (name == 'units' .and. word_of(file%value_of(i), old%variables(at), old%variables(at)) == 'si') cycle
             scene%names = scene%names//' '//likely_name_of(old%name, group//'%'//name)
             if (name == 'kind') scene%surface = word_of(file%value_of(i), old%variables(at), renamed(old, at))
             if (name == 'state') scene%state = word_of(file%value_of(i), old%variables(at), old%variables(at))

@@ -297,6 +297,10 @@ class Scenes(Runs):
         scene, _ = self.run_program("modernise", "run.nml")
         self.assertIn("derivatives = 'amplitude', 'velocity'\n", scene)
         self.assertNotIn("\r", scene)
+        # SI units that are named make no adhesion
+        self.write("&job model = 'sphere' /\n&sphere units = 'si', radius = 1e-6, contact_modulus = 1e9, work_of_adhesion = 0.0 /\n"
+                   "&operating load = 1e-6 /\n")
+        self.assertIn("  solver = 'sphere'\n", self.run_program("modernise", "run.nml")[0])
         self.write("&job model = 'sphere' /\n&sphere radius = 1e-6, contact_modulus = 1e9, work_of_adhesion = 0.0, adhesion_stress = 1e7 /\n&operating load = 1e-6 /\n")
         scene, _ = self.run_program("modernise", "run.nml")
         self.assertNotIn("&adhesion", scene)
