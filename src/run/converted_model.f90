@@ -68,7 +68,10 @@ contains
       integer, allocatable :: how(:)
       integer :: i, follows
 
-      how = [(conversion_of(model%variables(i)), i=1, size(model%variables))]
+      allocate (how(size(model%variables)), source=as_it_is)
+      do i = 1, size(how)
+         how(i) = conversion_of(model%variables(i))
+      end do
       follows = find_what_follows(model%name, facts)
       if (follows == follows_nothing .and. all(how == as_it_is)) return
       allocate (converted)
