@@ -16,7 +16,7 @@ module adfric_c_attributes
    public :: attribute_info_t, attributes_t, new_attributes
 
    !> Number of attributes that all results have at most.
-   integer, parameter :: n_common = 14
+   integer, parameter :: n_common = 15
 
    !> `adfric_attribute_info` of adfric.h.
    type, bind(c) :: attribute_info_t
@@ -75,6 +75,7 @@ contains
       integer :: i
 
       call add_text(self, 'title', heading%title, error)
+      if (len(heading%scene) > 0) call add_text(self, 'scene', heading%scene, error)
       call add_text(self, 'model', heading%model, error)
       call add_text(self, 'adfric_version', heading%version, error)
       call add_text(self, 'git_revision', heading%revision, error)

@@ -136,7 +136,7 @@ contains
          & meaning='of a cone from its axis, instead of the slope cot(half_angle)', lower=0.0_dp, upper=half_pi)
       v(v_half_angle)%lower_open = .true.
       v(v_half_angle)%upper_open = .true.
-      v(v_exponent) = any_number(group='shape', name='exponent', unit='-', meaning='n of f = coefficient r^n', lower=0.0_dp, &
+      v(v_exponent) = any_number(group='shape', name='exponent', unit='-', meaning='n of f = C r^n', lower=0.0_dp, &
          & upper=100.0_dp)
       v(v_exponent)%lower_open = .true.
       v(v_coefficient) = any_number(group='shape', name='coefficient', unit='m^(1-n)', meaning='C of f = C r^n', lower=0.0_dp, &

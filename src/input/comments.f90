@@ -5,7 +5,7 @@ module adfric_input_comments
    use adfric_input_namelist_file, only: namelist_file_t
    implicit none (type, external)
    private
-   public :: comments_before, comments_above, comment_behind
+   public :: comments_before, comments_above, comments_inside, comments_at_end, comment_behind, layout_of
 
 contains
 
@@ -19,9 +19,36 @@ contains
       integer :: first
 
       first = 1
-      if (group > 1) first = end_of_line_at(file%text, file%groups(group - 1)%body_last + 1)
+      if (group > 1) first = behind_group(file, group - 1)
       lines = comment_lines(file%text(first:file%groups(group)%first - 1))
    end function comments_before
+
+   !> Lines of comment behind the last group.
+   function comments_at_end(file) result(lines)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      character(:), allocatable :: lines
+
+      lines = ''
+      if (size(file%groups) > 0) lines = comment_lines(file%text(behind_group(file, size(file%groups)):))
+   end function comments_at_end
+
+   !> Position behind the end of a group. What stands behind its `/` is a comment of its last assignment if that is in the same line.
+   integer function behind_group(file, group)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the group.
+      integer, intent(in) :: group
+      integer :: i, last
+
+      behind_group = min(file%groups(group)%body_last + 2, len(file%text) + 1)
+      last = 0
+      do i = 1, size(file%assignments)
+         if (file%assignments(i)%group == group) last = file%assignments(i)%value_last
+      end do
+      if (last == 0) return
+      if (index(file%text(last:behind_group - 1), newline) == 0) behind_group = end_of_line_at(file%text, behind_group - 1)
+   end function behind_group
 
    !> Lines of comment above an assignment, from the assignment before it.
    function comments_above(file, number) result(lines)
@@ -41,6 +68,45 @@ contains
          lines = comment_lines(file%text(first:assignment%first - 1))
       end associate
    end function comments_above
+
+   !> What stands between the name of an assignment and the end of its value, if it has comments; empty if it has none.
+   function layout_of(file, number) result(text)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the assignment.
+      integer, intent(in) :: number
+      character(:), allocatable :: text
+
+      text = ''
+      associate (assignment => file%assignments(number))
+         if (assignment%value_last < assignment%value_first) return
+         if (len(comments_inside(file, number)) == 0) return
+         text = file%text(assignment%first:assignment%value_last)
+         text = text(index(text, '='):)
+      end associate
+   end function layout_of
+
+   !> The comments between the name of an assignment and the end of its value, a line each.
+   function comments_inside(file, number) result(lines)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the assignment.
+      integer, intent(in) :: number
+      character(:), allocatable :: lines
+      integer :: i, last
+
+      lines = ''
+      i = file%assignments(number)%first
+      do while (i <= file%assignments(number)%value_last)
+         ! the text without comments has blanks in their place
+         if (file%text(i:i) == '!' .and. file%source%bare(i:i) == ' ') then
+            last = end_of_line_at(file%text, i) - 1
+            lines = lines//'  '//strip(file%text(i:last))//newline
+            i = last
+         end if
+         i = i + 1
+      end do
+   end function comments_inside
 
    !> Position behind the end of a line.
    pure integer function end_of_line_at(text, position)

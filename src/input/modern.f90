@@ -7,7 +7,8 @@ module adfric_input_modern
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: newline, strip
    use adfric_base_words, only: count_words, get_word, has_word, pad
-   use adfric_input_comments, only: comment_behind, comments_above, comments_before
+   use adfric_input_comments, only: comment_behind, comments_above, comments_at_end, comments_before, comments_inside, &
+      layout_of
    use adfric_input_literal, only: convert
    use adfric_input_modern_values, only: are_numbers, bare_of, count_items, is_converted, item_of, names_in_scene, &
       numbers_in_scene, result_in_scene, theories_in_scene, value_in_scene, word_of
@@ -85,6 +86,7 @@ contains
          text = text//newline//comments_before(file, g)//'&'//trim(file%groups(g)%name)//newline// &
             lines_of_common(file, g, old, new)//'/'//newline
       end do
+      if (len(comments_at_end(file)) > 0) text = text//newline//comments_at_end(file)
    end subroutine write_scene
 
    !> Tell a solver that converts spacings how many samples the heights have.
@@ -217,6 +219,13 @@ contains
          end if
       end do
       scene%names = adjustl(scene%names)
+      ! the force of sliding of an indenter stood beside every contact that a shear strength can hold
+      if (old%name == 'indenter' .and. len(scene%state) == 0 .and. has_word(scene%names, 'friction%shear_strength') .and. .not. &
+         (has_word(scene%names, 'operating%tangential_force') .or. has_word(scene%names, 'operating%tangential_displacement') .or. &
+         has_word(scene%names, 'operating%base_displacement'))) then
+         scene%state = 'sliding'
+         scene%names = scene%names//' operating%state'
+      end if
    end subroutine find_scene
 
    !> A row with the words that scenes have for its choices.
@@ -306,26 +315,31 @@ contains
       logical, intent(inout) :: is_used(:)
       !> The text so far.
       character(:), allocatable, intent(inout) :: text
-      character(:), allocatable :: lines, head
+      character(:), allocatable :: lines, head, note
       integer :: i, at
 
       lines = ''
       head = ''
+      note = ''
       if (group == trim(merge('traction', 'surface ', index(old%name, '_load') > 0)) .and. new%index_of(group, 'kind') == 0) &
          lines = line_of('kind = '''//scene%surface//'''', '')
+      if (group == 'operating' .and. len(scene%state) > 0 .and. .not. gives_state(file)) &
+         lines = line_of('state = '''//scene%state//'''', '')
       if (group == 'solid' .and. scene%extent /= 'half_space') lines = line_of('extent = '''//scene%extent//'''', '')
       do i = 1, size(file%assignments)
          associate (assignment => file%assignments(i))
             at = index_of_assigned(file, i, old)
             if (at == 0 .and. group == 'output' .and. file%groups(assignment%group)%name == 'output') &
-               lines = lines//comments_above(file, i)//line_of(trim(assignment%name)//' = '// &
-               names_in_scene(strip(file%value_of(i)), old, new), comment_behind(file, i))
+               lines = lines//lines_of_assignment(file, i, trim(assignment%name), &
+               names_in_scene(strip(file%value_of(i)), old, new), '')
             if (at == 0) cycle
             if (new%variables(at)%group /= group .or. is_left_out(i)) cycle
             if (.not. is_used(assignment%group)) head = head//comments_before(file, assignment%group)
             is_used(assignment%group) = .true.
-            lines = lines//comments_above(file, i)//line_of(new%variables(at)%name//' = '//value_in_scene(file%value_of(i), &
-               old, new, at), comment_behind(file, i))
+            note = ''
+            if (is_converted(new, at)) note = trim(assignment%name)//' = '//strip(file%value_of(i))//' before'
+            lines = lines//lines_of_assignment(file, i, new%variables(at)%name, &
+               value_in_scene(file%value_of(i), old, new, at), note)
          end associate
       end do
       if (group == 'job') then
@@ -334,6 +348,17 @@ contains
          text = text//newline//head//'&'//group//newline//lines//'/'//newline
       end if
    end subroutine write_group
+
+   !> Does an input give the state of its contact?
+   pure logical function gives_state(file)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      integer :: group
+
+      group = file%find_group('operating')
+      gives_state = group > 0
+      if (group > 0) gives_state = file%find_assignment(group, 'state') > 0
+   end function gives_state
 
    !> The assignments of a group that all models have, with the names of the scene.
    function lines_of_common(file, group, old, new) result(lines)
@@ -365,13 +390,37 @@ contains
          else if (swept > 0 .and. has_word('from to values', name)) then
             text = numbers_in_scene(text, new, swept)
          end if
-         lines = lines//comments_above(file, i)//line_of(name//' = '//text, comment_behind(file, i))
+         lines = lines//lines_of_assignment(file, i, name, text, '')
          ! data keep the names of their columns
          if (bare_of(text) /= bare_of(strip(file%value_of(i))) .and. file%groups(group)%name == 'data' .and. &
             file%find_assignment(group, name//'_column') == 0) &
             lines = lines//line_of(name//'_column = '''//bare_of(strip(file%value_of(i)))//'''', '')
       end do
    end function lines_of_common
+
+   !> The lines of an assignment with its comments: those of its value, too, which keeps its lines if it has not changed.
+   function lines_of_assignment(file, number, name, value, note) result(lines)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the assignment.
+      integer, intent(in) :: number
+      !> Name and value in the scene.
+      character(*), intent(in) :: name, value
+      !> What the comment says besides; empty if it says no more.
+      character(*), intent(in) :: note
+      character(:), allocatable :: lines, comment
+
+      lines = comments_above(file, number)
+      comment = comment_behind(file, number)
+      if (len(comment) > 0 .and. len(note) > 0) comment = comment//'; '
+      if (len(comment) == 0 .and. len(note) > 0) comment = '! '
+      comment = comment//note
+      if (len(layout_of(file, number)) > 0 .and. value == strip(file%value_of(number))) then
+         lines = lines//line_of(name//' '//layout_of(file, number), comment)
+      else
+         lines = lines//comments_inside(file, number)//line_of(name//' = '//value, comment)
+      end if
+   end function lines_of_assignment
 
    !> Index of the variable that a group sweeps; 0 if it names none.
    integer function swept_variable(file, group, old) result(at)
@@ -397,11 +446,17 @@ contains
       character(*), intent(in) :: assignment
       !> The comment with its mark; empty if there is none.
       character(*), intent(in) :: comment
-      character(:), allocatable :: line
+      character(:), allocatable :: line, last_line
 
       line = '  '//assignment
-      if (len(comment) > 0) line = pad(line, assignment_width)//comment
-      if (len(comment) > 0 .and. len(assignment) + 2 >= assignment_width) line = '  '//assignment//'   '//comment
+      last_line = line(index(line, newline, back=.true.) + 1:)
+      if (len(comment) > 0) then
+         if (len(last_line) >= assignment_width) then
+            line = line//'   '//comment
+         else
+            line = line(:len(line) - len(last_line))//pad(last_line, assignment_width)//comment
+         end if
+      end if
       line = line//newline
    end function line_of
 

@@ -26,8 +26,10 @@ module adfric_output_heading
 
    !> The texts at the root of the file.
    type :: heading_t
-      !> Title of the run, or the name of the model.
+      !> Title of the run; without one the scene, or the name of the model.
       character(:), allocatable :: title
+      !> What is solved, in words; empty where the input names a model.
+      character(:), allocatable :: scene
       !> Name of the model.
       character(:), allocatable :: model
       !> Where the model was published.
@@ -59,8 +61,11 @@ contains
       !> The run, with its model and its points.
       class(run_t), intent(in) :: run
 
+      self%scene = ''
+      if (allocated(run%model%scene)) self%scene = run%model%scene
       self%title = run%title
       ! the CF conventions want one
+      if (len_trim(self%title) == 0) self%title = self%scene
       if (len_trim(self%title) == 0) self%title = run%model%name
       self%model = run%model%name
       self%references = run%model%references
@@ -106,6 +111,7 @@ contains
       integer :: i
 
       call write_attribute(calls, file, 'title', heading%title)
+      if (len(heading%scene) > 0) call write_attribute(calls, file, 'scene', heading%scene)
       call write_attribute(calls, file, 'model', heading%model)
       call write_attribute(calls, file, 'adfric_version', heading%version)
       call write_attribute(calls, file, 'git_revision', heading%revision)
@@ -166,6 +172,8 @@ contains
       allocate (heading%data(0))
       if (.not. has_attribute(calls, file, 'case_hash')) return
       call read_attribute(calls, file, 'title', heading%title)
+      heading%scene = ''
+      if (has_attribute(calls, file, 'scene')) call read_attribute(calls, file, 'scene', heading%scene)
       call read_attribute(calls, file, 'model', heading%model)
       call read_attribute(calls, file, 'adfric_version', heading%version)
       call read_attribute(calls, file, 'git_revision', heading%revision)

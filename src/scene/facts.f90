@@ -48,7 +48,8 @@ module adfric_scene_facts
       & 'events output%events', &
       & 'driven operating%base_displacement friction%law', &
       & 'pull_off output%pull_off', &
-      & 'interaction friction%interaction', &
+      & 'peels friction%interaction friction%law', &
+      & 'face surface%face_half_width', &
       & 'spring operating%lateral_stiffness', &
       & 'machine operating%base_approach operating%machine_stiffness', &
       & 'moves operating%velocity', &
@@ -90,7 +91,6 @@ contains
       if (slides) self%facts = self%facts//' slides'
       if (slides .or. self%has('shear')) self%facts = self%facts//' interface'
       if (self%has('events') .and. self%has('shear')) self%facts = self%facts//' lateral'
-      if (self%surface == 'line_punch') self%facts = self%facts//' whole_face'
 
       self%solid = self%extent
       if (self%extent == 'half_space' .and. self%has('relaxes')) self%solid = 'relaxing'

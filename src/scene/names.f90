@@ -157,9 +157,9 @@ contains
                   exit
                end if
             end do
-            choices = trim(choices//' '//word)
+            choices = choices//' '//word
          end do
-         variable%choices = adjustl(choices)
+         variable%choices = choices(2:)
          return
       end do
    end subroutine rename_words

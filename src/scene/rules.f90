@@ -163,10 +163,10 @@ module adfric_scene_rules
       & round//' force_drop - !lateral', &
       & round//' force_drop tangential_force_drop', &
       & round//' snap_off_force - !lateral', &
-      & round//' snap_off_force - !interaction', &
+      & round//' snap_off_force - !peels', &
       & round//' snap_off_force snap_off_tangential_force', &
       & round//' snap_off_displacement - !lateral', &
-      & round//' snap_off_displacement - !interaction', &
+      & round//' snap_off_displacement - !peels', &
       & round//' snap_off_displacement snap_off_tangential_displacement', &
       & round//' critical_lateral_stiffness - !lateral', &
       & round//' jump_base_displacement - !spring', &
@@ -190,10 +190,9 @@ module adfric_scene_rules
       & slips//' tangential_stiffness - slides', &
       & slips//' cycle_energy - !tangential', &
       & slips//' cycle_energy - slides', &
-      & slips//' cycle_energy - shear', &
       & slips//' cycle_energy friction_loss_per_cycle', &
       & 'rigid_punch,indenter,hertz mean_pressure mean_contact_pressure', &
-      & 'rigid_punch edge_intensity - !whole_face', &
+      & 'rigid_punch edge_intensity - !face', &
       & 'rigid_punch centre_pressure - wedge', &
       & 'rigid_punch edge_intensity edge_intensity_factor', &
       & 'hertz approach - cylinder', &

@@ -14,8 +14,11 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parent))
 from runs import Runs, main  # noqa: E402
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]/"scripts"))
+from variables_page import page_of, read_variables  # noqa: E402
+
 SOURCE = Path(os.environ["ADFRIC_SOURCE"])
-INPUTS = SOURCE/"inputs"
+OLD_INPUTS = SOURCE/"tests/old_inputs"
 NAMES = SOURCE/"tests/reference/scene_names.csv"
 # one of so many alike cases is tried where checks make programs slow to begin
 EVERY = round(1/float(os.environ.get("ADFRIC_RANDOM_CASES", "1")))
@@ -104,8 +107,18 @@ class Scenes(Runs):
         words = {"exact": "e", "numerical": "n", "": "-"}
         self.assertEqual([(row[0], column, words[cell]) for row in shown for column, cell in enumerate(row[1:], 1)], self.table())
 
+    def test_variables_page(self):
+        """docs/variables.md has the variables that the program prints, all of them."""
+        page, _ = self.run_program("help", "scenes")
+        self.assertEqual((SOURCE/"docs/variables.md").read_text(), page_of(page))
+        names = [name for _, variables in read_variables(page) for name, _, _ in variables]
+        self.assertGreater(len(names), 150)
+        with open(NAMES, newline="") as file:
+            rows = csv.DictReader(line for line in file if not line.startswith("#"))
+            self.assertEqual(set(), {row["new_name"] for row in rows if row["kind"] == "input"} - {*names, "", "-", "units"})
+
     def test_inputs_of_models(self):
-        """Every shipped input that names a model is written anew as a scene, and the results have the same bits."""
+        """Every input of version 0.2, which names a model, is written anew as a scene, and the results have the same bits."""
         with open(NAMES, newline="") as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
         new_names = {}
@@ -113,13 +126,21 @@ class Scenes(Runs):
             if row["kind"] == "result":
                 new_names.setdefault((row["model"], row["old_name"]), []).append(row["new_name"])
         n_compared = 0
-        for path in sorted(INPUTS.glob("*.nml"))[::EVERY]:
+        for path in sorted(OLD_INPUTS.glob("*.nml"))[::EVERY]:
             text = short(path.read_text())
             if re.search(r"'[\w/]+\.h5:", text) or "&data" in text or "&refine" in text or "&uncertain" in text or "model =" not in text:
                 continue
             with self.subTest(path.name):
                 n_compared += self.compare(text, new_names)
         self.assertGreater(n_compared, 600//(2*EVERY - 1))
+
+    def test_shipped_inputs(self):
+        """The shipped inputs are those of version 0.2, written anew; but for comments, and for data that count otherwise."""
+        names = [path.name for path in OLD_INPUTS.glob("*.nml") if path.name != "fit_velocity.nml"]
+        self.assertGreater(len(names), 90)
+        for name in sorted(names)[::EVERY]:
+            scene, _ = self.run_program("modernise", str(OLD_INPUTS/name))
+            self.assertEqual(bare(scene), bare((SOURCE/"inputs"/name).read_text()), name)
 
     def compare(self, text, new_names):
         """Number of results that an input and its scene have in common, all with the same bits or over the nominal area."""
@@ -151,6 +172,12 @@ class Scenes(Runs):
             np.testing.assert_allclose(ratios, size, rtol=1e-15, err_msg=name)
             n += 1
         self.assertGreater(n, 0)
+        # nothing that varies is lost, whatever its name
+        for name, values in old.items():
+            finite = values[np.isfinite(values)] if values.dtype.kind == "f" else np.zeros(1)
+            # the radius of friction is that of contact where nothing rubs
+            if finite.size > 1 and np.ptp(finite) > 0 and (name != "friction_radius" or "shear_strength" in scene):
+                self.assertTrue(any(proportional(values, other) for other in new.values()), f"{name} is lost")
         return n
 
     def test_mixture(self):
@@ -365,6 +392,22 @@ class Scenes(Runs):
         for name in ("friction_stress", "contact_fraction", "approach", "mean_pressure"):
             if name in values[0]:
                 np.testing.assert_allclose(values[0][name], values[1][name], rtol=1e-14, err_msg=name)
+
+
+def proportional(values, others):
+    """Are two results the same but for a factor?"""
+    if others.dtype.kind != "f" or not np.array_equal(np.isfinite(values), np.isfinite(others)):
+        return False
+    largest = np.nanargmax(np.where(np.isfinite(values), np.abs(values), 0))
+    if others.flat[largest] == 0:
+        return False
+    with np.errstate(invalid="ignore"):
+        return np.allclose(values, others*(values.flat[largest]/others.flat[largest]), rtol=1e-14, atol=0, equal_nan=True)
+
+
+def bare(text):
+    """An input without its comments."""
+    return [line.strip() for line in re.sub(r"!.*|(?<=0)\.0\b", "", text).splitlines() if line.strip()]
 
 
 def short(text):
