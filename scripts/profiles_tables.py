@@ -39,11 +39,11 @@ def show_rubber():
     head("Rubber on an asphalt-like line, 298.15 K", "", *velocities(VELOCITIES))
     results = solve("rubber_velocity", operating__temperature=ROOM, operating__velocity=VELOCITIES)
     row("mu", *results["friction_coefficient"])
-    row("share in contact", *(results["contact_area"] / results["period"]))
+    row("share in contact", *results["contact_fraction"])
     row("contacts", *(f"{count:.0f}" for count in results["contact_count"]))
     full = solve("rubber_velocity", operating__temperature=ROOM, operating__velocity=VELOCITIES, operating__mean_pressure="1.0e12")
-    assert (full["saturated_share"] == 1).all()
-    row("mu if contact were full", *(full["friction_force"] / results["load"]))
+    assert (full["full_contact_fraction_of_strips"] == 1).all()
+    row("mu if contact were full", *(full["friction_stress"] / results["mean_pressure"]))
 
 
 def show_temperatures():
@@ -67,7 +67,7 @@ def show_master_curve():
         group.attrs["reference_temperature"] = TEMPERATURE
         group["omega"], group["storage"], group["loss"] = omega, complex_modulus(omega).real, complex_modulus(omega).imag
     for terms in ("0.5", "1.0", "1.5", "2.0", "3.0"):
-        results = solve("rubber_master_curve", foundation__terms_per_decade=terms, operating__velocity=VELOCITIES[::2])
+        results = solve("rubber_master_curve", solid__terms_per_decade=terms, operating__velocity=VELOCITIES[::2])
         row(terms, *results["friction_coefficient"])
 
 
@@ -76,7 +76,7 @@ def show_edges():
     head("Edge rules on a rough line: mu", "edge", *velocities(shown), "edge_loss/T at 20 m/s")
     for edge in EDGES:
         results = solve(f"edge_rules_{edge}", operating__velocity=shown)
-        row(edge, *results["friction_coefficient"], f"{results['edge_loss'][2] / results['friction_force'][2]:.2g}")
+        row(edge, *results["friction_coefficient"], f"{results['edge_loss'][2] / results['friction_stress'][2]:.2g}")
 
 
 def show_preparation():
@@ -86,11 +86,11 @@ def show_preparation():
         ("as in the input", {}),
         ("periodise = 'mirror'", {"surface__periodise": "'mirror'"}),
         ("periodise = 'taper'", {"surface__periodise": "'taper'"}),
-        ("periodise = 'none'", {"surface__periodise": "'none'", "surface__blend_share": None}),
-        ("blend_share = 0.2", {"surface__blend_share": "0.2"}),
+        ("periodise = 'none'", {"surface__periodise": "'none'", "surface__blend_fraction": None}),
+        ("blend_fraction = 0.2", {"surface__blend_fraction": "0.2"}),
         ("interpolation = 'linear'", {"surface__interpolation": "'linear'"}),
         ("shortest_wavelength = 2.0e-4", {"surface__shortest_wavelength": "2.0e-4"}),
-        ("reverse = .true.", {"surface__reverse": ".true."}),
+        ("direction = 3.14159265", {"operating__direction": "3.14159265"}),
     ):
         results = solve_line(**changes)
         row(words, results["period"], *results["friction_coefficient"], f"{results['error_estimate'].max():.1g}")
@@ -115,8 +115,8 @@ def show_map():
         results = solve("rubber_map", output__profiles=".false.")
         cells_of_row = []
         for i in range(2):
-            cells_of_row += [f"{results['friction_coefficient'][i]:.5g}", f"{results['friction_sample_error'][i] / results['load'][i]:.2g}",
-                             f"{results['error_estimate'][i]:.2g}", f"{results['contact_area'][i] / 1e-8:.4g}"]
+            cells_of_row += [f"{results['friction_coefficient'][i]:.5g}", f"{results['friction_standard_error'][i] / results['mean_pressure'][i]:.2g}",
+                             f"{results['error_estimate'][i]:.2g}", f"{results['contact_fraction'][i]:.4g}"]
         row(str(cells), str(cells), *cells_of_row)
 
 

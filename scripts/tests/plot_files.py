@@ -56,7 +56,7 @@ def make_file(path, axes, profile_axes=(), model="wavy_sliding"):
             surface = [*shape, *(len(values) for _, values in profile_axes)]
             if model in STRESS_MODELS and len(profile_axes) == 2:
                 fields.update({name: np.linspace(-3.0, 5.0, int(np.prod(surface))).reshape(surface) ** 3
-                               for name in halfspace.STRESSES})
+                               for name in ("stress_xx_map", "stress_yy_map", "stress_xy_map", "largest_shear_stress_map")})
             fields["pressure"] = np.linspace(-1.0, 2.0, int(np.prod(surface))).reshape(surface)
             fields["gap"] = np.maximum(fields["pressure"], 0.0)
             fields["shear_stress"] = fields["pressure"]

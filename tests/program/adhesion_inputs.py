@@ -33,11 +33,10 @@ class AdhesionInputs(InputRuns):
         self.assertLess(found["mean_pressure"][0], 0)
         self.assertGreater(found["friction_stress"][0], 0)
         self.assertTrue(np.isnan(found["friction_coefficient"][0]))
-        carried = found["mean_pressure"] + found["stress"] * found["adhesion_fraction"]
+        carried = found["mean_pressure"] + found["adhesion_stress"] * found["adhesion_fraction"]
         expected = found["shear_strength"] * found["contact_fraction"] + found["pressure_factor"] * carried
         np.testing.assert_allclose(found["friction_stress"], expected, rtol=1e-14)
         np.testing.assert_allclose(found["friction_coefficient"][1], expected[1] / found["mean_pressure"][1], rtol=1e-14)
-        np.testing.assert_allclose(found["friction_force"], expected * found["length_x"] * found["length_y"], rtol=1e-14)
         touches = found["gap"] == 0
         shear = np.where(touches, found["shear_strength"] + found["pressure_factor"] * found["pressure"], 0)
         np.testing.assert_allclose(found["shear_stress"], shear, rtol=1e-14)
@@ -53,7 +52,7 @@ class AdhesionInputs(InputRuns):
         found = self.solve("surface_stickiness", **{"count = 25": "count = 4", "range = 1.25e-7": "range = 2.5e-7"})
         tension = -found["pull_off_pressure"]
         self.assertEqual(tension.shape, (2, 4))
-        np.testing.assert_allclose(tension[:, 0], found["stress"], rtol=1e-9)
+        np.testing.assert_allclose(tension[:, 0], found["adhesion_stress"], rtol=1e-9)
         self.assertTrue(np.all(np.diff(tension) < 0))
         # to the step with which a pull-off is sought
         self.assertTrue(np.all(tension[1] >= 0.99 * tension[0]))
@@ -67,8 +66,8 @@ class AdhesionInputs(InputRuns):
         found = self.solve("surface_adhesion_maps", **{"range = 5.0e-8": "range = 1.0e-7", "4.0e4, 1.5e5": "4.0e4"})
         pressure, gap = found["pressure"], found["gap"]
         np.testing.assert_allclose(pressure.mean(axis=(1, 2)), found["mean_pressure"], atol=1e-6 * pressure.max())
-        self.assertGreaterEqual(pressure.min(), -found["stress"] * (1 + 1e-6))
-        rims = (gap > 0) & (gap < 0.5 * found["range"])
+        self.assertGreaterEqual(pressure.min(), -found["adhesion_stress"] * (1 + 1e-6))
+        rims = (gap > 0) & (gap < 0.5 * found["adhesion_range"])
         np.testing.assert_array_less(pressure[rims], 0)
         results = Results(self.folder / "run.h5")
         self.assertIs(figures.choose_figure(results), surface.draw_pressure_maps)

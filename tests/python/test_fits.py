@@ -42,7 +42,7 @@ class Fits(InFolder):
     def test_command(self):
         """An input gives what the results file has, to the bit; the same in arrays as well."""
         for name in ("fit_friction.nml", "fit_friction.csv"):
-            shutil.copy(SOURCE/"inputs"/name, self.folder)
+            shutil.copy(SOURCE/"tests/old_inputs"/name, self.folder)
         subprocess.run([PROGRAM, "fit", "--quiet", "fit_friction.nml"], check=True)
         of_file = adfric.open("fit_friction.h5")
         found = adfric.fit("fit_friction.nml")
