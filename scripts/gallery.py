@@ -65,7 +65,7 @@ AREAS = {
     "A sphere": (
         one("johnson1997_fig3"), one("johnson1997_fig5", "johnson1997_fig5_jkr"), one("johnson1997_fig6"), one("johnson1997_fig7"),
         one("johnson1997_fig8"), one("johnson1997_fig9a"), one("johnson1997_fig9b"), one("johnson1997_fig11"),
-        one("sphere_pressure_factor", options="--y friction_force stick_radius slip"), one("stick_slip", options="--y friction_force contact_radius slip"),
+        one("sphere_pressure_factor", options="--y tangential_force stick_radius edge_slip"), one("stick_slip", options="--y tangential_force contact_radius edge_slip"),
         one("pulloff_map_load"), one("pulloff_map_approach"), one("hertz_jkr"),
         one("sphere_pull_off_edge"), one("sphere_sample"), one("sphere_uncertain")),
     "Fits of measured data": (
@@ -90,12 +90,12 @@ AREAS = {
     "Rough surfaces on a half-space": (
         one("surface_elastic"), one("surface_slip"), one("surface_adhesion_maps"), one("surface_stickiness"), one("surface_adhesion_friction"),
         one("surface_sliding"),
-        one("surface_sliding_strips", "surface_sliding_layer", options="--y friction_coefficient contact_fraction penetration")),
+        one("surface_sliding_strips", "surface_sliding_layer", options="--y friction_coefficient contact_fraction approach")),
 }
 # Columns of the overview: their widths [pixels] and figures.
 OVERVIEW = (
     (560, (one("surface_adhesion_maps"),)),
-    (380, (one("gm2011_fig6"), one("johnson1997_fig5", "johnson1997_fig5_jkr"))),
+    (380, (one("gm2011_fig6", options="--y friction_coefficient"), one("johnson1997_fig5", "johnson1997_fig5_jkr"))),
     (380, (one("surface_sliding", options="--y friction_coefficient"), one("pulloff_map_load"))))
 OVERVIEW_FILE = FIGURES / "overview.png"
 

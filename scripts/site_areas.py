@@ -13,6 +13,7 @@ AREAS = {
         "Gallery": "docs/gallery.md",
         "The language of scenes": "docs/language.md",
         "The input": "docs/namelist.md",
+        "Variables of scenes": "docs/variables.md",
         "Tables of text": "docs/tables.md",
         "The results file": "docs/file_format.md",
         "Measured surfaces and force curves": "docs/import.md",

@@ -15,11 +15,14 @@ RELATIVE = "relative_pull_off_load"
 WITHOUT_PULL_OFF = ("contact_fraction", "adhesion_fraction", "penetration")
 
 
-def known(results, name):
-    """A variable, a result or what has one value in the whole run; None where the file has it not."""
-    if name in results.fields or name in results.axis_names:
-        return results.values(name)
-    return results.constants[name].values if name in results.constants else None
+def known(results, *names):
+    """A variable, a result or what has one value in the whole run, by the first of its names that the file has; None where it has none."""
+    for name in names:
+        if name in results.fields or name in results.axis_names:
+            return results.values(name)
+        if name in results.constants:
+            return results.constants[name].values
+    return None
 
 
 def add_pull_off(results):
@@ -27,8 +30,8 @@ def add_pull_off(results):
     they follow from. The summit of the wave is a sphere of R = l^2/(4 pi^2 D), one in a period."""
     if results.model == "wave_2d_elastic":
         period, amplitude, stress, span, energy, modulus, pressure = (
-            known(results, name) for name in ("period", "amplitude", "stress", "range", "surface_energy", "contact_modulus",
-                                              "pull_off_pressure"))
+            known(results, *names) for names in (["period"], ["amplitude"], ["adhesion_stress", "stress"], ["adhesion_range", "range"],
+                                                 ["work_of_adhesion", "surface_energy"], ["contact_modulus"], ["pull_off_pressure"]))
         if period is None or amplitude is None:
             return
         radius = period**2 / (4 * np.pi**2 * amplitude)

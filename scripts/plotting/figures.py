@@ -11,15 +11,16 @@ from .curves import draw_panels
 from .results import NothingToDraw
 from .surface import draw_pressure_maps, draw_stresses
 
+# Names are those of scenes and, beside them, those of models: files of either are drawn.
 # results in the order in which they are worth drawing; others follow
-MAIN_RESULTS = ("friction_force", "friction_coefficient", "contact_width", "contact_area", "contact_radius", "approach",
-                "penetration", "load", "adhesion_area", "adhesion_radius")
+MAIN_RESULTS = ("friction_force", "friction_stress", "friction_coefficient", "contact_width", "contact_area", "contact_radius",
+                "approach", "penetration", "load", "adhesion_area", "adhesion_radius")
 CHECKS = ("error_estimate", "energy_imbalance", "residual", "contact_violation")
 MOST_RESULTS = 6
 # kinds of surfaces whose heights are drawn below the pressure
 ROUGH_LINES = ("profile", "cosines")
 # results of partial slip
-SLIP = ("stick_fraction", "tangential_displacement", "tangential_stiffness", "cycle_energy")
+SLIP = ("stick_fraction", "tangential_displacement", "tangential_stiffness", "friction_loss_per_cycle", "cycle_energy")
 # results drawn against a swept variable, as far as they vary, by model and variable; for others it is all that vary
 SHOWN = {
     ("hertz", "tangential_force"): SLIP,
@@ -27,14 +28,16 @@ SHOWN = {
     ("wave_1d", "tangential_stress"): SLIP,
     ("wave_2d_elastic", "tangential_stress"): SLIP,
     ("surface_elastic", "tangential_stress"): SLIP,
+    ("indenter", "base_approach"): ("contact_area", "contact_radius", "approach", "load", "adhesion_radius", "contact_stiffness"),
     ("hertz", "velocity"): ("friction_coefficient", "contact_half_width", "contact_shift", "peak_pressure"),
-    ("wavy_sliding", "load"): ("contact_width", "friction_force"),
+    ("wavy_sliding", "load"): ("contact_width", "crest_contact_width", "friction_stress", "friction_force"),
     ("wavy_sliding", "velocity"): ("friction_coefficient",),
     ("sphere", "load"): ("friction_force", "friction_area"),
     ("surface_sliding", "mean_pressure"): ("friction_coefficient", "contact_fraction", "peak_pressure", "contact_shift"),
     ("surface_elastic", "mean_pressure"): ("friction_stress", "contact_fraction", "adhesion_fraction", "peak_pressure"),
     ("wave_1d", "mean_pressure"): ("contact_fraction", "peak_pressure", "mean_gap", "largest_gap"),
     ("wave_1d", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
+    ("wave_1d", "adhesion_stress"): ("pull_off_pressure", "adhesion_hysteresis"),
     ("wave_1d", "stress"): ("pull_off_pressure", "hysteresis_loss"),
     ("wave_2d_elastic", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
     ("surface_elastic", "penetration"): ("mean_pressure", "contact_fraction", "adhesion_fraction", "peak_pressure"),
@@ -48,7 +51,7 @@ def choose_figure(results):
         return fit.draw_fit
     if results.model.endswith("_history"):
         return history.draw_history
-    if "pressure" in results.profiles or set(halfspace.STRESSES) <= set(results.profiles):
+    if "pressure" in results.profiles or halfspace.stresses_of(results):
         return choose_profiles(results)
     along = results.several[-1].name if results.several else None
     if along is None:
@@ -60,7 +63,7 @@ def choose_figure(results):
 
 def choose_profiles(results):
     """The procedure that draws the profiles of a run."""
-    if len(results.profile_axes) == 2 and set(halfspace.STRESSES) <= set(results.profiles):
+    if len(results.profile_axes) == 2 and halfspace.stresses_of(results):
         return halfspace.draw_stress_maps
     if results.model in PRESSURE_FIGURES:
         return PRESSURE_FIGURES[results.model]
@@ -106,6 +109,8 @@ FIGURES = {
     ("sphere", "tangential_force"): sphere.draw_stick_radius,
     ("sphere", "lambda"): sphere.draw_pull_off,
     ("wave_2d_elastic", "mean_pressure"): halfspace.draw_area,
+    ("wave_2d_elastic", "adhesion_stress"): adhesion.draw_pull_off,
+    ("wave_2d_elastic", "adhesion_range"): adhesion.draw_pull_off,
     ("wave_2d_elastic", "stress"): adhesion.draw_pull_off,
     ("wave_2d_elastic", "range"): adhesion.draw_pull_off,
     ("surface_elastic", "root_mean_square_height"): adhesion.draw_stickiness,

@@ -17,8 +17,10 @@ MERGING = 0.2286
 # how far the asymptotes are drawn
 LIGHT, HEAVY = 0.35, 0.45
 OPEN = "#d9e2ec"
-STRESSES = {"stress_xx_map": r"$\sigma_{xx}$", "stress_yy_map": r"$\sigma_{yy}$", "stress_xy_map": r"$\sigma_{xy}$",
-            "largest_shear_stress_map": r"largest shear $\tau$"}
+# the depth is z in scenes, and y in files of models
+STRESSES = {"stress_xx_map": r"$\sigma_{xx}$", "stress_zz_map": r"$\sigma_{zz}$", "stress_xz_map": r"$\sigma_{xz}$",
+            "stress_yy_map": r"$\sigma_{yy}$", "stress_xy_map": r"$\sigma_{xy}$", "largest_shear_stress_map": r"largest shear $\tau$"}
+COMPONENTS = 4
 MOST_ROWS = 3
 # pressures above this multiple of the largest mean pressure are cut off, as at the edge of a punch
 TALLEST = 4.0
@@ -94,12 +96,19 @@ def draw_contact_maps(results):
     return figure
 
 
+def stresses_of(results):
+    """Names of the maps of the stresses in the plane; none if they are not all there."""
+    names = [name for name in STRESSES if name in results.profiles]
+    return names if len(names) == COMPONENTS else []
+
+
 def draw_pressures(results):
     """Pressure along the surface, a curve for each point of the sweep."""
     is_wave = "full_contact_pressure" in results.fields
     figure, axes = draw_profiles(results, "pressure", _touching, _share_label(results) if is_wave else None)
     pressure = results.profiles["pressure"]
-    highest = min(np.nanmax(pressure.values, initial=0.0), TALLEST * np.nanmax(results.values("mean_pressure"), initial=0.0))
+    mean = "mean_contact_pressure" if "mean_contact_pressure" in results.fields else "mean_pressure"
+    highest = min(np.nanmax(pressure.values, initial=0.0), TALLEST * np.nanmax(results.values(mean), initial=0.0))
     # tension of adhesion
     lowest = np.nanmin(pressure.values, initial=0.0)
     axes.set_ylim(*(1.05 * np.array([lowest, highest or 1.0]) * scale_of(pressure.values, pressure.unit)[0]))
@@ -113,15 +122,16 @@ def draw_stress_maps(results):
         points = [points[0], points[len(points) // 2], points[-1]]
     y, x = results.profile_axes
     x_factor, x_unit = scale_of(x.values, x.unit)
-    fields = [results.profiles[name].values for name in STRESSES]
+    names = stresses_of(results)
+    fields = [results.profiles[name].values for name in names]
     levels, shear_levels = (choose_levels(np.concatenate([np.abs(values[index]).ravel() for values in part for index in points]))
                             for part in (fields[:-1], fields[-1:]))
-    factor, unit = scale_of(levels, results.profiles["stress_yy_map"].unit)
+    factor, unit = scale_of(levels, results.profiles["stress_xx_map"].unit)
     shape = abs(np.ptp(y.values) / np.ptp(x.values))
-    figure, panels = plt.subplots(len(points), len(STRESSES), sharex=True, sharey=True, squeeze=False,
-                                  figsize=(2.6 * len(STRESSES) + 0.6, (2.3 * shape + 0.35) * len(points) + 1.2))
+    figure, panels = plt.subplots(len(points), len(names), sharex=True, sharey=True, squeeze=False,
+                                  figsize=(2.6 * len(names) + 0.6, (2.3 * shape + 0.35) * len(points) + 1.2))
     for row, index in zip(panels, points):
-        for panel, name, values in zip(row, STRESSES, fields):
+        for panel, name, values in zip(row, names, fields):
             edges, colours = (shear_levels, "YlOrRd") if values is fields[-1] else (np.append(-levels[::-1], levels), "RdBu_r")
             image = panel.contourf(x.values * x_factor, y.values * x_factor, values[index] * factor, levels=edges * factor,
                                    extend="both", colors=plt.get_cmap(colours)(np.linspace(0, 1, edges.size + 1)))
@@ -131,7 +141,7 @@ def draw_stress_maps(results):
                 _add_levels(figure, panels, panel, image, unit)
             if panel.get_subplotspec().is_last_row():
                 panel.set_xlabel(axis_label("x", x_unit))
-        label = "depth " + axis_label("y", x_unit)
+        label = "depth " + axis_label(y.name, x_unit)
         label_rows(row[0], "\n".join(part for part in (point_label(results.describe(index), results.model), label) if part))
     panels[0, 0].invert_yaxis()
     return figure
@@ -155,9 +165,10 @@ def choose_levels(sizes):
 def draw_half_axes(results):
     """Half-axes of the ellipse of contact, largest pressure and approach against a principal radius."""
     radius = results.several[-1]
-    figure = draw_panels(results, radius.name, ["contact_half_width", "peak_pressure", "approach"])
+    major = "major_half_width" if "major_half_width" in results.fields else "contact_half_width"
+    figure = draw_panels(results, radius.name, [major, "peak_pressure", "approach"])
     axes = figure.axes[0]
-    factor, unit = scale_of(results.fields["contact_half_width"].values, "m")
+    factor, unit = scale_of(results.fields[major].values, "m")
     minor = results.fields["minor_half_width"].values
     along, order = results.axis_names.index(radius.name), np.argsort(radius.values)
     majors = list(axes.lines)
@@ -181,7 +192,7 @@ def draw_half_axes(results):
 def _add_levels(figure, panels, panel, image, unit):
     """The key of the levels of the signed stresses below their first column, and that of the shear below the last."""
     column = panel.get_subplotspec().colspan.start
-    if 0 < column < len(STRESSES) - 1:
+    if 0 < column < COMPONENTS - 1:
         return
     part, words = (panels[:, :-1], "Stress") if column == 0 else (panels[:, -1], "Shear stress")
     bar = figure.colorbar(image, ax=part, location="bottom", aspect=50 if column == 0 else 15, spacing="uniform")

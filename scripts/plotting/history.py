@@ -7,8 +7,8 @@ from .labels import axis_label, point_label, scale_of
 from .style import COLOURS, make_panels, plt
 
 # what is drawn, against what
-PANELS = (("tangential_displacement", "tangential_force"), ("approach", "load"), ("step", "stick_radius"), ("step", "stick_half_width"),
-          ("step", "friction_loss"))
+PANELS = (("tangential_displacement", "tangential_force"), ("approach", "load"), ("step", "stick_radius"), ("step", "stick_major_half_width"),
+          ("step", "stick_half_width"), ("step", "friction_loss"))
 
 
 def draw_history(results):

@@ -12,7 +12,7 @@ STEEP, LARGE = 4.0, 0.02
 FEWEST = 8
 # jumps of less than this part of a curve along both axes have no arrow
 SHOWN = 0.1
-ARROWS = {"adhered": -1, "approach": 1}
+ARROWS = {"adhered": -1, "approach": 1, "loading": 1}
 
 
 def find_jumps(results, along, index):

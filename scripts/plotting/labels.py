@@ -19,8 +19,11 @@ SYMBOLS = {
     "contact_modulus": "E^*",
     "contact_radius": "a",
     "contact_width": "a + b",
+    "crest_contact_width": "a + b",
+    "coulomb_coefficient": r"\mu",
     "critical_slip": "s_0",
     "edge_fraction": "x",
+    "edge_slip": "s",
     "friction_area": r"\pi b^2",
     "friction_coefficient": r"\mu",
     "friction_force": "T",
@@ -29,6 +32,7 @@ SYMBOLS = {
     "height": "h",
     "interaction": r"\alpha",
     "lambda": r"\lambda",
+    "major_half_width": "a",
     "load": "P",
     "mean_pressure": "p",
     "minor_half_width": "b",
@@ -75,7 +79,7 @@ NAMES = {"area_left": "friction area", "contact_half_width": "half-width", "lamb
          "radius_2y": "principal radius",
          "relative_area": "friction area", "relative_pull_off_load": "pull-off load", "relative_stick_radius": "stick radius",
          "stress": "adhesion stress",
-         "velocity": "sliding velocity", "x": "", "y": ""}
+         "velocity": "sliding velocity", "x": "", "y": "", "z": ""}
 PREFIXES = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 # the power to which a prefix is raised with the first letter of the unit; others keep their unit as it is
 PREFIXED = {"m": 1, "m/s": 1, "m^2": 2, "m^2/m": 1, "s": 1, "N": 1, "N/m": 1, "Pa": 1, "Pa/m": 1, "J": 1,
@@ -134,7 +138,7 @@ def point_label(pairs, model):
 
 
 def _value_label(axis, value, model):
-    if model == "wavy_sliding" and axis.name == "stress" and value == 0:
+    if model == "wavy_sliding" and axis.name in ("adhesion_stress", "stress") and value == 0:
         return NO_ADHESION
     factor, unit = scale_of(axis.values, axis.unit)
     symbol = f"${SYMBOLS[axis.name]}$" if axis.name in SYMBOLS else axis.name.replace("_", " ")

@@ -51,6 +51,8 @@ def draw_collapse(panel, results, curves, factors):
 
 def contact_share(results):
     """The share of the nominal area in contact, from a period or from the load over its mean pressure; None where neither is known."""
+    if "contact_fraction" in results.fields:
+        return results.fields["contact_fraction"]
     if "contact_area" not in results.fields:
         return None
     area = results.fields["contact_area"]

@@ -30,7 +30,8 @@ def draw_friction(results):
 def draw_beside_full(panel, results, along, curves):
     """Friction over nominal area, and dashed that of full contact."""
     place = results.axis_names.index(along)
-    axis, friction, full = results.axes[place], results.fields["friction_stress"], results.fields["full_contact_friction"]
+    in_full = "full_contact_friction_stress" if "full_contact_friction_stress" in results.fields else "full_contact_friction"
+    axis, friction, full = results.axes[place], results.fields["friction_stress"], results.fields[in_full]
     order = np.argsort(axis.values)
     is_log = is_logarithmic(axis.values)
     x_factor, x_unit = (1.0, scale_of([], axis.unit)[1]) if is_log else scale_of(axis.values, axis.unit)

@@ -67,12 +67,14 @@ def draw_peeling(results):
     area = results.fields["friction_area"].values
     whole = _first(results, area, "tangential_displacement")
     results.fields["relative_area"] = Field("relative_area", "-", _ratio(area, whole))
-    names = ["friction_force", "relative_area"]
+    # the force that is applied and that of sliding have other names in files of models
+    applied, sliding = ("tangential_force", "friction_force") if "tangential_force" in results.fields else ("friction_force", "sliding_force")
+    names = [applied, "relative_area"]
     figure = draw_panels(results, "tangential_displacement", names)
-    force, strength = results.fields.get("sliding_force"), results.constants.get("shear_strength")
+    force, strength = results.fields.get(sliding), results.constants.get("shear_strength")
     slides = {}
     if force:
-        slides["friction_force"] = force.values
+        slides[applied] = force.values
     if force and strength:
         unit = REDUCED_FORCE if force.unit == "-" else 1.0
         slides["relative_area"] = _ratio(unit * force.values / strength.values, whole)

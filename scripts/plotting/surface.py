@@ -62,7 +62,12 @@ def draw_pressure_maps(results):
         panel.set_title(panel_title(results, index))
         panel.set_xlabel(axis_label(x.name, x_unit) + (", direction of sliding" if results.model == "wavy_sliding" else ""))
         label_rows(panel, axis_label(y.name, x_unit))
-    words = f"{axis_label('pressure', unit)}; {ADHESION_KEY}" if adheres else axis_label("pressure", unit)
+    words = axis_label("pressure", unit)
+    if adheres:
+        words += f"; {ADHESION_KEY}"
+        # one row of maps is too low for one line
+        if panels[0].get_subplotspec().get_gridspec().nrows == 1:
+            words = words.replace("; ", "\n")
     ticks = adhesion_ticks(lowest, highest) if adheres else None
     figure.colorbar(image, ax=panels, label=words, ticks=ticks, shrink=0.85)
     return figure
