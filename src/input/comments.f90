@@ -20,7 +20,7 @@ contains
 
       first = 1
       if (group > 1) first = behind_group(file, group - 1)
-      lines = comment_lines(file%text(first:file%groups(group)%first - 1))
+      lines = comment_lines(file%text(first:file%groups(group)%first - 1), '')
    end function comments_before
 
    !> Lines of comment behind the last group.
@@ -30,7 +30,7 @@ contains
       character(:), allocatable :: lines
 
       lines = ''
-      if (size(file%groups) > 0) lines = comment_lines(file%text(behind_group(file, size(file%groups)):))
+      if (size(file%groups) > 0) lines = comment_lines(file%text(behind_group(file, size(file%groups)):), '')
    end function comments_at_end
 
    !> Position behind the end of a group. What stands behind its `/` is a comment of its last assignment if that is in the same line.
@@ -65,7 +65,7 @@ contains
             if (file%assignments(number - 1)%group == assignment%group) first = file%assignments(number - 1)%value_last + 1
          end if
          first = end_of_line_at(file%text, first)
-         lines = comment_lines(file%text(first:assignment%first - 1))
+         lines = comment_lines(file%text(first:assignment%first - 1), '  ')
       end associate
    end function comments_above
 
@@ -121,9 +121,11 @@ contains
    end function end_of_line_at
 
    !> The lines of a text that are comments.
-   pure function comment_lines(text) result(lines)
-      !> The text, from the beginning of a line.
+   pure function comment_lines(text, indent) result(lines)
+      !> The text, from the beginning of a line or the end of a group.
       character(*), intent(in) :: text
+      !> What each line begins with.
+      character(*), intent(in) :: indent
       character(:), allocatable :: lines, line
       integer :: first, last
 
@@ -132,7 +134,7 @@ contains
       do while (first <= len(text))
          last = end_of_line_at(text, first) - 1
          line = strip(text(first:last))
-         if (index(line, '!') == 1) lines = lines//text(first:last)
+         if (index(line, '!') == 1) lines = lines//indent//line//newline
          first = last + 1
       end do
    end function comment_lines

@@ -379,7 +379,11 @@ contains
       do i = 1, size(file%assignments)
          if (file%assignments(i)%group /= group) cycle
          name = trim(file%assignments(i)%name)
-         if (file%groups(group)%name == 'job' .and. name == 'model') cycle
+         if (file%groups(group)%name == 'job' .and. name == 'model') then
+            lines = lines//comments_above(file, i)
+            if (len(comment_behind(file, i)) > 0) lines = lines//'  '//comment_behind(file, i)//newline
+            cycle
+         end if
          text = strip(file%value_of(i))
          if (has_word(naming, name)) then
             text = names_in_scene(text, old, new)

@@ -306,6 +306,22 @@ class Scenes(Runs):
         self.run_program("run", "--quiet", "--force", "run.nml")
         self.assertEqual(results_of(self.folder/"run.h5")[1], "sphere")
 
+    def test_comments_are_kept(self):
+        """Comments before, in and behind groups and values are in the scene, and a value that counts otherwise keeps the old one."""
+        self.write("! head\n&job model = 'wavy_sliding' / ! job\n! above\n&surface\n  kind = 'cosines', period = 1e-4\n"
+                   "  amplitudes =   ! of waves\n    1e-6, ! first\n    2e-7\n  phases = 0.0, 1.0 ! '!' [rad]\n/ ! behind\n"
+                   "&foundation stiffness = 1e9, relaxation_time = 1e-3, retardation_ratio = 10.0 / ! arms\n"
+                   "&operating load = 1.0, velocity = 0.1 /\n! last")
+        scene, _ = self.run_program("modernise", "run.nml")
+        for comment in ("! head", "! job", "! above", "! of waves", "! first", "! '!' [rad]", "! behind", "! arms", "! last"):
+            self.assertEqual(scene.count(comment), 1, comment)
+        self.assertIn("  amplitudes =   ! of waves\n    1e-6, ! first\n    2e-7\n", scene)
+        self.write(scene, "new.nml")
+        self.assertEqual(self.run_program("modernise", "new.nml")[0], scene)
+        self.write("&job model = 'wavy_sliding' /\n&surface kind = 'wave_2d', period = 1e-4,\n  height = 1e-5 ! h [m]\n/\n"
+                   "&foundation stiffness = 1e9, relaxation_time = 1e-3, retardation_ratio = 10.0 /\n&operating load = 1.0, velocity = 0.1 /\n")
+        self.assertIn("  amplitude = 5e-6              ! h [m]; height = 1e-5 before\n", self.run_program("modernise", "run.nml")[0])
+
     def test_what_cannot_be_written_anew(self):
         """What an input says and a scene cannot is named; nothing is dropped."""
         wave = ("&job model = 'wavy_sliding' /\n&surface kind = 'wave_2d', period = 1e-4, {} /\n&foundation stiffness = 1e11, relaxation_time = 1e-4,"
