@@ -21,7 +21,7 @@ FOREIGN = {"physics": {"iso_fortran_env", "ieee_arithmetic"},
 # Two files of one module, of which CMake takes one (cmake/AdfricMpi.cmake); and the library's interface, which has a short name.
 ALTERNATIVES = {"run/world_mpi": "run/world", "run/world_serial": "run/world", "api/api": "api"}
 # Folders of tests that are no room of src/.
-OTHER_TESTS = {"asserts", "hard", "program", "python", "reference", "runner", "search", "selftest", "support"}
+OTHER_TESTS = {"asserts", "hard", "program", "python", "old_inputs", "reference", "runner", "search", "selftest", "support"}
 # The first module of a file, and what it uses.
 MODULE = re.compile(r"^\s*(?:module|program)\s+(?!procedure\b)(\w+)\s*$", re.IGNORECASE)
 USE = re.compile(r"^\s*use\b(?:\s*,\s*(?:non_)?intrinsic\s*)?(?:\s*::)?\s*(\w+)", re.IGNORECASE)

@@ -33,7 +33,8 @@ contains
       if (size(file%groups) > 0) lines = comment_lines(file%text(behind_group(file, size(file%groups)):), '')
    end function comments_at_end
 
-   !> Position behind the end of a group. What stands behind its `/` is a comment of its last assignment if that is in the same line.
+   !> Position behind the end of a group. What stands behind its `/` is a comment of its last assignment if that is in the
+   !> same line.
    integer function behind_group(file, group)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
