@@ -12,6 +12,7 @@ AREAS = {
         "Tutorial: a force map": "docs/force_map.md",
         "Gallery": "docs/gallery.md",
         "The language of scenes": "docs/language.md",
+        "Columns or half-space": "docs/columns.md",
         "The input": "docs/namelist.md",
         "Variables of scenes": "docs/variables.md",
         "Tables of text": "docs/tables.md",

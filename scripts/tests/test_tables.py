@@ -38,6 +38,10 @@ class TablesTest(unittest.TestCase):
         """Where theories are off by a tenth."""
         self.check("doubts", "9.9 %", "12.0 %", "9.5 %", "8.9 %")
 
+    def test_columns(self):
+        """One wave on columns, a layer and a half-space."""
+        self.check("columns", "0.06938", "0.04112", "1.516")
+
     def test_sphere(self):
         """Fig. 5 of Johnson."""
         self.check("sphere", "136.53", "329.30")
