@@ -8,6 +8,8 @@ FORTRAN = "fortran/index.html"
 AREAS = {
     "Use": {
         "Overview": "README.md",
+        "Installing": "docs/install.md",
+        "A first run": "docs/first_run.md",
         "Tutorial": "docs/tutorial.md",
         "Tutorial: a force map": "docs/force_map.md",
         "Gallery": "docs/gallery.md",
@@ -40,6 +42,7 @@ AREAS = {
         "How it scales": "docs/scaling.md",
         "Hard cases": "docs/hard_cases.md",
         "Where theories end": "docs/doubts.md",
+        "What it cannot do": "docs/limits.md",
         "Benchmarks": "bench/README.md",
     },
     "Project": {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The blocks of README.md can be copied as they stand: commands are run, inputs are read or solved, Python is executed.
+"""The blocks of README.md and of the first pages can be copied as they stand: commands are run, inputs are read or solved, Python is executed.
 
 Commands that install packages of the system or of Python, that compile for minutes, or that need MPI or Slurm are not run: the scripts,
 presets, options and files that they name are looked up instead (`NAMED`). Synopses (`text`) have no option that `--help` has not.
@@ -18,6 +18,8 @@ from runs import PROGRAM, Runs, main
 
 SOURCE = Path(os.environ["ADFRIC_SOURCE"])
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+# README and the pages that it leads a newcomer to
+PAGES = ("README.md", "docs/install.md", "docs/first_run.md")
 # what the blocks are in
 LANGUAGES = {"sh", "fortran", "python", "cmake", "text"}
 # commands that are looked up, not run, by their first words
@@ -39,12 +41,13 @@ def commands_of(block):
 
 
 class Readme(Runs):
-    """README.md, block by block, in a folder that looks like the sources."""
+    """The first pages, block by block, in a folder that looks like the sources."""
 
     @classmethod
     def setUpClass(cls):
-        cls.text = (SOURCE/"README.md").read_text()
+        cls.text = "\n".join((SOURCE/page).read_text() for page in PAGES)
         cls.blocks = blocks_of(cls.text)
+        (cls.first,) = [text for language, text in cls.blocks if language == "fortran" and "first.h5" in text]
 
     def setUp(self):
         super().setUp()
@@ -73,8 +76,7 @@ class Readme(Runs):
     def test_commands(self):
         """A block of commands holds commands alone, which run where they can."""
         self.write(BIG, "big.nml")
-        inputs = [text for language, text in self.blocks if language == "fortran" and "&job" in text]
-        self.write(inputs[0], "first.nml")
+        self.write(self.first, "first.nml")
         self.run_program("run", "--quiet", "first.nml")
         n_run = 0
         for language, block in self.blocks:
@@ -185,8 +187,7 @@ class Readme(Runs):
         """What Python blocks print is said beside them; they run with what the first input has left."""
         if "ADFRIC_LIBRARY" not in os.environ:
             self.skipTest("there is no shared library")
-        inputs = [text for language, text in self.blocks if language == "fortran" and "&job" in text]
-        self.write(inputs[0], "first.nml")
+        self.write(self.first, "first.nml")
         self.run_program("run", "--quiet", "first.nml")
         blocks = [text for language, text in self.blocks if language == "python"]
         self.assertGreaterEqual(len(blocks), 2)
