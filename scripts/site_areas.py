@@ -6,6 +6,14 @@ from document_links import documents_of
 # The first page that FORD makes.
 FORTRAN = "fortran/index.html"
 AREAS = {
+    "Guide": {
+        "Friction of a tip": "docs/guide/friction_of_a_tip.md",
+        "Pull-off of a rough surface": "docs/guide/pull_off_of_a_rough_surface.md",
+        "Rubber on a road": "docs/guide/rubber_on_a_road.md",
+        "Fretting": "docs/guide/fretting.md",
+        "Fit of a force map": "docs/guide/fit_of_a_force_map.md",
+        "A scan on a cluster": "docs/guide/a_scan_on_a_cluster.md",
+    },
     "Use": {
         "Overview": "README.md",
         "Installing": "docs/install.md",

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pages of the guide: their inputs are solved, and their numbers are those of the inputs that they name."""
+
+import os
+import re
+import shutil
+import sys
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+from input_runs import InputRuns  # noqa: E402
+from runs import main  # noqa: E402
+
+SOURCE = Path(os.environ["ADFRIC_SOURCE"])
+PAGES = sorted((SOURCE/"docs/guide").glob("*.md"))
+INPUT = re.compile(r"^```fortran\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+PARTS = ("**Question.**", "scripts/", "](../gallery/", "## The input", "## Where it fails", "Next:")
+
+
+def digits(value, count=3):
+    """A number as the pages print it."""
+    return f"{float(f'{value:.{count - 1}e}'):g}"
+
+
+class Guide(InputRuns):
+    def page(self, name):
+        return (SOURCE/f"docs/guide/{name}.md").read_text()
+
+    def test_parts(self):
+        """Each page has a question, a command, a figure, an input, limits, and where to go on; no line is long."""
+        self.assertGreaterEqual(len(PAGES), 6)
+        for path in PAGES:
+            text = path.read_text()
+            for part in PARTS:
+                self.assertIn(part, text, path.name)
+            prose = [line for line in text.splitlines() if not line.startswith(("|", "&", " ", "!["))]
+            self.assertLessEqual(max(map(len, prose)), 120, path.name)
+
+    def test_inputs(self):
+        """The inputs of the pages are solved as they stand, big samples with fewer points."""
+        self.make_surface("surface_stickiness", 32)
+        shutil.copy(SOURCE/"tests/reference/fit/map_jkr_a.h5", self.folder/"map.h5")
+        for path in PAGES:
+            with self.subTest(path.name):
+                (text,) = INPUT.findall(path.read_text())
+                text = re.sub(r"count = \d+", "count = 3", text).replace("turning_pressure', values = 0.0, 1.0e5", "turning_pressure', values = 0.0")
+                self.write("&job output = 'run.h5' /\n" + text)
+                self.run_program("fit" if "&data" in text else "run", "--quiet", "--force", "run.nml", status=None)
+                self.assertTrue((self.folder/"run.h5").exists())
+
+    def test_tip(self):
+        page, found = self.page("friction_of_a_tip"), self.solve_any("johnson1997_fig5")
+        at_rest = np.argmin(abs(found["load"]))
+        self.assertIn(f"| {digits(1e9*found['friction_force'][at_rest])} nN without load |", page)
+        self.assertIn(f"| {digits(1e9*found['pull_off_load'][at_rest])} nN |", page)
+        self.assertIn(f"| {digits(1e18*found['friction_area'][at_rest])} nm^2 without load |", page)
+
+    def test_rubber(self):
+        page, found = self.page("rubber_on_a_road"), self.solve_any("rubber_velocity")
+        largest = found["friction_coefficient"].argmax(axis=1)
+        speeds = [digits(found["velocity"][place], 2) for place in largest]
+        self.assertIn(f"at most {digits(found['friction_coefficient'][1, largest[1]])}, at {speeds[1]} m/s and 25 °C", page)
+        self.assertIn(f"{speeds[0]} m/s at 0 °C and {speeds[2]} m/s at 50 °C", page)
+        self.assertIn(f"from {digits(found['contact_fraction'][1, 0], 2)} when slow to {digits(found['contact_fraction'][1, -1], 1)} when fast", page)
+
+    def test_fretting(self):
+        page, found = self.page("fretting"), self.solve_any("hertz_hysteresis")
+        period = (found["friction_loss"].shape[1] - 1)//3
+        losses = found["friction_loss"][:, -1] - found["friction_loss"][:, -1 - period]
+        self.assertIn(f"{digits(1e6*losses[0], 2)} uJ in a period, at mu = 0.15", page)
+        self.assertIn(f"each period takes {digits(1e6*losses[1], 2)} uJ", page)
+        self.assertIn(f"{digits(1e6*found['total_friction_loss'][0])} uJ after three periods", page)
+
+    def solve_any(self, name):
+        """Numbers of a shipped input, some of whose points may have no equilibrium."""
+        self.run_program("run", "--quiet", "--force", "--output", "run.h5", SOURCE/f"inputs/{name}.nml")
+        with h5py.File(self.folder/"run.h5") as file:
+            return {key: data[()] for key, data in file.items() if isinstance(data, h5py.Dataset)}
+
+
+if __name__ == "__main__":
+    main()
