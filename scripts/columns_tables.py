@@ -17,12 +17,12 @@ def slide(extent, thickness=None, **changes):
 
 def main():
     half_space = slide("half_space")
+    solved = [(thickness, slide("foundation", thickness), slide("layer", thickness, solid__base="'frictionless'", numerics__cells=CELLS))
+              for thickness in THICKNESSES]
     for name, words in (("friction_coefficient", "Friction coefficient"), ("contact_fraction", "Contact fraction")):
         head(f"{words} of one wave on columns, on a layer, and on a half-space", "thickness over wave", "velocity [m/s]", "columns", "layer",
              "half-space", "columns over layer", "half-space over layer")
-        for thickness in THICKNESSES:
-            columns = slide("foundation", thickness)
-            layer = slide("layer", thickness, solid__base="'frictionless'", numerics__cells=CELLS)
+        for thickness, columns, layer in solved:
             for i, velocity in enumerate(VELOCITIES):
                 values = [results[name][i] for results in (columns, layer, half_space)]
                 row(f"{thickness:g}", f"{velocity:g}", *(f"{value:.4g}" for value in values), *(f"{values[k] / values[1]:.3f}" for k in (0, 2)))

@@ -70,7 +70,7 @@ contains
       end associate
    end function comments_above
 
-   !> What stands between the name of an assignment and the end of its value, if it has comments; empty if it has none.
+   !> What stands between the name of an assignment and the end of its value.
    function layout_of(file, number) result(text)
       !> The input, cut into groups and assignments.
       type(namelist_file_t), intent(in) :: file
@@ -78,10 +78,7 @@ contains
       integer, intent(in) :: number
       character(:), allocatable :: text
 
-      text = ''
       associate (assignment => file%assignments(number))
-         if (assignment%value_last < assignment%value_first) return
-         if (len(comments_inside(file, number)) == 0) return
          text = file%text(assignment%first:assignment%value_last)
          text = text(index(text, '='):)
       end associate
@@ -99,7 +96,7 @@ contains
       lines = ''
       i = file%assignments(number)%first
       do while (i <= file%assignments(number)%value_last)
-         ! the text without comments has blanks in their place
+         ! the text without comments has blanks there
          if (file%text(i:i) == '!' .and. file%source%bare(i:i) == ' ') then
             last = end_of_line_at(file%text, i) - 1
             lines = lines//'  '//strip(file%text(i:last))//newline

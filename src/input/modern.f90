@@ -10,15 +10,15 @@ module adfric_input_modern
    use adfric_input_comments, only: comment_behind, comments_above, comments_at_end, comments_before, comments_inside, &
       layout_of
    use adfric_input_literal, only: convert
-   use adfric_input_modern_values, only: are_numbers, bare_of, count_items, is_converted, item_of, names_in_scene, &
-      numbers_in_scene, result_in_scene, theories_in_scene, value_in_scene, word_of
+   use adfric_input_modern_checks, only: check_ordinates, check_rest, count_samples
+   use adfric_input_modern_values, only: bare_of, count_items, index_of_assigned, is_converted, item_of, names_in_scene, &
+      numbers_in_scene, result_in_scene, swept_variable, theories_in_scene, value_in_scene, word_of
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_scene, only: find_solver, make_solver, naming
    use adfric_input_vocabulary, only: find_variable
    use adfric_model_model, only: model_t
    use adfric_model_table, only: variable_t
    use adfric_model_vocabulary, only: list_groups
-   use adfric_run_converted_model, only: converted_model_t
    use adfric_scene_facts, only: find_facts, scene_t
    use adfric_scene_names, only: likely_name_of, rename_words
    implicit none (type, external)
@@ -88,95 +88,6 @@ contains
       end do
       if (len(comments_at_end(file)) > 0) text = text//newline//comments_at_end(file)
    end subroutine write_scene
-
-   !> Tell a solver that converts spacings how many samples the heights have.
-   subroutine count_samples(counts, file, new, problems)
-      !> Number of samples along x and y; 0 where it is not known.
-      integer, intent(in) :: counts(2)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> The solver, in the language of scenes.
-      class(model_t), intent(inout) :: new
-      !> Receives what is wrong; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-      integer :: group
-
-      select type (new)
-      class is (converted_model_t)
-         new%n_x = counts(1)
-         new%n_y = counts(2)
-      end select
-      group = file%find_group('surface')
-      if (counts(1) > 0 .or. group == 0) return
-      if (file%find_assignment(group, 'spacing') > 0) call file%report_variable(problems, group, 'spacing', &
-         'is a length of all samples in a scene, and their number is not known; put the file of the heights in its at')
-   end subroutine count_samples
-
-   !> What cannot be written as a scene is said: variables that it does not have, columns of tables by the names of the model, and
-   !> numbers of converted variables but for those of sweeps.
-   subroutine check_rest(file, old, new, is_left_out, problems)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> The model in its own language, and in that of scenes.
-      class(model_t), intent(in) :: old, new
-      !> Is the assignment left out? Shape `(n_assignments)`.
-      logical, intent(in) :: is_left_out(:)
-      !> Receives what is wrong; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: group, name, words
-      integer :: i, at
-
-      group = ''
-      name = ''
-      words = ''
-      do i = 1, size(file%assignments)
-         group = trim(file%groups(file%assignments(i)%group)%name)
-         name = trim(file%assignments(i)%name)
-         at = index_of_assigned(file, i, old)
-         if (at > 0) then
-            if (new%variables(at)%is_hidden .and. .not. is_left_out(i)) &
-               call file%report_variable(problems, file%assignments(i)%group, name, &
-               'has no place in this scene, or another variable has it; write the scene by hand')
-         else if (group == 'cases' .and. name == 'variables') then
-            words = names_in_scene(strip(file%value_of(i)), old, new)
-            if (words /= strip(file%value_of(i))) call file%report_variable(problems, file%assignments(i)%group, name, &
-               'are '//words//' in a scene; rename the columns of the table first')
-         else if (has_word('uncertain free', group) .and. name == 'variable') then
-            if (is_converted(new, swept_variable(file, file%assignments(i)%group, old))) call file%report_variable(problems, &
-               file%assignments(i)%group, name, 'is counted otherwise in a scene; write this group by hand')
-         else if (has_word('sweep range', group) .and. has_word('from to values', name)) then
-            if (is_converted(new, swept_variable(file, file%assignments(i)%group, old)) .and. &
-               .not. are_numbers(strip(file%value_of(i)))) call file%report_variable(problems, file%assignments(i)%group, name, &
-               'are counted otherwise in a scene; write them as plain numbers')
-         end if
-      end do
-   end subroutine check_rest
-
-   !> Data of what a scene counts over the nominal area have to be divided by it first.
-   subroutine check_ordinates(file, old, new, problems)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> The model in its own language, and in that of scenes.
-      class(model_t), intent(in) :: old, new
-      !> Receives what is wrong; nothing is removed.
-      type(problems_t), intent(inout) :: problems
-      character(:), allocatable :: word, flaw
-      integer :: i, k
-
-      select type (new)
-      class is (converted_model_t)
-         do i = 1, size(file%assignments)
-            if (file%assignments(i)%name /= 'ordinate') cycle
-            call convert(strip(file%value_of(i)), word, flaw)
-            if (len(flaw) > 0) cycle
-            do k = 1, size(old%results)
-               if (old%results(k)%name == word .and. new%is_of_period(k)) call file%report_variable(problems, &
-                  file%assignments(i)%group, 'ordinate', 'is '//new%results(k)%name//' over the nominal area ['// &
-                  new%results(k)%unit//'] in a scene; divide the data by the size of a period first')
-            end do
-         end do
-      end select
-   end subroutine check_ordinates
 
    !> Names and words of the scene that an input describes.
    subroutine find_scene(file, old, is_left_out, scene)
@@ -265,20 +176,6 @@ contains
       is_left_out = is_left_out .and. is_zero
    end subroutine find_left_out
 
-   !> Index of the variable that an assignment gives a value, in the table of the model; 0 if the model has none such.
-   pure integer function index_of_assigned(file, number, old)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> Number of the assignment.
-      integer, intent(in) :: number
-      !> The model, in its own language.
-      class(model_t), intent(in) :: old
-
-      associate (assignment => file%assignments(number))
-         index_of_assigned = old%index_of(trim(file%groups(assignment%group)%name), trim(assignment%name))
-      end associate
-   end function index_of_assigned
-
    !> The likely names of the variables that a sweep names.
    function likely_names(text, old) result(names)
       !> Value of the assignment: words in quotes.
@@ -323,7 +220,8 @@ contains
       note = ''
       if (group == trim(merge('traction', 'surface ', index(old%name, '_load') > 0)) .and. new%index_of(group, 'kind') == 0) &
          lines = line_of('kind = '''//scene%surface//'''', '')
-      if (group == 'operating' .and. len(scene%state) > 0 .and. .not. gives_state(file)) &
+      if (group == 'operating' .and. len(scene%state) > 0 .and. &
+         file%find_assignment(file%find_group('operating'), 'state') == 0) &
          lines = line_of('state = '''//scene%state//'''', '')
       if (group == 'solid' .and. scene%extent /= 'half_space') lines = line_of('extent = '''//scene%extent//'''', '')
       do i = 1, size(file%assignments)
@@ -348,17 +246,6 @@ contains
          text = text//newline//head//'&'//group//newline//lines//'/'//newline
       end if
    end subroutine write_group
-
-   !> Does an input give the state of its contact?
-   pure logical function gives_state(file)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      integer :: group
-
-      group = file%find_group('operating')
-      gives_state = group > 0
-      if (group > 0) gives_state = file%find_assignment(group, 'state') > 0
-   end function gives_state
 
    !> The assignments of a group that all models have, with the names of the scene.
    function lines_of_common(file, group, old, new) result(lines)
@@ -412,37 +299,20 @@ contains
       character(*), intent(in) :: name, value
       !> What the comment says besides; empty if it says no more.
       character(*), intent(in) :: note
-      character(:), allocatable :: lines, comment
+      character(:), allocatable :: lines, comment, inside
 
       lines = comments_above(file, number)
       comment = comment_behind(file, number)
       if (len(comment) > 0 .and. len(note) > 0) comment = comment//'; '
       if (len(comment) == 0 .and. len(note) > 0) comment = '! '
       comment = comment//note
-      if (len(layout_of(file, number)) > 0 .and. value == strip(file%value_of(number))) then
+      inside = comments_inside(file, number)
+      if (len(inside) > 0 .and. value == strip(file%value_of(number))) then
          lines = lines//line_of(name//' '//layout_of(file, number), comment)
       else
-         lines = lines//comments_inside(file, number)//line_of(name//' = '//value, comment)
+         lines = lines//inside//line_of(name//' = '//value, comment)
       end if
    end function lines_of_assignment
-
-   !> Index of the variable that a group sweeps; 0 if it names none.
-   integer function swept_variable(file, group, old) result(at)
-      !> The input, cut into groups and assignments.
-      type(namelist_file_t), intent(in) :: file
-      !> Number of the group.
-      integer, intent(in) :: group
-      !> The model, in its own language.
-      class(model_t), intent(in) :: old
-      character(:), allocatable :: word, flaw
-      integer :: number
-
-      at = 0
-      number = file%find_assignment(group, 'variable')
-      if (number == 0) return
-      call convert(item_of(file%value_of(number), 1), word, flaw)
-      if (len(flaw) == 0) call find_variable(old, word, '', at, flaw)
-   end function swept_variable
 
    !> A line of a group, with its comment.
    pure function line_of(assignment, comment) result(line)

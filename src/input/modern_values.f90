@@ -6,6 +6,7 @@ module adfric_input_modern_values
    use adfric_base_words, only: count_words, get_word
    use adfric_input_item, only: item_t, next_item
    use adfric_input_literal, only: convert
+   use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_variable, only: read_variable
    use adfric_input_vocabulary, only: find_variable, full_name
    use adfric_model_model, only: model_t
@@ -13,7 +14,7 @@ module adfric_input_modern_values
    use adfric_run_converted_model, only: converted_model_t
    implicit none (type, external)
    private
-   public :: is_converted, are_numbers, word_of, count_items, item_of, bare_of
+   public :: index_of_assigned, swept_variable, is_converted, are_numbers, word_of, count_items, item_of, bare_of
    public :: value_in_scene, theories_in_scene, names_in_scene, result_in_scene, numbers_in_scene
 
 contains
@@ -31,6 +32,38 @@ contains
          if (at > 0) is_converted = new%is_converted(at)
       end select
    end function is_converted
+
+   !> Index of the variable that an assignment gives a value, in the table of the model; 0 if the model has none such.
+   pure integer function index_of_assigned(file, number, old)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the assignment.
+      integer, intent(in) :: number
+      !> The model, in its own language.
+      class(model_t), intent(in) :: old
+
+      associate (assignment => file%assignments(number))
+         index_of_assigned = old%index_of(trim(file%groups(assignment%group)%name), trim(assignment%name))
+      end associate
+   end function index_of_assigned
+
+   !> Index of the variable that a group sweeps; 0 if it names none.
+   integer function swept_variable(file, group, old) result(at)
+      !> The input, cut into groups and assignments.
+      type(namelist_file_t), intent(in) :: file
+      !> Number of the group.
+      integer, intent(in) :: group
+      !> The model, in its own language.
+      class(model_t), intent(in) :: old
+      character(:), allocatable :: word, flaw
+      integer :: number
+
+      at = 0
+      number = file%find_assignment(group, 'variable')
+      if (number == 0) return
+      call convert(item_of(file%value_of(number), 1), word, flaw)
+      if (len(flaw) == 0) call find_variable(old, word, '', at, flaw)
+   end function swept_variable
 
    !> Are there numbers alone, without repeats?
    logical function are_numbers(text)
