@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a scene pays for: time with and without each saving of `docs/scenes.md`, in turns, and what the saving changes.
+!> What a scene pays for: time with and without each saving of `docs/validation/scenes.md`, in turns, and what the saving changes.
 !>
 !> scenes [TABLE.csv]
 program scenes

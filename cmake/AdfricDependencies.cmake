@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The libraries of others: GSL, FFTW, LAPACK, OpenMP, HDF5 and, on demand, MPI. All that are missing are named at once, with their
-# packages, for a module of a cluster or a prefix of one's own may be what is meant (docs/clusters.md).
+# packages, for a module of a cluster or a prefix of one's own may be what is meant (docs/guide/clusters.md).
 
 include(AdfricMpi)
 set(adfric_missing "")
@@ -47,7 +47,7 @@ endif()
 if(adfric_missing)
   message(NOTICE "${adfric_missing}")
   message(FATAL_ERROR "Install what is missing, or load its module, or name its prefix in CMAKE_PREFIX_PATH; then start with an empty "
-    "build tree (docs/clusters.md)")
+    "build tree (docs/guide/clusters.md)")
 endif()
 
 # what the libraries adfric::physics and adfric::run call

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* adfric for C and C++ (docs/library.md).
+/* adfric for C and C++ (docs/reference/library.md).
 
    A case is a model whose variables are set by name. It is solved at any number of points, and what is found are results: arrays
    with names, units and dimensions, which are those of the results file of the same run, value by value.

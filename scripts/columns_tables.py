@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compute the tables of docs/columns.md from the inputs: scripts/tables [PROGRAM]."""
+"""Compute the tables of docs/guide/columns.md from the inputs: scripts/tables [PROGRAM]."""
 
 from table_tools import head, row, solve
 

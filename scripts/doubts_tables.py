@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compute the table of docs/doubts.md: scripts/tables [PROGRAM]. Each error is a closed form of its source."""
+"""Compute the table of docs/reference/doubts.md: scripts/tables [PROGRAM]. Each error is a closed form of its source."""
 
 from math import atanh, cosh, hypot, log, pi, sinh
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Run the commands of docs/force_map.md: force_map_page.py [--write].
+"""Run the commands of docs/guide/force_map.md: force_map_page.py [--write].
 
-Each block of text behind a command has what the command prints. With --write the page gets it, and docs/force_map/ the figures; without it
+Each block of text behind a command has what the command prints. With --write the page gets it, and docs/guide/force_map/ the figures; without it
 both are compared: words one by one, numbers to a thousandth, since compilers differ in round-off. Exit status: 1 if they differ.
 """
 
@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGE, FIGURES = ROOT / "docs/force_map.md", ROOT / "docs/force_map"
+PAGE, FIGURES = ROOT / "docs/guide/force_map.md", ROOT / "docs/guide/force_map"
 PROGRAM = os.environ.get("ADFRIC_PROGRAM", ROOT / "build/release/adfric")
 PLAIN, CURVE = ROOT / ".venv/bin/python", ROOT / ".venv_curve/bin/python"
 COMMANDS = {"scripts/make_force_map": [PLAIN, ROOT / "scripts/make_force_map.py"],
@@ -50,7 +50,7 @@ def main(arguments):
         problems += [f"{FIGURES / name} is missing" for made, name in SHOWN.items()
                      if not (Path(folder) / made).exists() or not (FIGURES / name).exists()]
     if problems:
-        sys.exit("force_map_page: docs/force_map.md is not what its commands print; scripts/tutorial writes it\n" + "\n".join(problems))
+        sys.exit("force_map_page: docs/guide/force_map.md is not what its commands print; scripts/tutorial writes it\n" + "\n".join(problems))
 
 
 def output_of(found, folder):

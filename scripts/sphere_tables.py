@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compute the tables of docs/sphere.md from the inputs: scripts/tables [PROGRAM]."""
+"""Compute the tables of docs/theory/sphere.md from the inputs: scripts/tables [PROGRAM]."""
 
 import numpy as np
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Run the tutorial: tutorial.py [--write], with a Python that has adfric, nbclient and ipykernel.
 
-docs/tutorial.ipynb is run cell by cell. With --write docs/tutorial.md gets its texts, code, what it prints and its figures, which stand in
-docs/tutorial/; without it what the cells print is compared with what stands there. Exit status 1: it differs, or a cell fails.
+docs/guide/tutorial.ipynb is run cell by cell. With --write docs/guide/tutorial.md gets its texts, code, what it prints and its figures, which stand in
+docs/guide/tutorial/; without it what the cells print is compared with what stands there. Exit status 1: it differs, or a cell fails.
 """
 
 import base64
@@ -15,7 +15,7 @@ import nbformat
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 
-DOCS = Path(__file__).resolve().parents[1] / "docs"
+DOCS = Path(__file__).resolve().parents[1] / "docs/guide"
 NOTEBOOK, PAGE, FIGURES = DOCS / "tutorial.ipynb", DOCS / "tutorial.md", DOCS / "tutorial"
 # Pixels of a figure's width, and its colours.
 WIDTH, COLOURS = 640, 128

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Write docs/variables.md, the variables of scenes as the program prints them: scripts/variables_page.py [--check] [PROGRAM].
+"""Write docs/reference/variables.md, the variables of scenes as the program prints them: scripts/variables_page.py [--check] [PROGRAM].
 
 --check compares the page and writes nothing. Exit status: 0, 1 if the page is out of date, 2 for a bad command line.
 """
@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "docs/variables.md"
+PAGE = ROOT / "docs/reference/variables.md"
 HEAD = """# Variables of scenes
 
 Every variable of [the language of scenes](language.md), as `adfric help scenes` prints it. `adfric help NAME` says what is allowed,
@@ -62,7 +62,7 @@ def main(arguments):
     if not check:
         PAGE.write_text(page)
     elif not PAGE.exists() or PAGE.read_text() != page:
-        print("docs/variables.md is out of date: scripts/variables_page.py", file=sys.stderr)
+        print("docs/reference/variables.md is out of date: scripts/variables_page.py", file=sys.stderr)
         return 1
     return 0
 

@@ -20,7 +20,7 @@ SETTINGS = ("intervals", "levels", "starts", "theories", "derived", "curves", "r
 def fit(model, data=None, /, abscissa=None, ordinate=None, *, free=(), data_options=None, events=(), intervals=None, levels=None,
         starts=None, theories=None, derived=None, curves=None, relative_tolerance=None, refits=None, seed=None, title=None, threads=0,
         progress=None, **variables):
-    """Fit a model to measured curves, as `adfric fit` does (docs/fit.md).
+    """Fit a model to measured curves, as `adfric fit` does (docs/guide/fit.md).
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ def read_curve(path, *, segment=None, sign=None, flip_load=False, spring_constan
     Parameters
     ----------
     path : path, or list of paths
-        What an instrument has written, or tables of text with heads (docs/import.md). All curves make one stack.
+        What an instrument has written, or tables of text with heads (docs/guide/import.md). All curves make one stack.
     segment : str
         'approach', 'dwell' or 'retraction': the samples of this segment alone. Default: all, with a column `segment`.
     sign : str
@@ -120,7 +120,7 @@ def read_master_curve(path, *, frequency_unit=None, modulus_unit=None, poisson_r
     Parameters
     ----------
     path : path
-        A table with heads: frequency, storage modulus, and loss modulus or tan delta (docs/import.md).
+        A table with heads: frequency, storage modulus, and loss modulus or tan delta (docs/guide/import.md).
     frequency_unit, modulus_unit : str
         Where the table states none: 'Hz' or 'rad/s', 'Pa', 'MPa' ...
     poisson_ratio : float

@@ -21,7 +21,7 @@ def read_surface(path, *, unit=None, height_unit=None, spacing=None, channel=Non
     Parameters
     ----------
     path : path
-        What an instrument has written, .npy, .npz, .h5, .xyz or .csv (docs/import.md).
+        What an instrument has written, .npy, .npz, .h5, .xyz or .csv (docs/guide/import.md).
     unit, height_unit : str
         Units of lengths and heights, where the file states none.
     spacing : float or pair of floats

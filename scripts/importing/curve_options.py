@@ -15,7 +15,7 @@ def read_command_line(arguments):
                     "file that adfric fit reads, in SI units: position, deflection and load, approach and retraction.")
     add = parser.add_argument
     add("files", metavar="FILE", type=Path, nargs="+", help="a format that afmformats knows (.jpk-force, .jpk-force-map, .jpk-qi-data, "
-        ".ibw, .h5, .tab, .csv and .zip of AFM Workshop, .txt of Chiaro), or a table of text with heads (docs/import.md)")
+        ".ibw, .h5, .tab, .csv and .zip of AFM Workshop, .txt of Chiaro), or a table of text with heads (docs/guide/import.md)")
     add("-o", "--output", metavar="FILE.h5", type=Path, help="file to write (default: the name of the first FILE with .h5, in this "
         "folder); the picture stands beside it, with .png")
     add("--force", action="store_true", help="overwrite files that exist")

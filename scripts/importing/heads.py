@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Name and unit of the head of a column: `load [nN]`, `load (nN)`, `load / nN`, `load in nN`, `load_nN`, by the rules of docs/tables.md.
+"""Name and unit of the head of a column: `load [nN]`, `load (nN)`, `load / nN`, `load in nN`, `load_nN`, by the rules of docs/reference/tables.md.
 
 A head with a part that is not understood is never taken for one without a unit: its unit is one that nobody knows, or it has a flaw.
 """

@@ -22,7 +22,7 @@ def read_command_line(arguments):
                     "--master-curve a measured master curve, into an HDF5 file that inputs can name, in SI units.")
     add = parser.add_argument
     add("file", metavar="FILE", type=Path, help="what was measured: a format that SurfaceTopography knows, .npy, .npz, .h5, "
-        ".xyz, or .csv (docs/import.md)")
+        ".xyz, or .csv (docs/guide/import.md)")
     add("-o", "--output", metavar="FILE.h5", type=Path, help="file to write (default: the name of FILE with .h5, in this folder); "
         "the picture stands beside it, with .png")
     add("--force", action="store_true", help="overwrite files that exist")

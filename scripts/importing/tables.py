@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of numbers in text files, by the rules of docs/tables.md: what could be read in two ways is refused."""
+"""Tables of numbers in text files, by the rules of docs/reference/tables.md: what could be read in two ways is refused."""
 
 import re
 from dataclasses import dataclass, field

@@ -208,7 +208,7 @@ class SetupScriptTest(unittest.TestCase):
                              "setup: missing: CMake 3.22 or newer (Debian: cmake, module: cmake)\n"
                              "setup: missing: Ninja or make (Debian: ninja-build, module: ninja)\n"
                              "setup: no package can be installed here: load the module of what is missing, or build it "
-                             "(docs/clusters.md)\n", done.stderr)
+                             "(docs/guide/clusters.md)\n", done.stderr)
         self.assertFalse((self.bin / "called").exists())
 
     def test_tools_of_modules(self):

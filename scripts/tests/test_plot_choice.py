@@ -178,7 +178,7 @@ class PlotChoiceTest(PlotCase):
         self.assertEqual(figure.axes[0].get_ylabel(), "Friction force $T$ (mN/m)")
         np.testing.assert_array_equal(points.get_ydata(), [250.0, np.nan])
         self.assertEqual(self.plot("--y", "friction_force", "--data", str(table)), (0, ""))
-        # other units, and the dialects of docs/tables.md
+        # other units, and the dialects of docs/reference/tables.md
         for text in ("load (mN/m);Friction force in kN/m\n500;2,5e-4\n750;\n", "load\tfriction_force\nN/m\tuN/um\n0.5\t0.25\n0.75\tnan\n"):
             table.write_text(text)
             figure, _ = self.drawn("--y", "friction_force", "--data", str(table))

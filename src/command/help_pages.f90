@@ -91,7 +91,7 @@ module adfric_command_help_pages
       '  no value   an empty cell, nan, na, n/a, null, none, missing, - or --'//newline// &
       '  encodings  UTF-8, UTF-16 with its mark, Latin-1; any line ends'//newline// &
       newline// &
-      'adfric check says how each table was read. All rules: docs/tables.md.'//newline
+      'adfric check says how each table was read. All rules: docs/reference/tables.md.'//newline
 
    !> What stands in every results file; the results of the models follow.
    character(*), parameter :: outputs_head = &

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> How a table of text is laid out: what separates its columns, where their names and units stand, and which mark is decimal.
 !>
-!> The first line of numbers and the names above it settle that together (`docs/tables.md`). A separator fits if by it the line
+!> The first line of numbers and the names above it settle that together (`docs/reference/tables.md`). A separator fits if by it the line
 !> has numbers alone, and as many as there are names. A cell in which another separator stands is no number, and the comma of a
 !> number stands between digits; so no two of them fit but tabs and blanks, and one column without any.
 module adfric_input_table_layout

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A table of numbers in a text file, as instruments, spreadsheets and scripts write it (`docs/tables.md`), or in memory.
+!> A table of numbers in a text file, as instruments, spreadsheets and scripts write it (`docs/reference/tables.md`), or in memory.
 !>
 !> The text is kept, and a column is converted when it is taken.
 module adfric_input_text_table

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tutorial docs/force_map.md: its commands print what stands there, and find what the curves were made of."""
+"""The tutorial docs/guide/force_map.md: its commands print what stands there, and find what the curves were made of."""
 
 from environments import SOURCE, restart_in
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The lines of docs/clusters.md for GNU parallel: a task that is killed once, and the same lines again."""
+"""The lines of docs/guide/clusters.md for GNU parallel: a task that is killed once, and the same lines again."""
 
 import os
 import re
@@ -22,7 +22,7 @@ PART_SECONDS = 1.5
 
 def recipe():
     """The lines that the document has, for fewer parts."""
-    text = (SOURCE / "docs" / "clusters.md").read_text().split("## GNU parallel")[1]
+    text = (SOURCE / "docs/guide/clusters.md").read_text().split("## GNU parallel")[1]
     lines = re.search(r"(?:    .*\n)+", text).group()
     return lines.replace("seq 16", f"seq {N_PARTS}").replace("/16", f"/{N_PARTS}").replace("-0016", f"-{N_PARTS:04}") \
         .replace("--jobs 8", "--jobs 2")

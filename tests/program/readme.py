@@ -19,7 +19,7 @@ from runs import PROGRAM, Runs, main
 SOURCE = Path(os.environ["ADFRIC_SOURCE"])
 BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 # README and the pages that it leads a newcomer to
-PAGES = ("README.md", "docs/install.md", "docs/first_run.md")
+PAGES = ("README.md", "docs/guide/install.md", "docs/guide/first_run.md")
 # what the blocks are in
 LANGUAGES = {"sh", "fortran", "python", "cmake", "text"}
 # commands that are looked up, not run, by their first words

@@ -108,9 +108,9 @@ class Scenes(Runs):
         self.assertEqual([(row[0], column, words[cell]) for row in shown for column, cell in enumerate(row[1:], 1)], self.table())
 
     def test_variables_page(self):
-        """docs/variables.md has the variables that the program prints, all of them."""
+        """docs/reference/variables.md has the variables that the program prints, all of them."""
         page, _ = self.run_program("help", "scenes")
-        self.assertEqual((SOURCE/"docs/variables.md").read_text(), page_of(page))
+        self.assertEqual((SOURCE/"docs/reference/variables.md").read_text(), page_of(page))
         names = [name for _, variables in read_variables(page) for name, _, _ in variables]
         self.assertGreater(len(names), 150)
         with open(NAMES, newline="") as file:

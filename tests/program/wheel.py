@@ -54,7 +54,7 @@ class Wheel(unittest.TestCase):
         self.assertRegex(shown, r"\nOK\n$")
 
     def test_tutorial(self):
-        """The notebook prints what docs/tutorial.md shows."""
+        """The notebook prints what docs/guide/tutorial.md shows."""
         run(self.bin/"python", SOURCE/"scripts/tutorial.py", env={key: self.alone[key] for key in ("PATH", "HOME", "OMP_NUM_THREADS")})
 
     def test_command(self):
