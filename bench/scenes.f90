@@ -31,7 +31,7 @@ program scenes
    !> A number that is as good as nothing, and yet not 0.
    real(dp), parameter :: hardly = 1.0e-9_dp
    real(dp), parameter :: tolerance = 1.0e-8_dp
-   !> Place of the mean pressure among the variables of `wave_2d_elastic`.
+   !> Position of the mean pressure among the variables of `wave_2d_elastic`.
    integer, parameter :: w_pressure = 6
    integer :: table
 

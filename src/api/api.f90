@@ -13,7 +13,7 @@
 !> closed.
 !>
 !> All but the solution of the points is done by one thread at a time (`critical (adfric_api)`), since gfortran keeps the lengths of
-!> texts that functions give back in one place for all threads.
+!> texts that functions give back in one index for all threads.
 module adfric_api
    use adfric, only: known_models
    use adfric_api_solution, only: solve_by_threads, stopped
@@ -248,7 +248,7 @@ contains
    end subroutine unset
 
    !> Sweep a variable. Several sweeps make the outer product of their values; the variable that is swept last varies fastest. A
-   !> variable that is swept already takes the new values in the same place.
+   !> variable that is swept already takes the new values in the same index.
    subroutine sweep_one(self, name, values, error)
       !> The simulation; unchanged if there is an error.
       class(simulation_t), intent(inout) :: self

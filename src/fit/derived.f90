@@ -18,13 +18,11 @@ contains
 
    !> Find the derived quantities. The sum of squares has been evaluated at the estimate.
    subroutine find_derived(self, names, covariance, solution)
-      !> The sum of squares.
       type(objective_t), intent(in) :: self
       !> Names of those that are wanted; empty: all.
       character(*), intent(in) :: names
       !> Covariance of the numbers that are fitted.
       real(dp), intent(in) :: covariance(:, :)
-      !> Receives the quantities.
       type(solution_t), intent(inout) :: solution
       type(path_t) :: path
       real(dp) :: stress
@@ -57,9 +55,7 @@ contains
 
       !> Add a quantity if it is wanted, and not free itself.
       subroutine add(name, unit, value, gradient)
-         !> Name and unit.
          character(*), intent(in) :: name, unit
-         !> The value.
          real(dp), intent(in) :: value
          !> Its derivatives by the numbers that are fitted.
          real(dp), intent(in) :: gradient(:)

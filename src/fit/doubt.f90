@@ -23,9 +23,7 @@ contains
 
    !> Measure the curves as they are at the last evaluation.
    subroutine measure_fit(self, model, measures)
-      !> The sum of squares, evaluated.
       type(objective_t), intent(in) :: self
-      !> The model that is fitted.
       class(model_t), intent(in) :: model
       !> Receives what is measured; shape `(n_doubts)`.
       real(dp), intent(out) :: measures(:)
@@ -40,13 +38,10 @@ contains
       end do
    end subroutine measure_fit
 
-   !> Points of a sphere, whose places on their curve are known. What has a closed form has no error to speak of.
+   !> Points of a sphere, whose positions on their curve are known. What has a closed form has no error to speak of.
    subroutine measure_sphere(curve, model, values, measures)
-      !> The curve, evaluated.
       type(sphere_curve_t), intent(in) :: curve
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Values of all variables of the model.
       real(dp), intent(in) :: values(:)
       !> What is measured, which rises.
       real(dp), intent(inout) :: measures(:)
@@ -68,14 +63,9 @@ contains
 
    !> Points that the model itself solves.
    subroutine measure_points(curve, model, values, nuisance, measures)
-      !> The curve, evaluated.
       type(model_curve_t), intent(in) :: curve
-      !> The model.
       class(model_t), intent(in) :: model
-      !> Values of all variables of the model.
-      real(dp), intent(in) :: values(:)
-      !> Values of the nuisances of the curve.
-      real(dp), intent(in) :: nuisance(:)
+      real(dp), intent(in) :: values(:), nuisance(:)
       !> What is measured, which rises.
       real(dp), intent(inout) :: measures(:)
       real(dp) :: of_point(n_doubts), counts(size(model%counts)), x_zero

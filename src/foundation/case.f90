@@ -17,7 +17,7 @@ module adfric_foundation_case
    private
    public :: wavy_case_t, resolve_case, kind_2d, kind_3d, kind_profile, kind_cosines, kind_map
 
-   !> Places of the words in the choice of the surface.
+   !> Positions of the words in the choice of the surface.
    integer, parameter :: kind_2d = 1, kind_3d = 2, kind_profile = 3, kind_cosines = 4, kind_map = 5
    integer, parameter :: slope_finite = 2
 

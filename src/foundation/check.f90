@@ -27,9 +27,7 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`, `unset` where none is given; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
@@ -39,7 +37,7 @@ contains
       call check_stress(variables(v_stress:v_range), values(v_stress:v_range), problems)
       call require(variables, values, [v_velocity], problems)
       call check_load_values(variables, values, problems)
-      call refuse_marched()
+      call refuse_stepped()
       if (values(v_profiles) > 0 .and. is_swept(v_period)) then
          call add(v_profiles, 'need one period, which is swept; sweep another variable or switch profiles off')
       end if
@@ -52,7 +50,7 @@ contains
 
       !> Add a problem of one variable to the list.
       subroutine add(v, text)
-         !> Place of the variable in the table, one of `v_...`.
+         !> Index of the variable in the table, one of `v_...`.
          integer, intent(in) :: v
          !> What is wrong with the variable; its name is put before this.
          character(*), intent(in) :: text
@@ -76,8 +74,8 @@ contains
       end subroutine check_foundation
 
       !> Refuse what belongs to heights and spectra.
-      subroutine refuse_marched()
-         integer, parameter :: places(*) = [v_heights, v_spacing, v_strip_spacing, v_amplitudes, v_phases, &
+      subroutine refuse_stepped()
+         integer, parameter :: indices(*) = [v_heights, v_spacing, v_strip_spacing, v_amplitudes, v_phases, &
             & v_interpolation, v_detrend, &
             & v_periodise, v_blend_share, v_shortest_wavelength, v_reverse, v_height_factor, v_moduli, v_young_moduli, &
             & v_relaxed_modulus, v_terms_per_decade, v_time_factor, v_shift, v_reference_temperature, v_wlf_c1, v_wlf_c2, &
@@ -85,11 +83,11 @@ contains
             & v_temperature]
          integer :: k
 
-         do k = 1, size(places)
-            if (is_set(values(places(k))) .or. is_swept(places(k))) call add(places(k), &
+         do k = 1, size(indices)
+            if (is_set(values(indices(k))) .or. is_swept(indices(k))) call add(indices(k), &
                & 'belongs to heights, cosines or a spectrum (relaxation_times or master_curve), which are not given')
          end do
-      end subroutine refuse_marched
+      end subroutine refuse_stepped
 
       !> Values that are possible one by one, and beyond all numbers together.
       subroutine check_reduced()

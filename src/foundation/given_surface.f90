@@ -25,19 +25,18 @@ module adfric_foundation_given_surface
 contains
 
    !> Keep the values of a list or a dataset.
-   subroutine take_given(self, variables, place, values, problems)
-      !> Receives the values.
+   subroutine take_given(self, variables, index, values, problems)
       type(given_surface_t), intent(inout) :: self
       !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Place of the variable, one of `v_...`.
-      integer, intent(in) :: place
+      !> Index of the variable, one of `v_...`.
+      integer, intent(in) :: index
       !> The values in SI units; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the values.
       type(problems_t), intent(inout) :: problems
 
-      select case (place)
+      select case (index)
       case (v_heights)
          self%heights = values
          if (.not. maxval(values) > minval(values)) call add('are all the same')
@@ -63,7 +62,7 @@ contains
          !> What is wrong; the name is put before it.
          character(*), intent(in) :: text
 
-         call problems%add(variables(place)%group, variables(place)%name, text)
+         call problems%add(variables(index)%group, variables(index)%name, text)
       end subroutine add
 
    end subroutine take_given

@@ -12,15 +12,16 @@ module adfric_foundation_model
    use adfric_foundation_case, only: wavy_case_t, resolve_case, kind_3d, kind_map
    use adfric_foundation_check, only: check_wavy_values
    use adfric_foundation_given_surface, only: given_surface_t, take_given
-   use adfric_foundation_stepped_case, only: has_heights, is_marched, size_of_period
-   use adfric_foundation_stepped_check, only: check_marched_values
-   use adfric_foundation_stepped_description, only: describe_marched, doubt_marched, derive_marched
-   use adfric_foundation_stepped_points, only: solve_marched_block, solve_marched_profiles, row_places, column_places
+   use adfric_foundation_stepped_case, only: has_heights, is_stepped, size_of_period
+   use adfric_foundation_stepped_check, only: check_stepped_values
+   use adfric_foundation_stepped_description, only: describe_stepped, doubt_stepped, derive_stepped
+   use adfric_foundation_stepped_points, only: solve_stepped_block, solve_stepped_profiles, row_indices, column_indices
    use adfric_foundation_profiles, only: get_profiles
    use adfric_foundation_strip_description, only: derive_strips, doubt_strips
    use adfric_foundation_strip_points, only: solve_strip_block
    use adfric_foundation_surface_bounds, only: measure_heights, measure_waves
-   use adfric_foundation_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_penetration, v_heights, v_kind, &
+   use adfric_foundation_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_penetration, v_heights, &
+      & v_kind, &
       & v_load, v_n_x, v_n_y, v_period, v_profiles
    implicit none (type, external)
    private
@@ -77,7 +78,6 @@ contains
 
    !> Add to `problems` what is contradictory or impossible in the values together.
    subroutine check_values(self, values, is_swept, problems)
-      !> The model, whose table of variables is read.
       class(wavy_model_t), intent(in) :: self
       !> Values in the order of `self%variables`, of a swept variable one of its values; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -86,8 +86,8 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      if (is_marched(values)) then
-         call check_marched_values(self%variables, values, self%given, is_swept, problems)
+      if (is_stepped(values)) then
+         call check_stepped_values(self%variables, values, self%given, is_swept, problems)
       else
          call check_wavy_values(self%variables, values, is_swept, problems)
       end if
@@ -106,22 +106,20 @@ contains
    end function describe_results
 
    !> SI unit of a variable: the load of a 2-D wave is one per width.
-   function unit_of(self, values, place) result(unit)
-      !> The model, whose table of variables is read.
+   function unit_of(self, values, index) result(unit)
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable, one of `v_...`.
-      integer, intent(in) :: place
+      !> Index of the variable, one of `v_...`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = self%variables(place)%unit
-      if (place == v_load) unit = trim(merge('N  ', 'N/m', has_width(values)))
+      unit = self%variables(index)%unit
+      if (index == v_load) unit = trim(merge('N  ', 'N/m', has_width(values)))
    end function unit_of
 
    !> See `model_t`.
    pure real(dp) function nominal_size(self, values)
-      !> The model, with its heights.
       class(wavy_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -138,27 +136,25 @@ contains
    end function has_width
 
    !> Keep the values of a list or a dataset.
-   subroutine take_dataset(self, place, values, problems)
-      !> The model, which keeps the values.
+   subroutine take_dataset(self, index, values, problems)
       class(wavy_model_t), intent(inout) :: self
-      !> Place of the variable, one of `v_...`.
-      integer, intent(in) :: place
+      !> Index of the variable, one of `v_...`.
+      integer, intent(in) :: index
       !> The values in SI units; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the values.
       type(problems_t), intent(inout) :: problems
 
-      call take_given(self%given, self%variables, place, values, problems)
+      call take_given(self%given, self%variables, index, values, problems)
       ! a map takes long, and its points are given to threads one by one
-      if (place == v_heights .and. size(values) > large_map) self%largest_block = 1
+      if (index == v_heights .and. size(values) > large_map) self%largest_block = 1
    end subroutine take_dataset
 
    !> Keep what a dataset says of itself.
-   subroutine take_attribute(self, place, name, value, problems)
-      !> The model, which keeps the value.
+   subroutine take_attribute(self, index, name, value, problems)
       class(wavy_model_t), intent(inout) :: self
-      !> Place of the variable, one of `v_...`.
-      integer, intent(in) :: place
+      !> Index of the variable, one of `v_...`.
+      integer, intent(in) :: index
       !> Name of the attribute.
       character(*), intent(in) :: name
       !> Its value in SI units.
@@ -174,25 +170,23 @@ contains
       case ('reference_temperature')
          self%given%master_temperature = value
       end select
-      if (.not. value > 0) call problems%add(self%variables(place)%group, self%variables(place)%name, &
+      if (.not. value > 0) call problems%add(self%variables(index)%group, self%variables(index)%name, &
          & 'has an attribute '//name//' that is not > 0')
    end subroutine take_attribute
 
    !> What `adfric check` says of spectrum and heights.
    function describe_case(self, values) result(text)
-      !> The model with its lists and datasets.
       class(wavy_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
       text = ''
-      if (is_marched(values)) text = describe_marched(values, self%given)
+      if (is_stepped(values)) text = describe_stepped(values, self%given)
    end function describe_case
 
    !> Does the user ask for profiles?
    pure logical function wants_profiles(self, values)
-      !> The model; nothing of it is read here.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -204,7 +198,6 @@ contains
 
    !> The profile axes y and x: one period about the crest.
    subroutine get_profile_axes(self, values, axes)
-      !> The model, for the names of its axes.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -212,9 +205,9 @@ contains
       type(profile_axis_t), allocatable, intent(out) :: axes(:)
 
       allocate (axes(2))
-      if (is_marched(values)) then
-         call set_coordinate(axes(1), self%profile_axes, 1, row_places(values, self%given))
-         call set_coordinate(axes(2), self%profile_axes, 2, column_places(values, self%given))
+      if (is_stepped(values)) then
+         call set_coordinate(axes(1), self%profile_axes, 1, row_indices(values, self%given))
+         call set_coordinate(axes(2), self%profile_axes, 2, column_indices(values, self%given))
          return
       end if
       call set_coordinate(axes(1), self%profile_axes, 1, &
@@ -235,9 +228,8 @@ contains
       if (n > 1) coordinates = [(period*(real(2*k - (n - 1), dp)/(2*(n - 1))), k=0, n - 1)]
    end function about_crest
 
-   !> Make room for the pull-off loads that points share, each of which is found once.
+   !> Make space for the pull-off loads that points share, each of which is found once.
    subroutine prepare(self)
-      !> The model; all threads use what it keeps.
       class(wavy_model_t), intent(inout) :: self
 
       if (.not. associated(self%pull_offs)) allocate (self%pull_offs)
@@ -245,7 +237,6 @@ contains
 
    !> Give back the pull-off loads that points have shared.
    subroutine release(self)
-      !> The model, which keeps nothing at the end.
       class(wavy_model_t), intent(inout) :: self
 
       if (.not. associated(self%pull_offs)) return
@@ -272,8 +263,8 @@ contains
       counts = 0
       n = size(values, 2)
       if (n > 0) then
-         if (is_marched(values(:, 1))) then
-            call solve_marched_block(self%given, values, results, error_estimate, status)
+         if (is_stepped(values(:, 1))) then
+            call solve_stepped_block(self%given, values, results, error_estimate, status)
             counts(1) = n
             if (nint(values(v_kind, 1)) == kind_map) counts(1) = real(n, dp)*size(self%given%heights, 2)
             return
@@ -284,7 +275,6 @@ contains
 
    !> Profiles of one solved point.
    subroutine solve_profiles(self, values, results, profiles)
-      !> The model, which knows the profile axes.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -296,8 +286,8 @@ contains
       type(wavy_case_t) :: point
 
       call self%get_profile_axes(values, axes)
-      if (is_marched(values)) then
-         call solve_marched_profiles(self%given, values, axes(2)%coordinates, profiles)
+      if (is_stepped(values)) then
+         call solve_stepped_profiles(self%given, values, axes(2)%coordinates, profiles)
          return
       end if
       call resolve_case(values, point)
@@ -306,15 +296,14 @@ contains
 
    !> Quantities that follow from the values of a point, for `adfric check` and the results file.
    function derive_quantities(self, values) result(derived)
-      !> The model with its lists and datasets.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(derived_t), allocatable :: derived(:)
 
       allocate (derived(0))
-      if (is_marched(values)) then
-         call derive_marched(derived, values, self%given)
+      if (is_stepped(values)) then
+         call derive_stepped(derived, values, self%given)
          return
       end if
       call derive_strips(derived, values)
@@ -322,14 +311,13 @@ contains
 
    !> See `model_t`.
    function describe_doubts(self, values) result(text)
-      !> The model with its lists and datasets.
       class(wavy_model_t), intent(in) :: self
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
-      if (is_marched(values)) then
-         text = doubt_marched(values, self%given)
+      if (is_stepped(values)) then
+         text = doubt_stepped(values, self%given)
          return
       end if
       text = doubt_strips(values)
@@ -337,7 +325,6 @@ contains
 
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
-      !> The model with its lists and datasets.
       class(wavy_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One point of `wavy_sliding` on heights or with a spectrum: from the values of a namelist to rows that a column marches along.
+!> One point of `wavy_sliding` on heights or with a spectrum: from the values of a namelist to rows that a column steps along.
 module adfric_foundation_stepped_case
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
@@ -24,19 +24,19 @@ module adfric_foundation_stepped_case
       & v_temperature, v_terms_per_decade, v_thickness, v_time_factor, v_velocity, v_young_modulus
    implicit none (type, external)
    private
-   public :: marched_case_t, is_marched, has_heights, resolve_marched, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
-      & size_of_period, samples_of, period_of, shape_places, foundation_places
+   public :: stepped_case_t, is_stepped, has_heights, resolve_stepped, get_relief, get_spectrum, spacing_of, strip_spacing_of, &
+      & size_of_period, samples_of, period_of, shape_positions, foundation_positions
 
-   !> Place of the word in the choice of the interpolation.
+   !> Position of the word in the choice of the interpolation.
    integer, parameter :: choice_linear = 1
    !> Variables that change the rows, and the spectrum, of a surface.
-   integer, parameter :: shape_places(*) = [v_kind, v_period, v_height, v_spacing, v_strip_spacing, v_interpolation, v_detrend, &
+   integer, parameter :: shape_positions(*) = [v_kind, v_period, v_height, v_spacing, v_strip_spacing, v_interpolation, v_detrend, &
       & v_periodise, v_blend_share, v_shortest_wavelength, v_reverse]
-   integer, parameter :: foundation_places(*) = [v_stiffness, v_young_modulus, v_poisson_ratio, v_thickness, v_relaxation_time, &
+   integer, parameter :: foundation_positions(*) = [v_stiffness, v_young_modulus, v_poisson_ratio, v_thickness, v_relaxation_time, &
       & v_retardation_ratio, v_relaxed_modulus, v_terms_per_decade]
 
    !> A point in reduced units, and the units.
-   type :: marched_case_t
+   type :: stepped_case_t
       !> Periods that pass in a second, with the times as they are at the temperature [1/s].
       real(dp) :: pace = 0
       !> Adhesion stress [k0 h] and range [h]; edge rule and branch.
@@ -53,18 +53,18 @@ module adfric_foundation_stepped_case
       real(dp) :: load = 0, penetration = 0
       !> Units: period [m], height [m], pressure k0 h [Pa], load and friction [N/m or N], area [m or m^2].
       real(dp) :: period = 1, height = 1, pressure_unit = 1, load_unit = 1, friction_unit = 1, area_unit = 1
-   end type marched_case_t
+   end type stepped_case_t
 
 contains
 
-   !> Are heights or a spectrum given, for which a column is marched? Else the surface is a wave on a standard solid.
-   pure logical function is_marched(values)
+   !> Are heights or a spectrum given, for which a column is stepped? Else the surface is a wave on a standard solid.
+   pure logical function is_stepped(values)
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      is_marched = is_set(values(v_relaxation_times)) .or. is_set(values(v_master_curve))
-      if (is_set(values(v_kind))) is_marched = is_marched .or. nint(values(v_kind)) >= kind_profile
-   end function is_marched
+      is_stepped = is_set(values(v_relaxation_times)) .or. is_set(values(v_master_curve))
+      if (is_set(values(v_kind))) is_stepped = is_stepped .or. nint(values(v_kind)) >= kind_profile
+   end function is_stepped
 
    !> Is the surface one of measured heights?
    pure logical function has_heights(values)
@@ -78,7 +78,6 @@ contains
    pure real(dp) function spacing_of(values, given) result(spacing)
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
 
       spacing = values(v_spacing)
@@ -89,7 +88,6 @@ contains
    pure real(dp) function strip_spacing_of(values, given) result(spacing)
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
 
       spacing = values(v_strip_spacing)
@@ -100,7 +98,6 @@ contains
    pure real(dp) function period_of(values, given) result(period)
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
 
       if (has_heights(values)) then
@@ -114,7 +111,6 @@ contains
    pure integer function samples_of(values, given) result(n)
       !> Values of all variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
       type(preparation_t) :: preparation
 
@@ -137,13 +133,10 @@ contains
    subroutine get_relief(values, given, is_coarse, relief, error)
       !> Values of all variables, which have been checked; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
-      !> Is every second sample left out?
       logical, intent(in) :: is_coarse
       !> Receives the rows; lengths in m.
       type(relief_t), intent(out) :: relief
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       logical :: is_reversed
 
@@ -162,7 +155,7 @@ contains
       end select
    end subroutine get_relief
 
-   !> Place of a word, or a default where none is given.
+   !> Position of a word, or a default where none is given.
    pure integer function word_of(value, default)
       !> Value of the variable.
       real(dp), intent(in) :: value
@@ -177,7 +170,6 @@ contains
    pure subroutine get_spectrum(values, given, prony, fit)
       !> Values of all variables, which have been checked; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
       !> Receives the spectrum [Pa/m, s].
       type(prony_t), intent(out) :: prony
@@ -208,7 +200,6 @@ contains
    pure real(dp) function size_of_period(values, given) result(size_of)
       !> Values of all variables in SI units; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
 
       if (is_set(values(v_period))) then
@@ -221,17 +212,14 @@ contains
    end function size_of_period
 
    !> The point that the values describe; they have been checked.
-   pure subroutine resolve_marched(values, given, relief, prony, self)
+   pure subroutine resolve_stepped(values, given, relief, prony, self)
       !> Values of all variables in SI units; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
-      !> The rows of the surface.
       type(relief_t), intent(in) :: relief
       !> The spectrum [Pa/m, s].
       type(prony_t), intent(in) :: prony
-      !> Receives the point.
-      type(marched_case_t), intent(out) :: self
+      type(stepped_case_t), intent(out) :: self
       type(time_temperature_t) :: law
       real(dp) :: shift
       logical :: is_valid
@@ -270,6 +258,6 @@ contains
       if (is_set(values(v_load))) self%load = values(v_load)/self%load_unit
       if (is_set(values(v_mean_pressure))) self%load = values(v_mean_pressure)/self%pressure_unit
       if (.not. self%is_load_given) self%penetration = values(v_penetration)/self%height
-   end subroutine resolve_marched
+   end subroutine resolve_stepped
 
 end module adfric_foundation_stepped_case

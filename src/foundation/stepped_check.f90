@@ -15,7 +15,7 @@ module adfric_foundation_stepped_check
    use adfric_foundation_case, only: kind_2d, kind_3d, kind_cosines, kind_map
    use adfric_foundation_given_surface, only: given_surface_t
    use adfric_foundation_stepping_relief, only: relief_t
-   use adfric_foundation_stepped_case, only: marched_case_t, get_relief, get_spectrum, has_heights, resolve_marched, samples_of, &
+   use adfric_foundation_stepped_case, only: stepped_case_t, get_relief, get_spectrum, has_heights, resolve_stepped, samples_of, &
       & spacing_of, strip_spacing_of
    use adfric_foundation_variables, only: v_amplitudes, v_blend_share, v_detrend, v_height, &
       & v_heights, v_interpolation, v_kind, v_load, v_master_curve, v_mean_pressure, v_moduli, v_n_x, v_penetration, v_period, &
@@ -25,28 +25,25 @@ module adfric_foundation_stepped_check
       & v_young_moduli, v_young_modulus
    implicit none (type, external)
    private
-   public :: check_marched_values, check_load_values, require_modulus, require_single_time
+   public :: check_stepped_values, check_load_values, require_modulus, require_single_time
 
    !> Fewest samples of a row.
    integer, parameter :: fewest_samples = 4
-   !> Place of the word in the choice of the slope.
+   !> Index of the word in the choice of the slope.
    integer, parameter :: slope_finite = 2
-   !> Beyond it a number in the units of the march is an input's mistake.
+   !> Beyond it a number in the units of the time stepping is an input's mistake.
    real(dp), parameter :: largest = 1.0e100_dp
 
 contains
 
    !> Add to `problems` what is wrong with the values together.
-   subroutine check_marched_values(variables, values, given, is_swept, problems)
+   subroutine check_stepped_values(variables, values, given, is_swept, problems)
       !> Table of the variables; their names stand in the messages.
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`, `unset` where none is given; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
@@ -68,7 +65,7 @@ contains
 
       !> Add a problem of one variable to the list.
       subroutine add(v, text)
-         !> Place of the variable in the table, one of `v_...`.
+         !> Index of the variable in the table, one of `v_...`.
          integer, intent(in) :: v
          !> What is wrong with the variable; its name is put before this.
          character(*), intent(in) :: text
@@ -77,15 +74,15 @@ contains
       end subroutine add
 
       !> Refuse variables that have no meaning beside others.
-      subroutine refuse(places, text)
-         !> Places of the variables, `v_...`.
-         integer, intent(in) :: places(:)
+      subroutine refuse(indices, text)
+         !> Indices of the variables, `v_...`.
+         integer, intent(in) :: indices(:)
          !> Why, behind the name of the variable.
          character(*), intent(in) :: text
          integer :: k
 
-         do k = 1, size(places)
-            if (is_set(values(places(k))) .or. is_swept(places(k))) call add(places(k), text)
+         do k = 1, size(indices)
+            if (is_set(values(indices(k))) .or. is_swept(indices(k))) call add(indices(k), text)
          end do
       end subroutine refuse
 
@@ -189,7 +186,6 @@ contains
 
       !> What a fit makes of a master curve, and arms whose stiffness is a number.
       subroutine check_spectrum(prony)
-         !> Receives the spectrum.
          type(prony_t), intent(out) :: prony
          type(master_curve_fit_t) :: fit
 
@@ -211,7 +207,6 @@ contains
 
       !> Heights that make rows.
       subroutine check_rows(relief)
-         !> Receives the rows.
          type(relief_t), intent(out) :: relief
          type(error_t), allocatable :: error
          real(dp), parameter :: round_off = 100*epsilon(1.0_dp)
@@ -232,15 +227,13 @@ contains
          end if
       end subroutine check_rows
 
-      !> Sizes in the units of the march.
+      !> Sizes in the units of the time stepping.
       subroutine check_reduced(prony, relief)
-         !> The spectrum.
          type(prony_t), intent(in) :: prony
-         !> The rows.
          type(relief_t), intent(in) :: relief
-         type(marched_case_t) :: point
+         type(stepped_case_t) :: point
 
-         call resolve_marched(values, given, relief, prony, point)
+         call resolve_stepped(values, given, relief, prony, point)
          if (.not. (point%pressure_unit > tiny(1.0_dp) .and. point%friction_unit > tiny(1.0_dp) &
             & .and. max(point%pressure_unit, point%load_unit, point%friction_unit) < largest)) then
             call add(v_kind, 'has heights and a period that are too small or too large for the stiffness')
@@ -261,7 +254,7 @@ contains
          end if
       end subroutine check_reduced
 
-   end subroutine check_marched_values
+   end subroutine check_stepped_values
 
    !> Without a stiffness all of a layer is asked for.
    subroutine require_modulus(variables, values, problems)
@@ -269,7 +262,6 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (.not. any(is_set(values([v_young_modulus, v_poisson_ratio, v_thickness])))) then
@@ -288,7 +280,6 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       character(*), parameter :: instead = ']; it is needed without relaxation_times or master_curve'
       integer, parameter :: single(2) = [v_relaxation_time, v_retardation_ratio]
@@ -307,17 +298,16 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      integer, parameter :: places(3) = [v_load, v_mean_pressure, v_penetration]
+      integer, parameter :: indices(3) = [v_load, v_mean_pressure, v_penetration]
       logical :: has(3)
       integer :: first
 
-      has = is_set(values(places))
+      has = is_set(values(indices))
       first = findloc(has, .true., dim=1)
       if (count(has) > 1) then
-         call problems%add(variables(places(first))%group, variables(places(first))%name, 'stands beside ' &
-            & //variables(places(findloc(has, .true., dim=1, back=.true.)))%name//'; give one of them')
+         call problems%add(variables(indices(first))%group, variables(indices(first))%name, 'stands beside ' &
+            & //variables(indices(findloc(has, .true., dim=1, back=.true.)))%name//'; give one of them')
       else if (first == 0) then
          call problems%add(variables(v_load)%group, variables(v_load)%name, &
             & 'is missing; load or penetration is needed')

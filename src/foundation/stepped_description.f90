@@ -13,22 +13,20 @@ module adfric_foundation_stepped_description
    use adfric_foundation_case, only: kind_cosines
    use adfric_foundation_given_surface, only: given_surface_t
    use adfric_foundation_stepping_relief, only: relief_t
-   use adfric_foundation_stepped_case, only: marched_case_t, get_relief, get_spectrum, resolve_marched, has_heights, spacing_of
+   use adfric_foundation_stepped_case, only: stepped_case_t, get_relief, get_spectrum, resolve_stepped, has_heights, spacing_of
    use adfric_foundation_variables, only: v_kind, v_master_curve, v_periodise, v_shortest_wavelength, v_thickness, v_velocity
    implicit none (type, external)
    private
-   public :: describe_marched, doubt_marched, derive_marched
+   public :: describe_stepped, doubt_stepped, derive_stepped
 
-   !> Places of the words in the choice of how ends meet.
+   !> Positions of the words in the choice of how ends meet.
    integer, parameter :: periodise_none = 1
 
 contains
 
    !> Spectrum and heights, a line each.
-   function describe_marched(values, given) result(text)
-      !> Values of the variables; shape `(n_variables)`.
+   function describe_stepped(values, given) result(text)
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
       character(:), allocatable :: text
       type(prony_t) :: prony
@@ -43,19 +41,17 @@ contains
       frequencies = get_frequencies(values, given)
       write (line, '(a, es9.2, a, es9.2, a)') 'the surface excites', frequencies(1), ' to', frequencies(2), ' rad/s'
       text = text//trim(line)//new_line('a')
-   end function describe_marched
+   end function describe_stepped
 
    !> Angular frequencies that the surface excites at the reference temperature: those of the period and of the shortest wave [rad/s].
    function get_frequencies(values, given) result(frequencies)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
       real(dp) :: frequencies(2)
       type(relief_t) :: relief
       type(prony_t) :: prony
       type(master_curve_fit_t) :: fit
-      type(marched_case_t) :: point
+      type(stepped_case_t) :: point
       type(error_t), allocatable :: error
       real(dp) :: shortest
 
@@ -63,7 +59,7 @@ contains
       call get_spectrum(values, given, prony, fit)
       call get_relief(values, given, .false., relief, error)
       if (allocated(error)) return
-      call resolve_marched(values, given, relief, prony, point)
+      call resolve_stepped(values, given, relief, prony, point)
       shortest = point%period
       if (has_heights(values)) then
          shortest = 2*spacing_of(values, given)
@@ -75,16 +71,14 @@ contains
    end function get_frequencies
 
    !> What may not be what the user means, a line each.
-   function doubt_marched(values, given) result(text)
-      !> Values of the variables; shape `(n_variables)`.
+   function doubt_stepped(values, given) result(text)
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
       character(:), allocatable :: text
       type(relief_t) :: relief
       type(prony_t) :: prony
       type(master_curve_fit_t) :: fit
-      type(marched_case_t) :: point
+      type(stepped_case_t) :: point
       type(error_t), allocatable :: error
       character(200) :: line
 
@@ -95,7 +89,7 @@ contains
          text = error%message//new_line('a')
          return
       end if
-      call resolve_marched(values, given, relief, prony, point)
+      call resolve_stepped(values, given, relief, prony, point)
       if (has_heights(values)) then
          if (relief%seam%is_open() .and. is_set(values(v_periodise))) then
             if (nint(values(v_periodise)) == periodise_none) then
@@ -112,15 +106,12 @@ contains
          if (values(v_velocity)*minval(prony%times) < values(v_thickness)) text = text//'edge = ''front'' holds while velocity ' &
             & //'times relaxation_times exceeds the thickness, and it does not for the shortest of them'//new_line('a')
       end if
-   end function doubt_marched
+   end function doubt_stepped
 
    !> Quantities that follow from the values, for `adfric check` and the results file.
-   subroutine derive_marched(derived, values, given)
-      !> Receives the quantities.
+   subroutine derive_stepped(derived, values, given)
       type(derived_t), allocatable, intent(inout) :: derived(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
       character(*), parameter :: of_foundation = 'stiffness young_modulus poisson_ratio thickness relaxation_time ' &
          & //'retardation_ratio moduli young_moduli relaxation_times master_curve relaxed_modulus terms_per_decade'
@@ -129,13 +120,13 @@ contains
       type(relief_t) :: relief
       type(prony_t) :: prony
       type(master_curve_fit_t) :: fit
-      type(marched_case_t) :: point
+      type(stepped_case_t) :: point
       type(error_t), allocatable :: error
 
       call get_spectrum(values, given, prony, fit)
       call get_relief(values, given, .false., relief, error)
       if (allocated(error)) return
-      call resolve_marched(values, given, relief, prony, point)
+      call resolve_stepped(values, given, relief, prony, point)
       call add_derived(derived, 'stiffness', 'Pa/m', 'long-time stiffness', prony%relaxed, of_foundation)
       call add_derived(derived, 'stiffness_ratio', '-', 'instantaneous over long-time stiffness', &
          & instantaneous_modulus(prony)/prony%relaxed, of_foundation)
@@ -143,6 +134,6 @@ contains
       call add_derived(derived, 'height', 'm', 'peak-to-valley height', point%height, of_surface)
       call add_derived(derived, 'pressure_unit', 'Pa', 'pressure unit, height times stiffness', point%pressure_unit, &
          & of_foundation//' '//of_surface)
-   end subroutine derive_marched
+   end subroutine derive_stepped
 
 end module adfric_foundation_stepped_description

@@ -95,7 +95,6 @@ contains
    pure logical function is_hopeless(known, point)
       !> A point without equilibrium, or a default one before there is any.
       type(wavy_case_t), intent(in) :: known
-      !> The point that is judged.
       type(wavy_case_t), intent(in) :: point
 
       is_hopeless = known%is_load_given .and. point%load <= known%load
@@ -171,9 +170,7 @@ contains
 
    !> Numbers of zones of the one strip of a 2-D wave.
    pure subroutine count_zones(state, adhesion, beta, results)
-      !> Its steady state.
       type(steady_state_t), intent(in) :: state
-      !> Adhesion of the surface.
       type(adhesion_t), intent(in) :: adhesion
       !> Ratio of retardation to relaxation time [-].
       real(dp), intent(in) :: beta

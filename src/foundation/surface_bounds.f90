@@ -18,9 +18,7 @@ contains
 
    !> Measure a wave, by its steepest slope, or a sum of waves, by the root of the mean square of its slope.
    pure subroutine measure_waves(values, given, measures)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
       !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
@@ -40,9 +38,7 @@ contains
    !> Measure heights by the root of the mean square of their slope, less its mean. The shortest wave is that of two samples, or the one
    !> below which waves are taken out; slopes are those between the middles of such waves.
    pure subroutine measure_heights(values, given, measures)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_surface_t), intent(in) :: given
       !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
@@ -68,7 +64,6 @@ contains
 
    !> Measure a layer, if its thickness is given.
    pure subroutine measure_layer(values, shortest, measures)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The shortest wave [m].
       real(dp), intent(in) :: shortest
@@ -80,7 +75,6 @@ contains
 
    !> Factor of the heights.
    pure real(dp) function factor_of(values) result(factor)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       factor = 1

@@ -6,14 +6,15 @@ module adfric_foundation_variables
    use adfric_solid_given_spectrum, only: set_arm_rows
    use adfric_solid_prony, only: most_arms
    use adfric_solid_shift_rows, only: set_shift_rows
-   use adfric_describe_rows, only: above_zero, any_number, choice, dataset, list_row, poisson_ratio, switch, whole_number, result_row
+   use adfric_describe_rows, only: above_zero, any_number, choice, dataset, list_row, poisson_ratio, switch, whole_number, &
+      & result_row
    use adfric_describe_table, only: variable_t, result_t, profile_t
    use adfric_foundation_strip, only: regime_meanings
    implicit none (type, external)
    private
    public :: get_wavy_variables, get_wavy_results, get_wavy_profiles
 
-   !> Places of the variables.
+   !> Indices of the variables.
    integer, parameter, public :: v_kind = 1, v_period = 2, v_height = 3, v_slope = 4, v_heights = 5, v_spacing = 6, &
       & v_strip_spacing = 7, v_amplitudes = 8, v_phases = 9, v_interpolation = 10, v_detrend = 11, v_periodise = 12, &
       & v_blend_share = 13, v_shortest_wavelength = 14, v_reverse = 15, v_height_factor = 16, v_stiffness = 17, &
@@ -25,7 +26,7 @@ module adfric_foundation_variables
       & v_relative_tolerance = 45, v_strips = 46, v_pull_off = 47, v_profiles = 48, v_n_x = 49, v_n_y = 50
    integer, parameter :: n_variables = 50
 
-   !> Places of the results.
+   !> Indices of the results.
    integer, parameter, public :: r_load = 1, r_penetration = 2, r_friction_force = 3, r_friction_coefficient = 4, &
       & r_contact_area = 5, r_adhesion_area = 6, r_contact_width = 7, r_contact_shift = 8, r_regime = 9, &
       & r_dissipation = 10, r_edge_loss = 11, r_energy_imbalance = 12, r_pull_off_load = 13, &

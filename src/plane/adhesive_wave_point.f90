@@ -28,8 +28,8 @@ module adfric_plane_adhesive_wave_point
 
    !> What the closed forms leave of the digits (docs/theory/halfspace.md).
    real(dp), parameter :: closed_form = 1.0e-13_dp
-   !> Places in the contact where the pressure is compared with the adhesion stress.
-   integer, parameter :: n_places = 4
+   !> Positions in the contact where the pressure is compared with the adhesion stress.
+   integer, parameter :: n_positions = 4
 
    !> What a point leaves: the wave with its events, which may be those of the next point, and the state.
    type, extends(point_state_t) :: adhesive_point_t
@@ -53,9 +53,7 @@ contains
 
    !> What adheres to what: the wave of the point before, or a new one.
    pure subroutine resolve_wave(values, law, point)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The adhesion.
       type(adhesion_law_t), intent(in) :: law
       !> In: what the point before has left. Out: the wave of this one.
       type(adhesive_point_t), intent(inout) :: point
@@ -71,7 +69,6 @@ contains
 
    !> Where the branch ends: as at the point before, or anew.
    pure subroutine resolve_ends(law, point)
-      !> The adhesion.
       type(adhesion_law_t), intent(in) :: law
       !> In: what the point before has left, with the wave of this one. Out: with the ends of this one.
       type(adhesive_point_t), intent(inout) :: point
@@ -102,9 +99,7 @@ contains
 
    !> Add the numbers that say which limit a wave is near.
    subroutine derive_adhesion(list, values)
-      !> The list, which grows.
       type(derived_t), allocatable, intent(inout) :: list(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(*), parameter :: of_wave = ' period amplitude '//modulus_names, of_all = adhesion_names//of_wave
       type(adhesion_law_t) :: law
@@ -135,7 +130,6 @@ contains
 
    !> Solve a point.
    pure subroutine solve_adhesion(values, point, results, error_estimate, status)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> In: what the point before has left. Out: what this one leaves.
       type(adhesive_point_t), intent(inout) :: point
@@ -172,7 +166,6 @@ contains
 
    !> Results of the branch, which every point of a wave has.
    pure subroutine store_ends(point, results)
-      !> The point with the ends of its branch.
       type(adhesive_point_t), intent(in) :: point
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -186,9 +179,7 @@ contains
 
    !> Results of a state.
    pure subroutine store_state(values, point, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its state.
       type(adhesive_point_t), intent(in) :: point
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -213,7 +204,6 @@ contains
 
    !> The regime in the words of the table.
    pure integer function regime_of(state) result(regime)
-      !> The state, which has been found.
       type(wave_adhesion_state_t), intent(in) :: state
 
       select case (state%regime)
@@ -233,7 +223,6 @@ contains
    !> Largest violation of p + p0 >= 0 in contact, of the range at the edge of adhesion, and of what adheres in the trough; pressures
    !> are measured in p* or p0, gaps in D or h0, whichever is larger.
    pure real(dp) function violation_of(point) result(violation)
-      !> The point with its state.
       type(adhesive_point_t), intent(in) :: point
       real(dp) :: x, gap
       integer :: i
@@ -241,8 +230,8 @@ contains
       associate (wave => point%wave%wave, state => point%state%state)
          violation = 0
          if (state%regime == curve_free) return
-         do i = 1, n_places
-            x = state%contact_half_width*((i - 0.5_dp)/n_places)
+         do i = 1, n_positions
+            x = state%contact_half_width*((i - 0.5_dp)/n_positions)
             violation = max(violation, -(adhesive_wave_pressure(wave, state, x) + wave%stress)/max(1.0_dp, wave%stress))
          end do
          gap = (point%state%valley_gap/point%wave%amplitude - wave%range)/max(1.0_dp, wave%range)
@@ -255,9 +244,7 @@ contains
    !> Estimated relative error of the main result: the penetration under a load grows without bound at a fold, where it is the square
    !> root of the error of the load.
    pure real(dp) function error_of(values, point) result(error)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its state.
       type(adhesive_point_t), intent(in) :: point
       real(dp) :: slope, scale
 
@@ -278,9 +265,8 @@ contains
 
    !> Pressure and gap along the wave.
    pure subroutine get_adhesive_profiles(point, coordinates, pressure, gap)
-      !> The point with its state.
       type(adhesive_point_t), intent(in) :: point
-      !> Places along the wave, from a crest [m]; shape `(n)`.
+      !> Positions along the wave, from a crest [m]; shape `(n)`.
       real(dp), intent(in) :: coordinates(:)
       !> Pressure [Pa] and gap [m]; shape `(n)`.
       real(dp), intent(out) :: pressure(:), gap(:)

@@ -17,14 +17,13 @@ module adfric_plane_elastic_wave_point
    private
    public :: solve_elastic_wave, get_elastic_wave_profiles
 
-   !> Places where the conditions of contact are checked, in the contact and beside it.
-   integer, parameter :: n_places = 16
+   !> Positions where the conditions of contact are checked, in the contact and beside it.
+   integer, parameter :: n_positions = 16
 
 contains
 
    !> Pressure p* of full contact.
    pure real(dp) function full_pressure(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       full_pressure = pi*contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))*(values(v_amplitude)/values(v_period))
@@ -32,7 +31,6 @@ contains
 
    !> Load, gaps and energy of a point. Beyond full contact the penetration is undefined.
    subroutine solve_elastic_wave(values, results, error_estimate, status)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -40,7 +38,7 @@ contains
       real(dp), intent(out) :: error_estimate
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
-      real(dp) :: q, p, d, half_width, x(n_places), lift
+      real(dp) :: q, p, d, half_width, x(n_positions), lift
       integer :: i
       logical :: is_converged
 
@@ -74,15 +72,14 @@ contains
       results(r_regime) = regime_partial
       if (.not. q > 0) results(r_regime) = regime_none
       if (q >= 1) results(r_regime) = regime_full
-      x = [((i - 0.5_dp)/n_places, i=1, n_places)]
-      associate (places => [half_width*x, half_width + (0.5_dp - half_width)*x])
-         results(r_violation) = largest_violation(wave_pressure(q, places), wave_gap(q, places), 1.0_dp, 1.0_dp)
+      x = [((i - 0.5_dp)/n_positions, i=1, n_positions)]
+      associate (positions => [half_width*x, half_width + (0.5_dp - half_width)*x])
+         results(r_violation) = largest_violation(wave_pressure(q, positions), wave_gap(q, positions), 1.0_dp, 1.0_dp)
       end associate
    end subroutine solve_elastic_wave
 
    !> Pressure and gap.
    pure subroutine get_elastic_wave_profiles(values, results, x, pressure, gap)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)

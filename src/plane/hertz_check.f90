@@ -23,13 +23,9 @@ contains
 
    !> Add to `problems` what is missing or impossible.
    subroutine check_hertz(variables, values, given, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
@@ -58,11 +54,8 @@ contains
 
    !> Add to `problems` what is wrong with elastic solids, over which no velocity counts.
    subroutine check_solid(variables, values, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call check_contact_modulus(variables(v_contact_modulus:v_second_poisson_ratio), &
@@ -72,13 +65,9 @@ contains
 
    !> Add to `problems` what is wrong with a viscoelastic material.
    subroutine check_material(variables, values, given, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
@@ -94,11 +83,8 @@ contains
 
    !> Add to `problems` radii that do not go with the kind of contact, or make none.
    subroutine check_radii(variables, values, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp) :: a, b, direction
       integer :: i
@@ -123,7 +109,6 @@ contains
 
    !> Does a cylinder slide over a viscoelastic half-plane?
    pure logical function is_sliding(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       is_sliding = has_spectrum(values(v_material:v_temperature))
@@ -132,7 +117,6 @@ contains
    !> The largest slope that a body has at an end of an axis of the contact, its half-width over the radius of a round one. Of a line
    !> and a circle only R is known, that of both bodies together.
    pure real(dp) function steepest_edge(values, major, minor, direction) result(slope)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Half-widths of the contact [m].
       real(dp), intent(in) :: major, minor
@@ -158,7 +142,6 @@ contains
 
    !> Principal curvatures of both bodies [1/m], 0 where one is flat.
    pure function principal_curvatures(values) result(curvatures)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       real(dp) :: curvatures(4)
       integer :: i
@@ -171,7 +154,6 @@ contains
 
    !> Curvatures A <= B of the gap A x^2 + B y^2; A <= 0 where there is no ellipse of contact.
    pure subroutine get_curvatures(values, a, b, direction)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Smaller curvature A of the gap [1/m]; 0 or less where there is no single ellipse of contact.
       real(dp), intent(out) :: a

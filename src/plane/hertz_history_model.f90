@@ -35,15 +35,15 @@ module adfric_plane_hertz_history_model
    private
    public :: hertz_history_t, new_hertz_history
 
-   !> Places of the variables; up to the moduli they are those of the model `hertz`.
+   !> Indices of the variables; up to the moduli they are those of the model `hertz`.
    integer, parameter, public :: h_axis = v_second_poisson_ratio + 1, h_coefficient = h_axis + path_coefficient, &
       & h_loads = h_axis + path_loads, h_approaches = h_axis + path_approaches, &
       & h_tangential_forces = h_axis + path_tangential_forces, h_tangential_displacements = h_axis + path_tangential_displacements
-   !> Places of the results that are no other path's.
+   !> Indices of the results that are no other path's.
    integer, parameter, public :: r_axis_ratio = n_path_results + 1, r_major_axis_angle = n_path_results + 2
    integer, parameter, public :: n_hertz_history_results = r_major_axis_angle
 
-   !> Units must be between these powers of ten, or numbers have no room.
+   !> Units must be between these powers of ten, or numbers have no space.
    integer, parameter :: largest_unit = 70
 
    !> The model.
@@ -89,7 +89,6 @@ contains
 
    !> See `history_model_t`.
    subroutine check_bodies(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(hertz_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -114,7 +113,6 @@ contains
 
    !> See `history_model_t`.
    subroutine find_contacts(self, values, contacts, units, is_possible)
-      !> The model with its path.
       class(hertz_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -139,7 +137,6 @@ contains
 
    !> Does the force act along the minor axis?
    pure logical function is_along_minor(values)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       is_along_minor = is_set(values(h_axis))
@@ -148,13 +145,9 @@ contains
 
    !> The largest contact of the path.
    pure subroutine find_largest(self, values, largest, is_possible)
-      !> The model with its path.
       class(hertz_history_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives the contact.
       type(ellipse_t), intent(out) :: largest
-      !> Is it within the numbers?
       logical, intent(out) :: is_possible
       real(dp), parameter :: most = 10.0_dp**largest_unit
       type(ellipse_shape_t) :: shape
@@ -178,7 +171,6 @@ contains
 
    !> See `model_t`: the largest contact of the path.
    subroutine measure(self, values, results, measures)
-      !> The model with its path.
       class(hertz_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -200,7 +192,6 @@ contains
 
    !> See `pointwise_model_t`: the path, and the shape of the ellipse.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model with its path.
       class(hertz_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -228,13 +219,10 @@ contains
 
    !> See `normal_contact_t`.
    pure subroutine under_load(self, given, state, is_converged)
-      !> The contacts.
       class(similar_states_t), intent(in) :: self
       !> Load, over the largest one.
       real(dp), intent(in) :: given
-      !> Receives the state.
       type(normal_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       real(dp) :: x
 
@@ -247,13 +235,10 @@ contains
 
    !> See `normal_contact_t`.
    pure subroutine at_approach(self, given, state, is_converged)
-      !> The contacts.
       class(similar_states_t), intent(in) :: self
       !> Approach, over the largest one.
       real(dp), intent(in) :: given
-      !> Receives the state.
       type(normal_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       real(dp) :: x
 

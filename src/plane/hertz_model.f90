@@ -78,7 +78,6 @@ contains
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
-      !> The model with its table of results.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -89,23 +88,21 @@ contains
    end function describe_results
 
    !> See `model_t`: forces on a line are those per length.
-   function unit_of(self, values, place) result(unit)
-      !> The model with its table of variables.
+   function unit_of(self, values, index) result(unit)
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
-      integer, intent(in) :: place
+      !> Index of the variable in `variables`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = self%variables(place)%unit
-      if ((place == v_load .or. place == v_tangential_force) .and. is_set(values(v_kind))) &
+      unit = self%variables(index)%unit
+      if ((index == v_load .or. index == v_tangential_force) .and. is_set(values(v_kind))) &
          & unit = trim(merge('N/m', 'N  ', nint(values(v_kind)) == kind_line))
    end function unit_of
 
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing of it is read here.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -122,7 +119,6 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -134,7 +130,6 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(list)
-      !> The model, for the rows of its moduli.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -150,7 +145,6 @@ contains
 
    !> See `model_t`.
    function describe_case(self, values) result(text)
-      !> The model with its lists and datasets.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -162,7 +156,6 @@ contains
 
    !> See `model_t`.
    function describe_doubts(self, values) result(text)
-      !> The model with its lists and datasets.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -177,7 +170,6 @@ contains
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
@@ -185,7 +177,6 @@ contains
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model with its lists and datasets.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -222,7 +213,6 @@ contains
 
    !> Solve the contact along a line.
    subroutine solve_line(values, state, results, error_estimate, status)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> In: the unit contact of the point before. Out: that of this point, and its contact.
       type(hertz_state_t), intent(inout) :: state
@@ -233,15 +223,15 @@ contains
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       real(dp) :: misfit
-      logical :: is_held
+      logical :: is_sustained
 
       status = status_solved
       error_estimate = epsilon(error_estimate)
       state%line = line_of_load(values(v_radius), modulus_of(values), values(v_load))
       if (has_slip(values)) then
-         call find_slip(values, values(v_load), state%line%peak_pressure, .true., state%slip, is_held)
-         if (.not. is_held) status = status_no_equilibrium
-         if (.not. is_held) return
+         call find_slip(values, values(v_load), state%line%peak_pressure, .true., state%slip, is_sustained)
+         if (.not. is_sustained) status = status_no_equilibrium
+         if (.not. is_sustained) return
          if (values(v_load) > 0) call add_line_slip(values, values(v_load), state%slip%share, results)
       end if
       call find_unit_line(values(v_poisson_ratio), state%unit_contact)
@@ -257,7 +247,6 @@ contains
 
    !> Solve the contact on an ellipse or a circle.
    subroutine solve_ellipse(values, state, results, error_estimate, status)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> In: the unit contact of the point before. Out: that of this point, and its contact.
       type(hertz_state_t), intent(inout) :: state
@@ -268,7 +257,7 @@ contains
       !> Status of the point, one of `status_...`.
       integer, intent(out) :: status
       real(dp) :: direction, misfit
-      logical :: is_held
+      logical :: is_sustained
 
       status = status_no_equilibrium
       error_estimate = epsilon(error_estimate)
@@ -280,9 +269,9 @@ contains
          if (status /= status_solved) return
          call get_ellipse(values, a, b, unit_contact%shape, s)
          if (has_slip(values)) then
-            call find_slip(values, s%load, s%peak_pressure, .false., state%slip, is_held)
-            if (.not. is_held) status = status_no_equilibrium
-            if (.not. is_held) return
+            call find_slip(values, s%load, s%peak_pressure, .false., state%slip, is_sustained)
+            if (.not. is_sustained) status = status_no_equilibrium
+            if (.not. is_sustained) return
             if (s%minor > 0) call add_ellipse_slip(values, s, state%slip%share, results)
          end if
          results([r_load, r_approach, r_half_width, r_minor]) = [s%load, s%approach, s%major, s%minor]
@@ -299,11 +288,9 @@ contains
 
    !> Ellipse of a case under its load or approach.
    pure subroutine get_ellipse(values, a, b, shape, s)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Curvatures A <= B of the gap [1/m].
       real(dp), intent(in) :: a, b
-      !> Shape of the ellipse that belongs to A/B.
       type(ellipse_shape_t), intent(in) :: shape
       !> The contact; its half-axes are 0 if the shape is not converged.
       type(ellipse_t), intent(out) :: s
@@ -317,7 +304,6 @@ contains
 
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
-      !> The model; nothing is read from it here.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -329,7 +315,6 @@ contains
 
    !> See `pointwise_model_t`. x and y are the axes of the ellipse; a line contact extends along y.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing is read from it here.
       class(hertz_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -370,7 +355,6 @@ contains
 
    !> Shear tractions along a line of x.
    pure subroutine fill_tractions(state, x, y, is_line, traction)
-      !> The contact, with its slip.
       type(hertz_state_t), intent(in) :: state
       !> Coordinates along the major axis, or across a line [m]; shape `(n_x)`.
       real(dp), intent(in) :: x(:)

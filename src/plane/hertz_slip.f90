@@ -28,7 +28,7 @@ module adfric_plane_hertz_slip
    public :: hertz_slip_t, check_slip, refuse_slip, has_slip, find_slip, add_line_slip, add_ellipse_slip, slip_profiles
    public :: bonded_compliance, tractions, p_shear_stress
 
-   !> Place of the shear stress among the profiles, behind those that every contact has.
+   !> Position of the shear stress among the profiles, behind those that every contact has.
    integer, parameter :: p_shear_stress = 3
    !> Forces above mu P by this share are those of sliding, but for round-off.
    real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
@@ -45,7 +45,6 @@ contains
 
    !> Has the case friction?
    pure logical function has_slip(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       has_slip = is_set(values(v_coefficient))
@@ -62,11 +61,8 @@ contains
 
    !> Add to `problems` what is missing or has no meaning for an elastic contact.
    subroutine check_slip(variables, values, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: kind
 
@@ -88,11 +84,8 @@ contains
 
    !> Add to `problems` what there is of friction, where a cylinder slides over a material.
    subroutine refuse_slip(variables, values, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 
@@ -104,7 +97,6 @@ contains
 
    !> Slip of a contact under a load.
    pure subroutine find_slip(values, load, peak_pressure, is_line, slip, is_possible)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Load P [N; N/m of a line], >= 0.
       real(dp), intent(in) :: load
@@ -112,9 +104,7 @@ contains
       real(dp), intent(in) :: peak_pressure
       !> Is the contact one along a line?
       logical, intent(in) :: is_line
-      !> Receives the slip.
       type(hertz_slip_t), intent(out) :: slip
-      !> Does friction hold the force?
       logical, intent(out) :: is_possible
       real(dp) :: force, tau
 
@@ -129,11 +119,9 @@ contains
 
    !> Results of slip along a line.
    pure subroutine add_line_slip(values, load, share, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Load P [N/m], > 0.
       real(dp), intent(in) :: load
-      !> The slip.
       type(partial_slip_t), intent(in) :: share
       !> Receives the results of slip; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -144,11 +132,9 @@ contains
 
    !> Results of slip on an ellipse.
    pure subroutine add_ellipse_slip(values, ellipse, share, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The contact, of half-axes > 0.
       type(ellipse_t), intent(in) :: ellipse
-      !> The slip.
       type(partial_slip_t), intent(in) :: share
       !> Receives the results of slip; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -165,9 +151,7 @@ contains
 
    !> Tangential compliance of the bonded ellipse along the axis of the force, times its half-axis a [1/Pa].
    pure real(dp) function compliance_of(values, ellipse) result(compliance)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The contact.
       type(ellipse_t), intent(in) :: ellipse
       logical :: is_along_minor
 
@@ -180,7 +164,6 @@ contains
    pure real(dp) function bonded_compliance(moduli, shape, is_along_minor) result(compliance)
       !> Values of the rows of the contact modulus; shape `(n_two_bodies)`.
       real(dp), intent(in) :: moduli(:)
-      !> Shape of the ellipse.
       type(ellipse_shape_t), intent(in) :: shape
       !> Does the force act along the minor axis?
       logical, intent(in) :: is_along_minor
@@ -193,7 +176,6 @@ contains
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
@@ -201,9 +183,8 @@ contains
 
    !> Shear tractions [Pa].
    pure function tractions(slip, squares)
-      !> The slip.
       type(hertz_slip_t), intent(in) :: slip
-      !> Squares of the distances from the middle, in half-axes; shape `(n_places)`.
+      !> Squares of the distances from the middle, in half-axes; shape `(n_positions)`.
       real(dp), intent(in) :: squares(:)
       real(dp) :: tractions(size(squares))
 

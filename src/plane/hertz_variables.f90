@@ -10,17 +10,17 @@ module adfric_plane_hertz_variables
    private
    public :: get_hertz_variables, get_hertz_results
 
-   !> Places of the variables. The rows of the material stand between `v_material` and `v_temperature`.
+   !> Indices of the variables. The rows of the material stand between `v_material` and `v_temperature`.
    integer, parameter, public :: v_kind = 1, v_radius = 2, v_radius_1x = 3, v_radius_1y = 4, v_radius_2x = 5, v_radius_2y = 6, &
       & v_angle = 7, v_contact_modulus = 8, v_poisson_ratio = 10, v_second_poisson_ratio = 12, v_material = 13, &
       & v_temperature = v_material - 1 + n_spectrum_rows, v_velocity = v_temperature + 1, v_load = v_temperature + 2, &
       & v_approach = v_temperature + 3, v_tangential_force = v_temperature + 4, v_tangential_axis = v_temperature + 5, &
       & v_coefficient = v_temperature + 6
-   !> Places of the words of `kind`.
+   !> Indices of the words of `kind`.
    integer, parameter, public :: kind_line = 1, kind_circular = 2, kind_elliptical = 3
-   !> Place of the word of `tangential_axis` for the force along the minor axis.
+   !> Index of the word of `tangential_axis` for the force along the minor axis.
    integer, parameter, public :: axis_minor = 2
-   !> Places of the results; those from `r_friction_force` on belong to sliding, those from `r_stick_fraction` on to partial slip.
+   !> Indices of the results; those from `r_friction_force` on belong to sliding, those from `r_stick_fraction` on to partial slip.
    integer, parameter, public :: r_load = 1, r_approach = 2, r_half_width = 3, r_minor = 4, r_peak_pressure = 5, &
       & r_mean_pressure = 6, r_contact_area = 7, r_direction = 8, r_shear = 9, r_shear_depth = 10, r_violation = 11, &
       & r_friction_force = 12, r_friction_coefficient = 13, r_contact_shift = 14, r_dissipation = 15, r_energy_imbalance = 16, &
@@ -66,7 +66,6 @@ contains
 
    !> Does the group `solid` have a variable of the same name?
    elemental logical function is_of_solid(variable)
-      !> A variable of another group.
       type(variable_t), intent(in) :: variable
 
       is_of_solid = variable%name == 'young_modulus' .or. variable%name == 'poisson_ratio'
@@ -117,7 +116,7 @@ contains
 
    !> The results of sliding.
    subroutine set_sliding_results(r)
-      !> Receives the rows at their places; shape `(n_results)`.
+      !> Receives the rows at their indices; shape `(n_results)`.
       type(result_t), intent(inout) :: r(:)
 
       r(r_friction_force) = result_row(name='friction_force', unit='N/m', &

@@ -14,7 +14,7 @@ module adfric_plane_line_load_model
    private
    public :: line_load_model_t, new_line_load_model
 
-   !> Places of the line load's own variables and results; those of `adfric_plane_plane_load` are the first.
+   !> Indices of the line load's own variables and results; those of `adfric_plane_plane_load` are the first.
    integer, parameter, public :: v_normal = 5, v_tangential = 6, v_datum = 7
    integer, parameter, public :: r_displacement_x = 5, r_displacement_y = 6
 
@@ -49,7 +49,6 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(line_load_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -60,21 +59,20 @@ contains
    end subroutine check_case
 
    !> See `field_model_t`.
-   subroutine get_field(self, values, place, field)
-      !> The model; nothing is read from it here.
+   subroutine get_field(self, values, position, field)
       class(line_load_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Coordinates x, y, z of the place [m]; of a half-plane x, y, 0.
-      real(dp), intent(in) :: place(3)
-      !> Results at the place, NaN where there is no value; shape `(n_results)`.
+      !> Coordinates x, y, z of the position [m]; of a half-plane x, y, 0.
+      real(dp), intent(in) :: position(3)
+      !> Results at the position, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(out) :: field(:)
 
       field = not_a_number()
-      if (.not. maxval(abs(place)) > 0) return
-      call set_stress(line_stress(values(v_normal), values(v_tangential), place(1), place(2)), field)
+      if (.not. maxval(abs(position)) > 0) return
+      call set_stress(line_stress(values(v_normal), values(v_tangential), position(1), position(2)), field)
       field(r_displacement_x:r_displacement_y) = line_displacement(values(v_normal), values(v_tangential), &
-         & values(v_young_modulus), values(v_poisson_ratio), values(v_datum), place(1), place(2))
+         & values(v_young_modulus), values(v_poisson_ratio), values(v_datum), position(1), position(2))
       associate (unused => self)
       end associate
    end subroutine get_field

@@ -12,7 +12,7 @@ module adfric_plane_point_load_model
    private
    public :: point_load_model_t, new_point_load_model
 
-   !> Places of the variables and of the results.
+   !> Indices of the variables and of the results.
    integer, parameter, public :: v_young_modulus = 1, v_poisson_ratio = 2, v_x = 3, v_y = 4, v_z = 5, v_normal = 6, v_tangential = 7
    integer, parameter, public :: r_stress_xx = 1, r_stress_xz = 6, r_displacement_x = 7, r_displacement_z = 9
 
@@ -20,7 +20,7 @@ module adfric_plane_point_load_model
    type, extends(field_model_t) :: point_load_model_t
    contains
       procedure :: check_case
-      procedure :: get_place
+      procedure :: get_position
       procedure :: get_field
    end type point_load_model_t
 
@@ -52,7 +52,6 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(point_load_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -63,38 +62,36 @@ contains
    end subroutine check_case
 
    !> See `field_model_t`.
-   pure function get_place(self, values, slow, fast) result(place)
-      !> The model; nothing is read from it here.
+   pure function get_position(self, values, slow, fast) result(position)
       class(point_load_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Coordinates on the axes of a map [m]; without them the place is that of the results.
+      !> Coordinates on the axes of a map [m]; without them the position is that of the results.
       real(dp), intent(in), optional :: slow, fast
-      real(dp) :: place(3)
+      real(dp) :: position(3)
 
-      place = values(v_x:v_z)
-      if (present(fast)) place(1) = fast
-      if (present(slow)) place(3) = slow
+      position = values(v_x:v_z)
+      if (present(fast)) position(1) = fast
+      if (present(slow)) position(3) = slow
       associate (unused => self)
       end associate
-   end function get_place
+   end function get_position
 
    !> See `field_model_t`.
-   subroutine get_field(self, values, place, field)
-      !> The model; nothing is read from it here.
+   subroutine get_field(self, values, position, field)
       class(point_load_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Coordinates x, y, z of the place [m].
-      real(dp), intent(in) :: place(3)
-      !> Results at the place, NaN where there is no value; shape `(n_results)`.
+      !> Coordinates x, y, z of the position [m].
+      real(dp), intent(in) :: position(3)
+      !> Results at the position, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(out) :: field(:)
       real(dp) :: shear_modulus
 
       shear_modulus = values(v_young_modulus)/(2*(1 + values(v_poisson_ratio)))
-      field(r_stress_xx:r_stress_xz) = point_stress(values(v_normal), values(v_tangential), values(v_poisson_ratio), place)
+      field(r_stress_xx:r_stress_xz) = point_stress(values(v_normal), values(v_tangential), values(v_poisson_ratio), position)
       field(r_displacement_x:r_displacement_z) = point_displacement(values(v_normal), values(v_tangential), shear_modulus, &
-         & values(v_poisson_ratio), place)
+         & values(v_poisson_ratio), position)
       associate (unused => self)
       end associate
    end subroutine get_field

@@ -27,16 +27,16 @@ module adfric_plane_punch_model
 
    !> Logarithm of a slope that is more than any bound.
    real(dp), parameter :: most = 50.0_dp
-   !> Places of the variables, of the words of the kind, and of the results.
+   !> Indices of the variables, of the words of the kind, and of the results.
    integer, parameter, public :: v_kind = 1, v_face = 2, v_slope = 3, v_radius = 4, v_coefficient_2 = 5, v_coefficient_8 = 8, &
       & v_contact_modulus = 9, v_poisson_ratio = 11, v_load = 12, v_contact_half_width = 13, v_points = 14
    integer, parameter, public :: kind_flat = 1, kind_wedge = 2, kind_cylinder = 3, kind_polynomial = 4
    integer, parameter, public :: r_load = 1, r_contact_half_width = 2, r_mean_pressure = 3, r_centre_pressure = 4, &
       & r_edge_intensity = 5, r_violation = 6
-   !> Places of the profiles: those of the surface, and from `p_stress` on maps of s_xx, s_yy, s_xy and the largest shear.
+   !> Indices of the profiles: those of the surface, and from `p_stress` on maps of s_xx, s_yy, s_xy and the largest shear.
    integer, parameter, public :: p_pressure = 1, p_gap = 2, p_displacement = 3, p_stress = 4, p_shear = 7
-   !> Places where the conditions of contact are checked, and how far they reach, in half-widths.
-   integer, parameter :: n_places = 120
+   !> Indices where the conditions of contact are checked, and how far they reach, in half-widths.
+   integer, parameter :: n_indices = 120
    real(dp), parameter :: reach = 3.0_dp
    !> Largest coefficient of a polynomial; those of small tips are large.
    real(dp), parameter :: largest_coefficient = 1.0e100_dp
@@ -112,7 +112,6 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(punch_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -147,7 +146,6 @@ contains
 
    !> E* [Pa].
    pure real(dp) function modulus_of(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       modulus_of = contact_modulus_of(values(v_contact_modulus:v_poisson_ratio))
@@ -155,11 +153,8 @@ contains
 
    !> Find coefficients that make a load beyond all numbers.
    subroutine check_coefficients(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(punch_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: i
 
@@ -171,9 +166,8 @@ contains
 
    !> Is the load of a term c x^2i within the numbers, where the half-width of contact is given?
    pure logical function is_carried(values, i)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the coefficient in `variables`.
+      !> Index of the coefficient in `variables`.
       integer, intent(in) :: i
 
       is_carried = .true.
@@ -184,7 +178,6 @@ contains
 
    !> Is there such a contact? A sweep may lead to a contact wider than the face, or to a polynomial without terms and end.
    pure logical function is_possible(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       integer :: i
 
@@ -197,7 +190,6 @@ contains
 
    !> Solve for the contact.
    subroutine solve_state(values, state)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The punch on its contact; `contact%is_converged` tells whether it was found.
       type(punch_state_t), intent(out) :: state
@@ -233,7 +225,6 @@ contains
 
    !> A half-width that the contact does not pass: that of the face, or what a single term of the profile would need.
    pure real(dp) function widest(profile, face, modulus, load)
-      !> Polynomial profile of the punch.
       type(polynomial_t), intent(in) :: profile
       !> Half-width of the face [m]; enormous without an end.
       real(dp), intent(in) :: face
@@ -252,7 +243,6 @@ contains
 
    !> See `model_t`: the slope at the edge of contact, of a cylinder its half-width over its radius.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing is read from it here.
       class(punch_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -278,7 +268,6 @@ contains
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model; nothing is read from it here.
       class(punch_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -293,7 +282,7 @@ contains
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
       type(punch_state_t), allocatable :: found
-      real(dp) :: x(n_places), mean
+      real(dp) :: x(n_indices), mean
       integer :: i
 
       status = status_no_equilibrium
@@ -309,8 +298,8 @@ contains
          results([r_load, r_contact_half_width, r_mean_pressure]) = [contact%load, contact%half_width, mean]
          results(r_centre_pressure) = found%pressure(0.0_dp)
          results(r_edge_intensity) = contact%excess/sqrt(pi*contact%half_width)
-         x = [((i - 0.5_dp)*reach/n_places, i=1, n_places)]*contact%half_width
-         x = pack(x, x < found%face, spread(x(1), 1, n_places))
+         x = [((i - 0.5_dp)*reach/n_indices, i=1, n_indices)]*contact%half_width
+         x = pack(x, x < found%face, spread(x(1), 1, n_indices))
          results(r_violation) = largest_violation(found%pressure(x), found%gap(x), mean, mean*contact%half_width/contact%modulus)
       end associate
       call move_alloc(found, state)
@@ -320,7 +309,6 @@ contains
 
    !> See `pointwise_model_t`. Pressure, gap and displacement are those of the surface, NaN at other depths.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing is read from it here.
       class(punch_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -354,7 +342,6 @@ contains
 
    !> Set pressure, gap and displacement along the surface.
    subroutine get_surface(state, x, profiles)
-      !> The punch on its solved contact.
       type(punch_state_t), intent(in) :: state
       !> Coordinates along the surface, from the middle of the punch [m].
       real(dp), intent(in) :: x(:)
@@ -364,7 +351,7 @@ contains
 
       profiles(:, p_pressure) = state%pressure(x)
       do i = 1, size(x)
-         ! beyond the face there is no punch to have a gap from; in contact what is left is round-off
+         ! beyond the face there is no punch to have a gap from; in contact what remains is round-off
          if (abs(x(i)) <= state%face) profiles(i, p_gap) = max(0.0_dp, state%gap(x(i)))
          if (abs(x(i)) <= state%contact%half_width) profiles(i, p_gap) = 0
       end do

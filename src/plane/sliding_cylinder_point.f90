@@ -39,9 +39,7 @@ contains
 
    !> What slides on what.
    pure subroutine resolve_cylinder(values, given, point, is_possible)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       !> In: what the point before has left. Out: spectrum, cylinder and speed of this one.
       type(cylinder_point_t), intent(inout) :: point
@@ -63,7 +61,6 @@ contains
    pure logical function is_possible_cylinder(values, given) result(is_possible)
       !> Values of the variables, which have been checked one by one; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       type(cylinder_point_t) :: point
 
@@ -74,7 +71,6 @@ contains
    pure subroutine get_cylinder_frequency(values, given, frequency)
       !> Values of the variables, which have been checked; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       !> Receives the frequency.
       real(dp), intent(out) :: frequency
@@ -90,9 +86,7 @@ contains
 
    !> Solve a point.
    pure subroutine solve_cylinder(values, given, point, results, error_estimate, status)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       !> In: what the point before has left. Out: what this one leaves.
       type(cylinder_point_t), intent(inout) :: point
@@ -116,9 +110,7 @@ contains
 
    !> Results of a contact.
    pure subroutine store(values, point, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its contact.
       type(cylinder_point_t), intent(in) :: point
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -144,9 +136,8 @@ contains
 
    !> Pressure and gap across the contact.
    pure subroutine get_cylinder_profiles(point, coordinates, pressure, gap)
-      !> The point with its contact.
       type(cylinder_point_t), intent(in) :: point
-      !> Places, from the lowest line of the cylinder [m]; shape `(n)`.
+      !> Positions, from the lowest line of the cylinder [m]; shape `(n)`.
       real(dp), intent(in) :: coordinates(:)
       !> Pressure [Pa] and gap [m]; shape `(n)`.
       real(dp), intent(out) :: pressure(:), gap(:)

@@ -41,9 +41,7 @@ contains
 
    !> What slides on what.
    pure subroutine resolve_slide(values, given, point, is_possible)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       !> In: what the point before has left. Out: spectrum, wave and speed of this one.
       type(slide_point_t), intent(inout) :: point
@@ -64,7 +62,6 @@ contains
    pure logical function is_possible_slide(values, given) result(is_possible)
       !> Values of the variables, which have been checked one by one; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       type(slide_point_t) :: point
 
@@ -73,9 +70,7 @@ contains
 
    !> Solve a point. Beyond full contact the penetration of a half-plane is undefined.
    pure subroutine solve_slide(values, given, point, results, error_estimate, status)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
       !> In: what the point before has left. Out: what this one leaves.
       type(slide_point_t), intent(inout) :: point
@@ -108,9 +103,7 @@ contains
 
    !> Results of a contact.
    pure subroutine store(values, point, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its contact.
       type(slide_point_t), intent(in) :: point
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -142,9 +135,8 @@ contains
 
    !> Pressure and gap along the wave.
    pure subroutine get_slide_profiles(point, coordinates, pressure, gap)
-      !> The point with its contact.
       type(slide_point_t), intent(in) :: point
-      !> Places along the wave, from a crest [m]; shape `(n)`.
+      !> Positions along the wave, from a crest [m]; shape `(n)`.
       real(dp), intent(in) :: coordinates(:)
       !> Pressure [Pa] and gap [m]; shape `(n)`.
       real(dp), intent(out) :: pressure(:), gap(:)

@@ -21,11 +21,11 @@ module adfric_plane_strip_load_model
    private
    public :: strip_load_model_t, new_strip_load_model
 
-   !> Places of the strip load's own variables and results; those of `adfric_plane_plane_load` are the first.
+   !> Indices of the strip load's own variables and results; those of `adfric_plane_plane_load` are the first.
    integer, parameter, public :: v_normal = 5, v_tangential = 6, v_distribution = 7, v_half_width = 8, v_positions = 9, &
       & v_pressures = 10, v_shear_tractions = 11
    integer, parameter, public :: r_strain = 5, r_slope = 6
-   !> Places of the words in the choice of the distribution.
+   !> Indices of the words in the choice of the distribution.
    integer, parameter, public :: distribution_uniform = 1, distribution_hertz = 2, distribution_sampled = 3
    !> Fewest samples, so that every second of them makes a coarser set to compare with.
    integer, parameter :: fewest_samples = 3
@@ -76,7 +76,6 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(strip_load_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -104,7 +103,7 @@ contains
 
       !> Add a problem to the list: a variable is given that the distribution does not take.
       subroutine refuse(k)
-         !> Place in `variables` of a variable that is given but not taken.
+         !> Position in `variables` of a variable that is given but not taken.
          integer, intent(in) :: k
 
          call problems%add(self%variables(k)%group, self%variables(k)%name, 'is given, but the distribution does not take it')
@@ -114,11 +113,8 @@ contains
 
    !> Do the samples belong together? Only those are looked at that are given.
    subroutine check_samples(self, values, problems)
-      !> The model with its samples.
       class(strip_load_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (.not. is_set(values(v_positions))) return
@@ -133,17 +129,16 @@ contains
    end subroutine check_samples
 
    !> See `model_t`.
-   subroutine take_dataset(self, place, values, problems)
-      !> The model, which keeps the samples.
+   subroutine take_dataset(self, index, values, problems)
       class(strip_load_model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
       !> Values of the dataset; shape `(n_samples, 1)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      select case (place)
+      select case (index)
       case (v_positions)
          self%samples%s = values(:, 1)
          associate (s => self%samples%s)
@@ -160,26 +155,25 @@ contains
    end subroutine take_dataset
 
    !> See `field_model_t`.
-   subroutine get_field(self, values, place, field)
-      !> The model with its samples.
+   subroutine get_field(self, values, position, field)
       class(strip_load_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Coordinates x, y, z of the place [m]; of a half-plane x, y, 0.
-      real(dp), intent(in) :: place(3)
-      !> Results at the place, NaN where there is no value; shape `(n_results)`.
+      !> Coordinates x, y, z of the position [m]; of a half-plane x, y, 0.
+      real(dp), intent(in) :: position(3)
+      !> Results at the position, NaN where there is no value; shape `(n_results)`.
       real(dp), intent(out) :: field(:)
       real(dp) :: x, y, shape, integral, tractions(2), integrals(2)
       logical :: is_uniform
 
       if (nint(values(v_distribution)) == distribution_sampled) then
-         call set_stress(self%samples%stress_at(place(1), place(2)), field)
-         call set_slopes(values, self%samples%value_at(place(1)), self%samples%integral_at(place(1)), field)
+         call set_stress(self%samples%stress_at(position(1), position(2)), field)
+         call set_slopes(values, self%samples%value_at(position(1)), self%samples%integral_at(position(1)), field)
          return
       end if
 
-      x = place(1)/values(v_half_width)
-      y = place(2)/values(v_half_width)
+      x = position(1)/values(v_half_width)
+      y = position(2)/values(v_half_width)
       is_uniform = nint(values(v_distribution)) == distribution_uniform
       field = not_a_number()
       ! a jump of the tractions: no values at the edges
@@ -204,13 +198,12 @@ contains
    !>     du_x/dx = -(1 + nu)(1 - 2 nu)/E p - 2 (1 - nu^2)/(pi E) I[q]
    !>     du_y/dx =  (1 + nu)(1 - 2 nu)/E q - 2 (1 - nu^2)/(pi E) I[p]
    pure subroutine set_slopes(values, tractions, integrals, field)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Tractions p and q at the place [Pa].
+      !> Tractions p and q at the position [Pa].
       real(dp), intent(in) :: tractions(2)
-      !> Principal values I[p] and I[q] at the place [Pa].
+      !> Principal values I[p] and I[q] at the position [Pa].
       real(dp), intent(in) :: integrals(2)
-      !> Results at the place; strain and slope of the surface are set.
+      !> Results at the position; strain and slope of the surface are set.
       real(dp), intent(inout) :: field(:)
       real(dp) :: near, far
 
@@ -224,7 +217,6 @@ contains
    !> error of the interpolation, where that falls with the distance of the samples or faster. Against the root of the squares of
    !> the stresses; 1 where they are 0 and should perhaps not be.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model with its samples.
       class(strip_load_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -239,17 +231,17 @@ contains
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
       type(sampled_traction_t) :: coarse
-      real(dp) :: place(3), change
+      real(dp) :: position(3), change
 
-      place = self%get_place(values)
-      call self%get_field(values, place, results)
+      position = self%get_position(values)
+      call self%get_field(values, position, results)
       status = status_solved
       error_estimate = epsilon(error_estimate)
       if (nint(values(v_distribution)) /= distribution_sampled) return
-      if (.not. place(2) > 0 .and. self%samples%jumps_at(place(1))) return
+      if (.not. position(2) > 0 .and. self%samples%jumps_at(position(1))) return
       coarse = every_second(self%samples)
       associate (stress => results(r_stress_xx:r_stress_xy))
-         change = norm2(stress - coarse%stress_at(place(1), place(2)))
+         change = norm2(stress - coarse%stress_at(position(1), position(2)))
          if (change > 0) error_estimate = max(error_estimate, change/max(change, norm2(stress)))
       end associate
       associate (unused => state, unused_counts => counts)

@@ -26,7 +26,6 @@ contains
 
    !> Does the wave slide over a viscoelastic half-plane?
    pure logical function is_sliding(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       is_sliding = has_spectrum(values(v_material:v_temperature))
@@ -34,7 +33,6 @@ contains
 
    !> Does the wave adhere to an elastic half-plane?
    pure logical function is_adhesive(values)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       is_adhesive = has_adhesion(values(v_adhesion:v_turning_pressure)) .and. .not. is_sliding(values)
@@ -42,13 +40,9 @@ contains
 
    !> Add to `problems` what is missing or impossible.
    subroutine check_wave(variables, values, given, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
@@ -74,11 +68,8 @@ contains
 
    !> Add to `problems` what is wrong with an elastic solid, over which no velocity counts.
    subroutine check_solid(variables, values, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp) :: friction(n_coulomb_rows)
 
@@ -98,13 +89,9 @@ contains
 
    !> Add to `problems` what is wrong with a viscoelastic material.
    subroutine check_material(variables, values, given, problems)
-      !> Table of the variables; their names are part of the messages.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Lists and datasets of the input.
       type(given_spectrum_t), intent(in) :: given
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: k
 

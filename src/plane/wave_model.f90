@@ -59,7 +59,6 @@ contains
 
    !> See `halfspace_model_t`.
    subroutine check_case(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -71,7 +70,6 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(list)
-      !> The model, for the rows of its moduli.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -88,7 +86,6 @@ contains
 
    !> See `model_t`.
    function describe_case(self, values) result(text)
-      !> The model with its lists and datasets.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -100,7 +97,6 @@ contains
 
    !> See `model_t`.
    function describe_doubts(self, values) result(text)
-      !> The model with its lists and datasets.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -115,7 +111,6 @@ contains
 
    !> See `model_t`: the steepest slope of the wave.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -131,7 +126,6 @@ contains
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model with its lists and datasets.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -145,7 +139,7 @@ contains
       integer, intent(out) :: status
       !> These models count nothing; size 0.
       real(dp), intent(inout) :: counts(:)
-      logical :: is_held
+      logical :: is_sustained
 
       if (is_sliding(values)) then
          if (.not. allocated(state)) allocate (slide_point_t :: state)
@@ -168,9 +162,9 @@ contains
       end if
       if (status == status_solved .and. .not. is_sliding(values)) call store_friction(values, results)
       if (status == status_solved .and. has_coulomb(values(v_tangential_stress:v_coefficient))) then
-         call add_slip(values, results, is_held)
-         if (.not. is_held) status = status_no_equilibrium
-         if (.not. is_held) results(:) = not_a_number()
+         call add_slip(values, results, is_sustained)
+         if (.not. is_sustained) status = status_no_equilibrium
+         if (.not. is_sustained) results(:) = not_a_number()
       end if
       associate (unused => counts)
       end associate
@@ -178,7 +172,6 @@ contains
 
    !> Friction of a shear strength.
    pure subroutine store_friction(values, results)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> In: results of a solved point. Out: with friction; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -192,7 +185,6 @@ contains
 
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
-      !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -206,7 +198,6 @@ contains
 
    !> See `pointwise_model_t`: pressure and gap, and with friction the shear stress.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing is read from it here.
       class(wave_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -233,13 +224,11 @@ contains
 
    !> Pressure and gap.
    subroutine fill_pressure_and_gap(values, results, state, axes, profiles)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> What `solve_block` found for this point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
       !> What `solve_point` has left: the contact of a sliding or of an adhesive wave.
       class(point_state_t), allocatable, intent(in) :: state
-      !> Axes of the profiles, the slowest first.
       type(profile_axis_t), intent(in) :: axes(:)
       !> In: all NaN. Out: with pressure and gap; shape `(n_fast, n_slow, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)

@@ -14,21 +14,19 @@ module adfric_plane_wave_slip_point
 contains
 
    !> Add the results of partial slip to those of a solved point. Without contact there are none.
-   pure subroutine add_slip(values, results, is_held)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+   pure subroutine add_slip(values, results, is_sustained)
       real(dp), intent(in) :: values(:)
       !> In: those of the contact. Out: also those of slip; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      !> Does friction hold the force?
-      logical, intent(out) :: is_held
+      logical, intent(out) :: is_sustained
       type(coulomb_t) :: friction
       type(wave_slip_t) :: slip
       real(dp) :: tau, unit, stress
 
       call resolve_coulomb(values(v_tangential_stress:v_coefficient), values(v_contact_modulus:v_second_poisson_ratio), .true., &
          & friction)
-      call friction%get_share(results(r_mean_pressure), tau, is_held)
-      if (.not. (is_held .and. results(r_mean_pressure) > 0)) return
+      call friction%get_share(results(r_mean_pressure), tau, is_sustained)
+      if (.not. (is_sustained .and. results(r_mean_pressure) > 0)) return
       stress = results(r_full_contact_pressure)
       call find_wave_slip(results(r_mean_pressure)/stress, tau, slip)
       associate (mu => friction%coefficient, ratio => friction%compliance_ratio(.true.), d => values(v_amplitude))
@@ -44,7 +42,6 @@ contains
 
    !> Shear tractions of a solved point [Pa].
    pure function slip_tractions(values, results, x) result(tractions)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
@@ -52,11 +49,11 @@ contains
       real(dp), intent(in) :: x(:)
       real(dp) :: tractions(size(x)), tau
       type(coulomb_t) :: friction
-      logical :: is_held
+      logical :: is_sustained
 
       call resolve_coulomb(values(v_tangential_stress:v_coefficient), values(v_contact_modulus:v_second_poisson_ratio), .true., &
          & friction)
-      call friction%get_share(results(r_mean_pressure), tau, is_held)
+      call friction%get_share(results(r_mean_pressure), tau, is_sustained)
       tractions = 0
       if (.not. results(r_mean_pressure) > 0) return
       associate (stress => results(r_full_contact_pressure))

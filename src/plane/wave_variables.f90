@@ -13,7 +13,7 @@ module adfric_plane_wave_variables
    private
    public :: get_wave_variables, get_wave_results
 
-   !> Places of the variables. Those of adhesion stand between `v_adhesion` and `v_turning_pressure`, those of the material between
+   !> Indices of the variables. Those of adhesion stand between `v_adhesion` and `v_turning_pressure`, those of the material between
    !> `v_material` and `v_temperature`.
    integer, parameter, public :: v_period = 1, v_amplitude = 2, v_contact_modulus = 3, v_poisson_ratio = 5, &
       & v_second_poisson_ratio = 7, &
@@ -22,7 +22,7 @@ module adfric_plane_wave_variables
       & v_mean_pressure = v_temperature + 2, v_penetration = v_temperature + 3, &
       & v_shear_strength = v_penetration + 1, v_pressure_factor = v_penetration + n_shear_rows, &
       & v_tangential_stress = v_pressure_factor + 1, v_coefficient = v_pressure_factor + n_coulomb_rows
-   !> Places of the results; those from `r_contact_shift` on belong to sliding, friction also to a shear strength, those from
+   !> Indices of the results; those from `r_contact_shift` on belong to sliding, friction also to a shear strength, those from
    !> `r_adhesion_fraction` on to adhesion, those from `r_stick_fraction` on to partial slip.
    integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_width = 3, r_contact_fraction = 4, &
       & r_peak_pressure = 5, r_mean_gap = 6, r_largest_gap = 7, r_full_contact_pressure = 8, r_regime = 9, r_violation = 10, &
@@ -32,7 +32,7 @@ module adfric_plane_wave_variables
       & r_stick_fraction = 23, r_tangential_displacement = 24, r_tangential_stiffness = 25, r_cycle_energy = 26
    !> Number of results.
    integer, parameter :: n_results = r_hysteresis_loss + n_slip_results
-   !> Places in the meanings of `regime`, from 0.
+   !> Indices in the meanings of `regime`, from 0.
    integer, parameter, public :: regime_none = 0, regime_partial = 1, regime_full = 2, regime_adhesion_only = 3, &
       & regime_adhesion_zones = 4, regime_saturated_adhesion = 5
 
@@ -63,7 +63,6 @@ contains
 
    !> Does the group `solid` have a variable of the same name?
    elemental logical function is_of_solid(variable)
-      !> A variable of another group.
       type(variable_t), intent(in) :: variable
 
       is_of_solid = variable%name == 'young_modulus' .or. variable%name == 'poisson_ratio'

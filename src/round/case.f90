@@ -22,7 +22,7 @@ module adfric_round_case
    private
    public :: indenter_case_t, resolve_case, is_possible, tangential_compliance, theory_of, has_plain_spring, has_plain_base
 
-   !> Units and what is held must be between these powers of ten, or numbers have no room.
+   !> Units and what is prescribed must be between these powers of ten, or numbers have no space.
    integer, parameter :: largest_unit = 70, largest_number = 30
 
    !> A point in reduced variables.
@@ -33,9 +33,9 @@ module adfric_round_case
       integer :: theory = theory_none
       !> Units L [m] of lengths in the plane and H [m] of heights, and E* [Pa].
       real(dp) :: length_unit = 1, height_unit = 1, modulus = 1
-      !> What is held (`control_...`), and one of `branch_...`.
+      !> What is prescribed (`control_...`), and one of `branch_...`.
       integer :: control = control_load, branch = branch_stable
-      !> Load, approach (of the base of a spring, too) or unknown u that is held, reduced.
+      !> Load, approach (of the base of a spring, too) or unknown u that is prescribed, reduced.
       real(dp) :: given = 0
       !> Does a given u lie beyond the corner?
       logical :: is_beyond = .true.
@@ -54,7 +54,6 @@ contains
 
    !> E* L H [N].
    pure real(dp) function force_unit(self)
-      !> The case with its units.
       class(indenter_case_t), intent(in) :: self
 
       force_unit = self%modulus*self%length_unit*self%height_unit
@@ -62,7 +61,6 @@ contains
 
    !> E* L [N/m].
    pure real(dp) function stiffness_unit(self)
-      !> The case with its units.
       class(indenter_case_t), intent(in) :: self
 
       stiffness_unit = self%modulus*self%length_unit
@@ -72,7 +70,6 @@ contains
    pure subroutine resolve_case(values, self)
       !> Values of the variables, in the order of `adfric_round_variables`.
       real(dp), intent(in) :: values(:)
-      !> Receives the point.
       type(indenter_case_t), intent(out) :: self
       type(sphere_shape_t), allocatable :: sphere
       real(dp) :: work
@@ -115,7 +112,6 @@ contains
 
    !> The theory of a case: without adhesion none, and without a range JKR.
    pure integer function theory_of(values) result(theory)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
 
       theory = theory_none
@@ -131,7 +127,6 @@ contains
 
    !> Adhesion of a curve.
    pure subroutine resolve_adhesion(values, work, theory, stress_unit, height_unit, curve)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
       !> W, the reduced work of adhesion.
       real(dp), intent(in) :: work
@@ -139,7 +134,6 @@ contains
       integer, intent(in) :: theory
       !> Units of stresses [Pa] and heights [m].
       real(dp), intent(in) :: stress_unit, height_unit
-      !> Receives its adhesion.
       class(curve_t), intent(inout) :: curve
       real(dp) :: n, exponent
 
@@ -169,9 +163,7 @@ contains
 
    !> A shape with a corner.
    pure subroutine resolve_corner(values, self)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
-      !> Receives shape and units.
       type(indenter_case_t), intent(inout) :: self
       type(corner_shape_t), allocatable :: shape
       real(dp) :: b
@@ -204,11 +196,9 @@ contains
 
    !> A sum of powers.
    pure subroutine resolve_powers(values, length, self)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
       !> w/E* [m].
       real(dp), intent(in) :: length
-      !> Receives shape and units.
       type(indenter_case_t), intent(inout) :: self
       type(power_shape_t), allocatable :: shape
       real(dp), allocatable :: exponents(:), logarithms(:)
@@ -235,7 +225,6 @@ contains
 
    !> Exponents of the terms, and the logarithms of their K C.
    pure subroutine get_terms(values, exponents, logarithms)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
       !> Receives the exponents; one or more.
       real(dp), allocatable, intent(out) :: exponents(:)
@@ -262,7 +251,6 @@ contains
 
    !> Logarithm of the radius of contact of each term alone, without adhesion; that of a height of 1 where nothing is in contact.
    pure function radius_logarithm(values, modulus, exponents, logarithms) result(radius)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
       !> E* [Pa].
       real(dp), intent(in) :: modulus
@@ -285,11 +273,10 @@ contains
       end if
    end function radius_logarithm
 
-   !> What is held.
+   !> What is prescribed.
    pure subroutine resolve_given(values, self)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
-      !> In: with shape and units. Out: with what is held, too.
+      !> In: with shape and units. Out: with what is prescribed, too.
       type(indenter_case_t), intent(inout) :: self
 
       if (self%control == control_load) then
@@ -311,7 +298,6 @@ contains
 
    !> Is a radius less than that of a sphere?
    pure logical function is_inside(self, radius)
-      !> The case with its shape.
       type(indenter_case_t), intent(in) :: self
       !> Radius a of contact, reduced.
       real(dp), intent(in) :: radius
@@ -339,7 +325,6 @@ contains
 
    !> Is the stiffness of a lateral spring within the numbers?
    pure logical function has_plain_spring(self)
-      !> The case with its spring.
       type(indenter_case_t), intent(in) :: self
       real(dp), parameter :: most = 10.0_dp**largest_number
 
@@ -348,7 +333,6 @@ contains
 
    !> Is the displacement of the base of a lateral spring within the numbers?
    pure logical function has_plain_base(self)
-      !> The case with its spring.
       type(indenter_case_t), intent(in) :: self
 
       has_plain_base = self%base_displacement < 10.0_dp**largest_number
@@ -357,9 +341,7 @@ contains
    !> Is there such a contact? Without adhesion a contact of given radius is not smaller than a face, and none is larger than a
    !> sphere; and all has to be within the numbers.
    pure logical function is_possible(values, self)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
-      !> The case that they describe.
       type(indenter_case_t), intent(in) :: self
       real(dp), parameter :: most = 10.0_dp**largest_unit
 
@@ -372,7 +354,7 @@ contains
       type is (dugdale_curve_t)
          is_possible = curve%stress < most .and. curve%range < most .and. curve%stress > 1/most .and. curve%range > 1/most
          if (is_possible .and. is_inside(self, self%radius)) then
-            is_possible = curve%has_room(merge(self%given, 0.0_dp, self%radius > 0), self%is_beyond)
+            is_possible = curve%has_space(merge(self%given, 0.0_dp, self%radius > 0), self%is_beyond)
          end if
       end select
       if (is_set(values(v_lateral_stiffness))) is_possible = is_possible .and. has_plain_spring(self) &
@@ -385,9 +367,7 @@ contains
 
    !> m, the ratio of the tangential to the normal compliance: 1 + (E*/4) sum of nu/G.
    pure real(dp) function tangential_compliance(values, case) result(ratio)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its modulus.
       type(indenter_case_t), intent(in) :: case
 
       ratio = 1 + case%modulus*poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))/4

@@ -25,13 +25,9 @@ contains
 
    !> Add to `problems` what is wrong with the values together.
    subroutine check_indenter_values(variables, values, is_swept, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is the variable swept? Shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
@@ -53,11 +49,9 @@ contains
    subroutine check_body(variables, values, has_own_poisson_ratio, problems)
       !> Table whose rows up to the moduli are those of this model.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Has Poisson's ratio of the first body a use of its own beside the contact modulus?
       logical, intent(in) :: has_own_poisson_ratio
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call require(variables, values, [v_kind], problems)
@@ -68,11 +62,8 @@ contains
 
    !> What each kind of shape needs, and what it has no place for.
    subroutine check_shape(variables, values, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_used(v_coefficient_8)
       integer :: kind, k
@@ -102,11 +93,8 @@ contains
 
    !> Theory and work of adhesion.
    subroutine check_adhesion(variables, values, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: has_adhesion
 
@@ -129,9 +117,7 @@ contains
 
    !> What belongs to some kinds alone: DMT and lambda.
    subroutine check_theory(values, problems)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_square, has_range
       integer :: kind
@@ -149,13 +135,10 @@ contains
          & 'is too small for adhesion of a range; allowed with it: a number >= 1 [-]')
    end subroutine check_theory
 
-   !> What is held.
+   !> What is prescribed.
    subroutine check_operation(variables, values, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer, parameter :: with_face(*) = [kind_flat_cone, kind_flat_paraboloid, kind_rounded_punch]
       integer :: kind, k
@@ -182,14 +165,11 @@ contains
 
    !> Values that are possible one by one, and not together.
    subroutine check_sizes(variables, values, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       type(indenter_case_t) :: case
-      integer :: held
+      integer :: prescribed
 
       call resolve_case(values, case)
       if (is_set(values(v_lateral_stiffness)) .and. case%height_unit > 0 .and. .not. has_plain_spring(case)) then
@@ -212,15 +192,15 @@ contains
          call problems%add('shape', 'radius', 'is so small that adhesion would reach beyond the sphere')
          return
       end if
-      held = v_base_approach
-      if (.not. is_set(values(held))) held = v_load - 1 + findloc(is_set(values(v_load:v_face_angle)), .true., 1)
-      if (held == v_contact_radius .and. nint(values(v_kind)) == kind_sphere) then
+      prescribed = v_base_approach
+      if (.not. is_set(values(prescribed))) prescribed = v_load - 1 + findloc(is_set(values(v_load:v_face_angle)), .true., 1)
+      if (prescribed == v_contact_radius .and. nint(values(v_kind)) == kind_sphere) then
          call problems%add('operating', 'contact_radius', 'is not smaller than the radius of the sphere')
-      else if (held == v_contact_radius .and. case%curve%shape%has_face) then
+      else if (prescribed == v_contact_radius .and. case%curve%shape%has_face) then
          call problems%add('operating', 'contact_radius', &
             & 'is smaller than face_radius, and without adhesion the whole face is in contact')
       else
-         call problems%add('operating', variables(held)%name, 'is beyond all numbers for this indenter')
+         call problems%add('operating', variables(prescribed)%name, 'is beyond all numbers for this indenter')
       end if
    end subroutine check_sizes
 

@@ -78,7 +78,6 @@ contains
 
    !> k of a cone.
    pure real(dp) function slope_of(values)
-      !> Values of the variables.
       real(dp), intent(in) :: values(:)
 
       slope_of = values(v_slope)

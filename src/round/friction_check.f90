@@ -21,7 +21,6 @@ contains
 
    !> Is there a tangential displacement or stiffness, so that Poisson's ratio has a use of its own?
    pure logical function is_moved(values)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       is_moved = any(is_set(values([v_tangential_force, v_base_displacement]))) .or. has_events(values) &
@@ -30,7 +29,6 @@ contains
 
    !> Are the events of a growing tangential force asked for at a given load? At a given approach they come beside those of a cycle.
    pure logical function has_events(values)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       has_events = values(v_events) > 0 .and. (is_set(values(v_shear_strength)) .or. nint(values(v_law)) == law_peeling)
@@ -39,11 +37,8 @@ contains
 
    !> Friction: Coulomb's, of a shear strength, or none that gives way.
    subroutine check_friction(variables, values, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_coulomb, has_strength, is_adhesive
 
@@ -75,11 +70,8 @@ contains
 
    !> A lateral spring: its jumps are events of a contact that slides against a shear strength.
    subroutine check_lateral_spring(variables, values, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_driven
 
@@ -101,11 +93,8 @@ contains
 
    !> A base that is moved.
    subroutine check_driven(variables, values, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call require_one(variables, values, [v_tangential_force, v_base_displacement], .false., problems)
@@ -124,9 +113,7 @@ contains
 
    !> With alpha > 0, JKR's infinite tension at the edge would slip at once.
    subroutine check_edge(values, problems)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (.not. values(v_pressure_factor) > 0) return
@@ -137,11 +124,8 @@ contains
 
    !> A contact that sticks without limit has no other friction, a load, and JKR's adhesion.
    subroutine check_peeling(variables, values, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer, parameter :: without(*) = [v_friction_coefficient, v_shear_strength, v_pressure_factor, v_critical_slip, &
          & v_slip_energy_ratio]
@@ -165,13 +149,9 @@ contains
 
    !> What friction does to adhesion, and sliding.
    subroutine check_interaction(variables, values, is_adhesive, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Is there a work of adhesion?
       logical, intent(in) :: is_adhesive
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_sliding
       integer :: k
@@ -195,36 +175,32 @@ contains
          & 'is 0 [Pa]; interaction needs a number > 0')
       if (is_sliding .or. has_events(values) .or. is_set(values(v_base_displacement))) call require_one(variables, values, &
          & [v_slip_energy_ratio, v_critical_slip], .true., problems)
-      call check_way(values, problems)
+      call check_path(values, problems)
       if (is_adhesive) call check_share(values, problems)
    end subroutine check_interaction
 
-   !> What a way from rest to sliding needs: a contact that may change, and a slip that is known.
-   subroutine check_way(values, problems)
-      !> Values of the variables; shape `(n_variables)`.
+   !> What a path from rest to sliding needs: a contact that may change, and a slip that is known.
+   subroutine check_path(values, problems)
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
-      logical :: has_way
+      logical :: has_path
 
-      has_way = is_moved(values)
-      if (has_way .and. any(is_set(values([v_contact_radius, v_face_angle])))) call problems%add('friction', 'interaction', &
+      has_path = is_moved(values)
+      if (has_path .and. any(is_set(values([v_contact_radius, v_face_angle])))) call problems%add('friction', 'interaction', &
          & 'makes the contact shrink under a tangential force, but its radius is given; give load, approach or base_approach')
-      if (has_way .and. nint(values(v_branch)) /= branch_stable) call problems%add('operating', 'branch', &
+      if (has_path .and. nint(values(v_branch)) /= branch_stable) call problems%add('operating', 'branch', &
          & 'has no meaning with interaction before sliding, which begins at the largest stable contact')
       if (.not. is_set(values(v_pressure_factor))) return
       if (.not. values(v_pressure_factor) > 0) return
-      if (has_way) call problems%add('friction', 'pressure_factor', &
+      if (has_path) call problems%add('friction', 'pressure_factor', &
          & 'has no interaction before sliding, for the slip at an edge of a stress that is not uniform is not known; allowed: 0')
       if (is_set(values(v_critical_slip))) call problems%add('friction', 'critical_slip', &
          & 'has no meaning beside pressure_factor, with which the stress at the edge is not tau0; give slip_energy_ratio')
-   end subroutine check_way
+   end subroutine check_path
 
    !> Friction takes no more than there is of adhesion.
    subroutine check_share(values, problems)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       real(dp) :: ratio
 

@@ -32,15 +32,10 @@ contains
 
    !> Add the results of partial slip; without load there are none.
    pure subroutine add_slip(values, case, survey, contact, slip, results, status)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point.
       type(indenter_case_t), intent(in) :: case
-      !> The survey of its curve.
       type(survey_t), intent(in) :: survey
-      !> Its contact.
       type(contact_t), intent(in) :: contact
-      !> Receives the slip.
       type(indenter_slip_t), intent(out) :: slip
       !> In: results of the contact. Out: with those of slip, or all NaN; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -72,15 +67,10 @@ contains
 
    !> Add the friction of a shear strength, and under a tangential force its partial slip.
    pure subroutine add_friction(values, case, contact, resistance, slip, results, status)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point.
       type(indenter_case_t), intent(in) :: case
-      !> Its contact.
       type(contact_t), intent(in) :: contact
-      !> Receives how it resists.
       type(resistance_t), intent(out) :: resistance
-      !> Receives its slip.
       type(shear_slip_t), intent(out) :: slip
       !> In: results of the contact. Out: with those of friction, or all NaN; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -133,9 +123,7 @@ contains
    !> Are the events asked for under a strength that grows with pressure? They need Poisson's ratio, no interaction, and a stress at the
    !> edge that is finite.
    pure logical function wants_onset(values, case) result(wants)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its theory.
       type(indenter_case_t), intent(in) :: case
 
       wants = values(v_events) > 0 .and. is_set(values(v_pressure_factor)) .and. .not. values(v_interaction) > 0
@@ -143,22 +131,18 @@ contains
          & .and. has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))
    end function wants_onset
 
-   !> Add the onset of sliding of a contact that does not change: T grows with u up to the force of sliding, at which the last place
-   !> slips, so that is the largest one and nothing drops or jumps.
+   !> Add the onset of sliding of a contact that does not change: T grows with u up to the force of sliding, at which the last
+   !> position slips, so that is the largest one and nothing drops or jumps.
    pure subroutine add_onset(values, case, contact, resistance, force, results, is_converged)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
       !> Its contact, of a radius of friction > 0.
       type(contact_t), intent(in) :: contact
-      !> How it resists.
       type(resistance_t), intent(in) :: resistance
       !> Force of sliding, reduced.
       real(dp), intent(in) :: force
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      !> Was the displacement found to round-off?
       logical, intent(out) :: is_converged
       type(shear_slip_t) :: slip
 
@@ -170,13 +154,9 @@ contains
 
    !> Shear traction at a distance from the axis [Pa].
    pure real(dp) function shear_at(case, contact, friction, values, r) result(traction)
-      !> The point.
       type(indenter_case_t), intent(in) :: case
-      !> Its contact.
       type(contact_t), intent(in) :: contact
-      !> Its friction.
       type(friction_t), intent(in) :: friction
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Distance from the axis, reduced, >= 0.
       real(dp), intent(in) :: r

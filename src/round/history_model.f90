@@ -23,7 +23,7 @@ module adfric_round_history_model
    private
    public :: indenter_history_t, new_indenter_history
 
-   !> Places of the variables; up to that of the modulus they are those of the model `indenter`.
+   !> Indices of the variables; up to that of the modulus they are those of the model `indenter`.
    integer, parameter, public :: h_coefficient = v_second_poisson_ratio + path_coefficient, &
       & h_loads = v_second_poisson_ratio + path_loads, h_approaches = v_second_poisson_ratio + path_approaches, &
       & h_tangential_forces = v_second_poisson_ratio + path_tangential_forces, &
@@ -69,7 +69,6 @@ contains
 
    !> See `history_model_t`.
    subroutine check_bodies(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(indenter_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -81,7 +80,6 @@ contains
 
    !> See `history_model_t`.
    subroutine find_contacts(self, values, contacts, units, is_possible)
-      !> The model with its path.
       class(indenter_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -113,7 +111,6 @@ contains
 
    !> See `model_t`: the largest contact of the path.
    subroutine measure(self, values, results, measures)
-      !> The model with its path.
       class(indenter_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -138,9 +135,7 @@ contains
 
    !> The values that the model `indenter` would have at the largest load.
    pure function indenter_values(self, values) result(indenter)
-      !> The model with its path.
       class(indenter_history_t), intent(in) :: self
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       real(dp) :: indenter(n_indenter_variables)
 
@@ -153,13 +148,10 @@ contains
 
    !> See `normal_contact_t`.
    pure subroutine under_load(self, given, state, is_converged)
-      !> The indenter.
       class(indenter_states_t), intent(in) :: self
       !> Load, reduced.
       real(dp), intent(in) :: given
-      !> Receives the state.
       type(normal_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
 
       call find_state(self, control_load, given, state, is_converged)
@@ -167,13 +159,10 @@ contains
 
    !> See `normal_contact_t`.
    pure subroutine at_approach(self, given, state, is_converged)
-      !> The indenter.
       class(indenter_states_t), intent(in) :: self
       !> Approach, reduced.
       real(dp), intent(in) :: given
-      !> Receives the state.
       type(normal_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
 
       call find_state(self, control_approach, given, state, is_converged)
@@ -181,15 +170,12 @@ contains
 
    !> A normal state, reduced. The elastic energy is the integral of the load over the approach.
    pure subroutine find_state(self, control, given, state, is_converged)
-      !> The indenter.
       type(indenter_states_t), intent(in) :: self
       !> `control_load` or `control_approach`.
       integer, intent(in) :: control
       !> Load or approach.
       real(dp), intent(in) :: given
-      !> Receives the state.
       type(normal_state_t), intent(out) :: state
-      !> Was it found to round-off?
       logical, intent(out) :: is_converged
       type(contact_t) :: contact
 
@@ -207,16 +193,15 @@ contains
    end subroutine find_state
 
    !> See `model_t`: the coefficient of r^n has a unit that depends on n.
-   function unit_of(self, values, place) result(unit)
-      !> The model, whose table of variables is read.
+   function unit_of(self, values, index) result(unit)
       class(indenter_history_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
-      integer, intent(in) :: place
+      !> Index of the variable in `variables`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = indenter_unit_of(self%variables, values, place)
+      unit = indenter_unit_of(self%variables, values, index)
    end function unit_of
 
 end module adfric_round_history_model

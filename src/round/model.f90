@@ -58,7 +58,7 @@ module adfric_round_model
       type(loop_t) :: loop
       !> Has a survey been made?
       logical :: is_surveyed = .false.
-      !> What peeling has done; its events and its way on a driven spring serve the next point, too, if that has another force or
+      !> What peeling has done; its events and its path on a driven spring serve the next point, too, if that has another force or
       !> displacement of the base alone.
       type(peeled_t) :: peeled
       !> All values of the point.
@@ -84,7 +84,6 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
-      !> The model, whose table of variables is read.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -98,7 +97,6 @@ contains
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
-      !> The model; nothing of it is read here.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -110,7 +108,6 @@ contains
 
    !> See `model_t`.
    subroutine get_profile_axes(self, values, axes)
-      !> The model, for the name of its axis.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -129,7 +126,6 @@ contains
 
    !> See `model_t`.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing of it is read here.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -149,7 +145,6 @@ contains
 
    !> See `pointwise_model_t`.
    subroutine solve_point(self, values, state, results, error_estimate, status, counts)
-      !> The model; nothing of it is read here.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -216,7 +211,6 @@ contains
 
    !> May the state be one of bodies apart, which bears no tangential force? The other branches are those of contacts.
    pure logical function may_part(values)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       may_part = nint(values(v_branch)) == branch_stable .and. .not. is_set(values(v_base_displacement))
@@ -246,16 +240,14 @@ contains
 
    !> Are the events of a cycle of approach and retraction asked for?
    pure logical function makes_cycle(values)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       makes_cycle = values(v_events) > 0 .and. any(is_set(values([v_approach, v_base_approach])))
    end function makes_cycle
 
    !> Take the survey of the point before over, if it is that of the same curve. Without a range of adhesion the units follow from what
-   !> is held, and a survey takes no time.
+   !> is prescribed, and a survey takes no time.
    subroutine take_survey(state, found)
-      !> What the point before has left.
       class(point_state_t), allocatable, intent(in) :: state
       !> The point, which receives the survey.
       type(indenter_state_t), intent(inout) :: found
@@ -271,12 +263,10 @@ contains
       end select
    end subroutine take_survey
 
-   !> Take the events of the point before over, and its way on a driven spring, if that differs in the tangential force or the
+   !> Take the events of the point before over, and its path on a driven spring, if that differs in the tangential force or the
    !> displacement of the base alone.
    pure subroutine take_events(state, values, found)
-      !> What the point before has left.
       class(point_state_t), allocatable, intent(in) :: state
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The point, which receives the events.
       type(indenter_state_t), intent(inout) :: found
@@ -297,7 +287,6 @@ contains
 
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
-      !> The model; nothing of it is read here.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -310,7 +299,6 @@ contains
 
    !> See `pointwise_model_t`: pressure and gap, and with friction the shear stress.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing of it is read here.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -344,7 +332,6 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
-      !> The model, whose table of variables is read.
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -356,16 +343,15 @@ contains
    end function derive_quantities
 
    !> See `model_t`: the coefficient of r^n has a unit that depends on n.
-   function unit_of(self, values, place) result(unit)
-      !> The model, whose table of variables is read.
+   function unit_of(self, values, index) result(unit)
       class(indenter_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
-      integer, intent(in) :: place
+      !> Index of the variable in `variables`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = indenter_unit_of(self%variables, values, place)
+      unit = indenter_unit_of(self%variables, values, index)
    end function unit_of
 
 end module adfric_round_model

@@ -33,17 +33,17 @@ module adfric_round_peeled_point
       real(dp) :: ratio = 1
       !> Does the contact change with the force?
       logical :: is_peeling = .false.
-      !> dT/du along the way, reduced.
+      !> dT/du along the path, reduced.
       real(dp) :: stiffness = 0
       !> Relative error of the radius by round-off of the force, and that of the force on a driven spring.
       real(dp) :: error = 0, spring_error = 0
       !> Has all been found to round-off?
       logical :: is_converged = .true.
-      !> Are the events of the way known, from a point that differs in the force alone?
+      !> Are the events of the path known, from a point that differs in the force alone?
       logical :: has_events = .false.
       !> They, reduced.
       type(peeling_events_t) :: events
-      !> Is the way on a driven spring known, from a point that differs in the displacement of the base alone?
+      !> Is the path on a driven spring known, from a point that differs in the displacement of the base alone?
       logical :: has_drive = .false.
       !> That way.
       type(spring_drive_t) :: drive
@@ -55,7 +55,6 @@ contains
 
    !> Shall the events of a growing tangential force be found? They need Poisson's ratio, and a uniform shear strength.
    pure logical function wants_peeling_events(values) result(wants)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       wants = values(v_events) > 0 .and. has_poisson_ratio(values(v_contact_modulus:v_second_poisson_ratio))
@@ -68,7 +67,6 @@ contains
 
    !> The law of friction of a point.
    pure type(friction_law_t) function law_of(values, case) result(law)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> The point with its units, and all of its adhesion.
       type(indenter_case_t), intent(in) :: case
@@ -87,11 +85,9 @@ contains
 
    !> In sliding the curve has lost what friction takes; the events before it belong to the whole curve.
    pure subroutine begin_sliding(values, case, peeled, results)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> In: the point. Out: with the adhesion that is left.
+      !> In: the point. Out: with the adhesion that remains.
       type(indenter_case_t), intent(inout) :: case
-      !> Receives X.
       type(peeled_t), intent(inout) :: peeled
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -113,13 +109,10 @@ contains
       call weaken(case%curve, peeled%ratio)
    end subroutine begin_sliding
 
-   !> Add the events of a way, in SI units.
+   !> Add the events of a path, in SI units.
    pure subroutine add_events(case, path, peeled, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> The way.
       type(path_t), intent(inout) :: path
-      !> Its convergence may end.
       type(peeled_t), intent(inout) :: peeled
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -138,9 +131,7 @@ contains
 
    !> Results of a lateral spring, in SI units.
    pure subroutine store_jump(case, events, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> What happens, reduced.
       type(peeling_events_t), intent(in) :: events
       !> Receives it; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -154,17 +145,15 @@ contains
       end associate
    end subroutine store_jump
 
-   !> The contact under a tangential force that takes from adhesion, and the events of its way.
+   !> The contact under a tangential force that takes from adhesion, and the events of its path.
    pure subroutine peel_contact(values, case, contact, peeled, ends, results)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> In: the point. Out: with the adhesion that is left.
+      !> In: the point. Out: with the adhesion that remains.
       type(indenter_case_t), intent(inout) :: case
       !> In: the contact at rest. Out: that under the force; not found if there is none.
       type(contact_t), intent(inout) :: contact
-      !> Receives what peeling has done.
       type(peeled_t), intent(inout) :: peeled
-      !> In: where contacts end at rest. Out: with the adhesion that is left.
+      !> In: where contacts end at rest. Out: with the adhesion that remains.
       type(ends_t), intent(inout) :: ends
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -207,11 +196,10 @@ contains
 
    !> The state at a displacement of the base of a lateral spring.
    pure subroutine drive_contact(case, path, peeled)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> The way from rest, which need not have been followed.
+      !> The path from rest, which need not have been followed.
       type(path_t), intent(in) :: path
-      !> Receives the state; its way is found if it is not known.
+      !> Receives the state; its path is found if it is not known.
       type(peeled_t), intent(inout) :: peeled
 
       if (.not. peeled%has_drive) call new_spring_drive(peeled%drive, path, case%lateral_stiffness)
@@ -225,11 +213,8 @@ contains
 
    !> The slope of the force over the displacement, and what round-off of the force does to the radius.
    pure subroutine add_rates(path, waypoint, peeled)
-      !> The way.
       type(path_t), intent(in) :: path
-      !> The state.
       type(waypoint_t), intent(in) :: waypoint
-      !> Receives them.
       type(peeled_t), intent(inout) :: peeled
       real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
       real(dp) :: force_rate, displacement_rate, shrinkage
@@ -243,15 +228,12 @@ contains
 
    !> The contact that sticks without limit and peels.
    pure subroutine peel_brittle(values, case, force, contact, peeled, results)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point.
       type(indenter_case_t), intent(in) :: case
       !> T, reduced, >= 0.
       real(dp), intent(in) :: force
       !> In: the contact at rest. Out: that under the force; not found if there is none.
       type(contact_t), intent(inout) :: contact
-      !> Receives what peeling has done.
       type(peeled_t), intent(inout) :: peeled
       !> Receives the event; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -277,11 +259,8 @@ contains
 
    !> Add what slip and peeling are, in SI units, to the results of a contact and of its friction.
    pure subroutine store_peeled(values, case, peeled, results)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> What peeling has done.
       type(peeled_t), intent(in) :: peeled
       !> In: with the results of friction. Out: with those of slip; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -322,9 +301,7 @@ contains
    pure subroutine store_driven(values, case, peeled, results)
       !> Values of the variables, with the tangential force of the state; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> What peeling has done.
       type(peeled_t), intent(in) :: peeled
       !> In: with the results of friction. Out: with those of the state; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)

@@ -21,9 +21,7 @@ contains
 
    !> Where contacts end, in SI units.
    pure subroutine store_ends(case, ends, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> Where contacts end, reduced.
       type(ends_t), intent(in) :: ends
       !> Receives them; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -36,9 +34,7 @@ contains
 
    !> What happens in a cycle, in SI units. Without adhesion nothing jumps.
    pure subroutine store_events(case, loop, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> What happens, reduced.
       type(loop_t), intent(in) :: loop
       !> Receives it; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -53,11 +49,8 @@ contains
 
    !> Results of a contact, in SI units. What was given comes back to the last digit.
    pure subroutine store_contact(case, contact, values, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> The contact, reduced.
       type(contact_t), intent(in) :: contact
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -84,11 +77,8 @@ contains
 
    !> Stresses on the axis, in SI units.
    pure subroutine store_stress(case, contact, values, results)
-      !> The point with its units.
       type(indenter_case_t), intent(in) :: case
-      !> The contact, reduced.
       type(contact_t), intent(in) :: contact
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the results; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -100,17 +90,15 @@ contains
       results(r_stress_rr) = s_rr*unit
    end subroutine store_stress
 
-   !> Round-off of what is held moves the contact along the curve, at the end of stability by the root of round-off; load and approach
-   !> are differences. The largest relative error of radius, load and approach, the latter two against at least a tenth of pull-off.
+   !> Round-off of what is prescribed moves the contact along the curve, at the end of stability by the root of round-off; load and
+   !> approach are differences. The largest relative error of radius, load and approach, the latter two against at least a tenth of
+   !> pull-off.
    pure real(dp) function estimate_error(case, contact, ends) result(error)
-      !> The point.
       type(indenter_case_t), intent(in) :: case
-      !> Its contact.
       type(contact_t), intent(in) :: contact
-      !> Where contacts end.
       type(ends_t), intent(in) :: ends
       real(dp), parameter :: round_off = 2*epsilon(1.0_dp), least_share = 0.1_dp
-      real(dp) :: terms(2), best(2), sizes(2), shares(2), place, shift, slope
+      real(dp) :: terms(2), best(2), sizes(2), shares(2), index, shift, slope
       integer :: k
 
       error = round_off
@@ -128,18 +116,18 @@ contains
             if (sizes(k) > 0) error = max(error, 2*round_off*best(k)/sizes(k))
          end do
          ! that of a disc without touch is its radius
-         place = contact%u
-         if (contact%disc_terms(2) > 0) place = contact%adhesion_radius
-         if (case%control == control_radius .or. .not. place > 0 .or. case%curve%shape%n_pieces == 0) return
-         ! change of u that round-off of what is held makes
+         index = contact%u
+         if (contact%disc_terms(2) > 0) index = contact%adhesion_radius
+         if (case%control == control_radius .or. .not. index > 0 .or. case%curve%shape%n_pieces == 0) return
+         ! change of u that round-off of what is prescribed makes
          shares = 0
          shares(merge(1, 2, case%control == control_load)) = 1
          if (case%control == control_spring) shares(1) = case%curve%compliance
-         shift = sqrt(round_off)*place
+         shift = sqrt(round_off)*index
          slope = abs(sum(shares*contact%slopes))
          if (round_off*sum(shares*terms) < shift*slope) shift = round_off*sum(shares*terms)/slope
          if (contact%disc_terms(2) > 0) then
-            error = error + shift/place
+            error = error + shift/index
          else
             error = error + shift*spot%radius_slope/spot%radius
          end if

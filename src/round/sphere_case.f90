@@ -23,9 +23,9 @@ module adfric_round_sphere_case
       integer :: theory = theory_auto
       !> Relative error that a theory chosen by `theory_auto` may have [-].
       real(dp) :: tolerance = 1.0e-8_dp
-      !> What is held (`control_...`), its value, and the branch.
+      !> What is prescribed (`control_...`), its value, and the branch.
       integer :: control = control_load, branch = 1
-      !> Load, approach or radius that is held, reduced.
+      !> Load, approach or radius that is prescribed, reduced.
       real(dp) :: value = 0
       !> Is there a law of friction, and does the sphere slide?
       logical :: has_friction = .false., is_sliding = .false.
@@ -86,11 +86,11 @@ contains
       if (is_set(values(v_work_of_adhesion))) work = values(v_work_of_adhesion)
    end function get_work
 
-   !> What is held.
+   !> What is prescribed.
    pure subroutine resolve_operation(values, self)
       !> Values of the variables, in the order of `adfric_round_sphere_variables`.
       real(dp), intent(in) :: values(:)
-      !> In: with its units. Out: with what is held, too.
+      !> In: with its units. Out: with what is prescribed, too.
       type(sphere_case_t), intent(inout) :: self
 
       self%branch = nint(values(v_branch))

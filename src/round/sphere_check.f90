@@ -23,11 +23,8 @@ contains
 
    !> Add to `problems` what is wrong with the values together.
    subroutine check_sphere_values(variables, values, problems)
-      !> Table of the variables of the model; shape `(n_variables)`.
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
@@ -42,9 +39,8 @@ contains
 
       !> Add a problem of one variable to the list.
       subroutine add(v, text)
-         !> Place of the variable, one of `v_...`.
+         !> Index of the variable, one of `v_...`.
          integer, intent(in) :: v
-         !> What is wrong, what was given, what is allowed.
          character(*), intent(in) :: text
 
          call problems%add(variables(v)%group, variables(v)%name, text)
@@ -80,7 +76,7 @@ contains
          end if
       end subroutine check_sphere
 
-      !> What is held: one of load, approach and radius.
+      !> What is prescribed: one of load, approach and radius.
       subroutine check_operation()
          call require_one(variables, values, [v_load, v_approach, v_contact_radius], .true., problems)
          if (is_set(values(v_contact_radius)) .and. nint(values(v_branch)) /= branch_stable) then
@@ -131,7 +127,6 @@ contains
 
       !> A strength that grows with pressure: what has no meaning beside it.
       subroutine check_pressure_factor(slips)
-         !> Is there partial slip?
          logical, intent(in) :: slips
 
          if (.not. values(v_pressure_factor) > 0) return
@@ -149,7 +144,7 @@ contains
 
       !> Values that are possible one by one, and not together.
       subroutine check_reduced()
-         integer, parameter :: held(*) = [v_load, v_approach, v_contact_radius], of_units(*) = [v_radius, &
+         integer, parameter :: prescribed(*) = [v_load, v_approach, v_contact_radius], of_units(*) = [v_radius, &
             & v_contact_modulus, v_young_modulus, v_second_young_modulus, v_work_of_adhesion]
          type(sphere_case_t) :: resolved
          integer :: k
@@ -169,7 +164,7 @@ contains
          if (resolved%control == control_radius .and. .not. is_plain(resolved%value)) then
             call add(v_contact_radius, 'is beyond all spheres')
          else if (.not. abs(resolved%value) < largest) then
-            call add(held(resolved%control), 'is too large for this sphere')
+            call add(prescribed(resolved%control), 'is too large for this sphere')
          end if
          if (resolved%has_friction .and. .not. is_plain(resolved%strength)) call add(v_shear_strength, 'is beyond all spheres')
          if (is_set(values(v_lateral_stiffness)) .and. .not. is_plain(resolved%stiffness)) call add(v_lateral_stiffness, &

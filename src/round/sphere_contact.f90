@@ -14,9 +14,9 @@ module adfric_round_sphere_contact
 
    !> Theories, as they stand in the results file.
    integer, parameter :: theory_hertz = 0, theory_jkr = 1, theory_dmt = 2, theory_maugis_dugdale = 3
-   !> What is held: the quantity whose value is given.
+   !> What is prescribed: the quantity whose value is given.
    integer, parameter :: control_load = 1, control_approach = 2, control_radius = 3
-   !> Which of the two states that one held value may have.
+   !> Which of the two states that one prescribed value may have.
    integer, parameter :: branch_stable = 1, branch_unstable = 2
 
    !> A state of contact.
@@ -31,9 +31,9 @@ module adfric_round_sphere_contact
       real(dp) :: radius = 0, adhesion_radius = 0
       !> Load P and approach delta, reduced.
       real(dp) :: load = 0, approach = 0
-      !> Place on the theory's curve where the contact was found; it is the first guess for a neighbour. 0: none.
-      real(dp) :: place = 0
-      !> Derivative of what is held by the place; 0: not known.
+      !> Position on the theory's curve where the contact was found; it is the first guess for a neighbour. 0: none.
+      real(dp) :: position = 0
+      !> Derivative of what is held by the position; 0: not known.
       real(dp) :: slope = 0
    end type contact_t
 
@@ -82,7 +82,7 @@ module adfric_round_sphere_contact
          implicit none (type, external)
          !> The theory, for the X that its `ratio` holds.
          class(theory_t), intent(in) :: self
-         !> One of `control_...`: what is held. A given radius counts as a given load.
+         !> One of `control_...`: what is prescribed. A given radius counts as a given load.
          integer, intent(in) :: control
          !> Receives the contact at the end of stability.
          type(contact_t), intent(out) :: contact
@@ -92,13 +92,13 @@ module adfric_round_sphere_contact
 
 contains
 
-   !> The contact with the held value.
+   !> The contact with the prescribed value.
    pure subroutine find_contact(theory, control, value, branch, contact)
       !> Theory of adhesion, for the X that its `ratio` holds.
       class(theory_t), intent(in) :: theory
-      !> One of `control_...`: what is held.
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
-      !> Value of the load, approach or radius that is held, reduced.
+      !> Value of the load, approach or radius that is prescribed, reduced.
       real(dp), intent(in) :: value
       !> One of `branch_...`: which state is meant where there are two; a radius belongs to one contact only.
       integer, intent(in) :: branch
@@ -118,9 +118,9 @@ contains
    !> Bodies apart, below the approach of all contacts and of all attraction: there is no load. The other branch is one of
    !> contacts. DMT has no such state, for its pull ends nowhere.
    pure subroutine part_bodies(control, value, branch, contact, is_apart)
-      !> One of `control_...`: what is held. A load or a radius parts nothing.
+      !> One of `control_...`: what is prescribed. A load or a radius parts nothing.
       integer, intent(in) :: control
-      !> Value of what is held, reduced.
+      !> Value of what is prescribed, reduced.
       real(dp), intent(in) :: value
       !> One of `branch_...`.
       integer, intent(in) :: branch
@@ -142,7 +142,7 @@ contains
    elemental real(dp) function friction_radius(contact, edge_fraction)
       !> The contact, whose radii a and c are read.
       type(contact_t), intent(in) :: contact
-      !> Place x of b between a and c [-], 0 to 1.
+      !> Position x of b between a and c [-], 0 to 1.
       real(dp), intent(in) :: edge_fraction
 
       friction_radius = contact%radius + edge_fraction*(contact%adhesion_radius - contact%radius)

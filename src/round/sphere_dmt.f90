@@ -24,7 +24,6 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_radius(self, value, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
       !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
@@ -44,7 +43,6 @@ contains
 
    !> See `theory_t`. There is one branch, to a point contact at pull-off.
    pure subroutine of_load(self, value, branch, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
       !> Load P of the contact, reduced; tension is negative.
       real(dp), intent(in) :: value
@@ -61,7 +59,6 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_approach(self, value, branch, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
       !> Approach delta of the contact, reduced; without contact it is negative.
       real(dp), intent(in) :: value
@@ -78,7 +75,6 @@ contains
 
    !> See `theory_t`: the point contact, under every control.
    pure subroutine pull_off(self, control, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
       !> One of `control_...`; it has no part in the result.
       integer, intent(in) :: control
@@ -92,7 +88,6 @@ contains
 
    !> Force of adhesion.
    pure real(dp) function pull(self)
-      !> The theory, for the X that its `ratio` holds.
       class(dmt_t), intent(in) :: self
 
       pull = 2*self%ratio

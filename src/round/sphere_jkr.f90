@@ -32,7 +32,6 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_radius(self, value, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
       !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
@@ -53,7 +52,6 @@ contains
 
    !> See `theory_t`. P is quadratic in a^(3/2).
    pure subroutine of_load(self, value, branch, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
       !> Load P of the contact, reduced; tension is negative.
       real(dp), intent(in) :: value
@@ -80,7 +78,6 @@ contains
 
    !> See `theory_t`.
    pure subroutine of_approach(self, value, branch, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
       !> Approach delta of the contact, reduced; separation is negative.
       real(dp), intent(in) :: value
@@ -121,9 +118,8 @@ contains
 
    !> See `theory_t`: a^3 = 3 X/2 under load, X/6 under approach.
    pure subroutine pull_off(self, control, contact)
-      !> The theory, for the X that its `ratio` holds.
       class(jkr_t), intent(in) :: self
-      !> One of `control_...`: what is held. A given radius counts as a given load.
+      !> One of `control_...`: what is prescribed. A given radius counts as a given load.
       integer, intent(in) :: control
       !> Receives the contact at the end of stability.
       type(contact_t), intent(out) :: contact
@@ -134,7 +130,6 @@ contains
 
    !> Value and slope of the equation of the approach.
    pure subroutine evaluate(self, x, value, slope)
-      !> The equation, with its tension and the given approach.
       class(approach_equation_t), intent(in) :: self
       !> Root q of the radius, reduced, >= 0.
       real(dp), intent(in) :: x

@@ -67,7 +67,6 @@ contains
 
    !> See `model_t`.
    subroutine check_values(self, values, is_swept, problems)
-      !> The model, whose table of variables is read.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -82,7 +81,6 @@ contains
 
    !> See `model_t`.
    function describe_results(self, values) result(results)
-      !> The model, whose table of results is read.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -94,7 +92,6 @@ contains
 
    !> See `model_t`.
    function describe_profiles(self, values) result(profiles)
-      !> The model, whose table of profiles is read.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -105,22 +102,20 @@ contains
    end function describe_profiles
 
    !> See `model_t`.
-   function unit_of(self, values, place) result(unit)
-      !> The model, whose table of variables is read.
+   function unit_of(self, values, index) result(unit)
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in `variables`.
-      integer, intent(in) :: place
+      !> Index of the variable in `variables`.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = self%variables(place)%unit
+      unit = self%variables(index)%unit
       if (is_reduced(values) .and. len(unit) > 0) unit = '-'
    end function unit_of
 
    !> Are all quantities reduced?
    pure logical function is_reduced(values)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       is_reduced = nint(values(v_units)) == units_reduced
@@ -128,7 +123,6 @@ contains
 
    !> See `model_t`.
    pure logical function wants_profiles(self, values)
-      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -140,7 +134,6 @@ contains
 
    !> See `model_t`.
    subroutine get_profile_axes(self, values, axes)
-      !> The model, for the name of its axis.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -160,7 +153,6 @@ contains
 
    !> See `model_t`: a paraboloid stands for the sphere. Reduced units have no radius of the sphere.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -178,7 +170,6 @@ contains
 
    !> See `pointwise_model_t`.
    subroutine solve_sphere_point(self, values, state, results, error_estimate, status, counts)
-      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -211,11 +202,8 @@ contains
 
    !> Results of a point in the units of the case.
    pure subroutine store(case, point, values, results)
-      !> The point in reduced variables, with its units.
       type(sphere_case_t), intent(in) :: case
-      !> What has been found of the point, reduced.
       type(sphere_point_t), intent(in) :: point
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Receives the results of the point in the units of the case; shape `(n_results)`; NaN where there is no value.
       real(dp), intent(out) :: results(:)
@@ -267,7 +255,6 @@ contains
    !> See `pointwise_model_t`: pressure, shear stress and gap. The point is solved once more, by the theory that was used and
    !> without the point before it, which would change round-off; beside the samples of a profile that takes no time.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model; nothing of it is read here.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -303,7 +290,6 @@ contains
 
    !> See `model_t`.
    function derive_quantities(self, values) result(derived)
-      !> The model, whose table of variables is read.
       class(sphere_model_t), intent(in) :: self
       !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)

@@ -1,13 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The way of a contact from rest to sliding, where friction takes from adhesion what it needs to slip, J 4.5-4.9.
+!> The path of a contact from rest to sliding, where friction takes from adhesion what it needs to slip, J 4.5-4.9.
 !>
-!> At rest g = 0 and gamma = 1. On the way, with what is held (load, approach or radius),
+!> At rest g = 0 and gamma = 1. On the path, with what is prescribed (load, approach or radius),
 !>
 !>     X = X(g),   contact = theory(X),   b = a + x (c - a),   slip core = g/(K b),   K = (2/3) (2 - nu)/(1 - nu) tau^2
 !>
 !> so a given g has one state, with nothing to iterate but the theory itself, while a given gamma, force or displacement
-!> has to be looked for: the area shrinks as they grow. The place on the way is z = sqrt(g), along which gamma's angle,
-!> force and displacement begin as straight lines. The way ends where g reaches g0 (from there on the contact stays
+!> has to be looked for: the area shrinks as they grow. The position on the path is z = sqrt(g), along which gamma's angle,
+!> force and displacement begin as straight lines. The path ends where g reaches g0 (from there on the contact stays
 !> and only gamma falls), where gamma reaches 0, where the contact snaps off, or where X reaches 0.
 module adfric_round_sphere_peeling_path
    use adfric_base_kinds, only: dp
@@ -38,7 +38,7 @@ module adfric_round_sphere_peeling_path
       real(dp) :: slip_energy_ratio = huge(1.0_dp)
    end type friction_t
 
-   !> A state on the way.
+   !> A state on the path.
    type :: waypoint_t
       !> Is there intimate contact?
       logical :: is_found = .false.
@@ -50,28 +50,28 @@ module adfric_round_sphere_peeling_path
       real(dp) :: core = 0, angle = 0
    end type waypoint_t
 
-   !> Quantities along the way: the root of the slip core, force, displacement.
+   !> Quantities along the path: the root of the slip core, force, displacement.
    integer, parameter :: core_along = 1, force_along = 2, displacement_along = 3
-   !> How the way ends.
+   !> How the path ends.
    integer, parameter :: end_none = 0, end_capped = 1, end_sliding = 2, end_snap_off = 3, end_no_adhesion = 4
 
-   !> A way, and a quantity along it less a given value, or its rate, as a function of the place.
+   !> A path, and a quantity along it less a given value, or its rate, as a function of the position.
    type, extends(equation_t) :: path_t
-      !> Theory of adhesion; its X is set at each place.
+      !> Theory of adhesion; its X is set at each position.
       class(theory_t), allocatable :: theory
       !> Law of friction.
       type(friction_t) :: friction
-      !> What is held, one of `control_...`, and the branch, one of `branch_...`.
+      !> What is prescribed, one of `control_...`, and the branch, one of `branch_...`.
       integer :: control = control_load, branch = branch_stable
-      !> The load, approach or radius that is held.
-      real(dp) :: held = 0
+      !> The load, approach or radius that is prescribed.
+      real(dp) :: prescribed = 0
       !> K, and 2/3 (2 - nu)/(1 - nu) tau, of the displacement.
       real(dp) :: compliance = 0, displacement_scale = 0
       !> The largest g, where X is 0.
       real(dp) :: limit = huge(1.0_dp)
-      !> At rest, and where the way ends.
+      !> At rest, and where the path ends.
       type(waypoint_t) :: start, finish
-      !> How the way ends, one of `end_...`.
+      !> How the path ends, one of `end_...`.
       integer :: ending = end_none
       !> What `evaluate` gives.
       integer :: quantity = force_along
@@ -91,25 +91,24 @@ module adfric_round_sphere_peeling_path
 
 contains
 
-   !> A way; its start is not found if there is no contact at rest.
-   pure subroutine new_path(self, theory, friction, control, held, branch)
-      !> In: a new way. Out: the way with its parameters and its start.
+   !> A path; its start is not found if there is no contact at rest.
+   pure subroutine new_path(self, theory, friction, control, prescribed, branch)
+      !> In: a new way. Out: the path with its parameters and its start.
       type(path_t), intent(inout) :: self
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
-      !> Parameters of the law of friction, reduced.
       type(friction_t), intent(in) :: friction
-      !> One of `control_...`: what is held.
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
-      !> Value of the load, approach or radius that is held, reduced.
-      real(dp), intent(in) :: held
+      !> Value of the load, approach or radius that is prescribed, reduced.
+      real(dp), intent(in) :: prescribed
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
 
       allocate (self%theory, source=theory)
       self%friction = friction
       self%control = control
-      self%held = held
+      self%prescribed = prescribed
       self%branch = branch
       self%displacement_scale = 2*slip_factor(friction%poisson)*friction%strength/3
       self%compliance = self%displacement_scale*friction%strength
@@ -119,9 +118,9 @@ contains
 
    !> The state of a slip energy.
    pure subroutine get_waypoint(self, slip_energy, neighbour, waypoint)
-      !> The way, with its theory, its friction and what is held.
+      !> The path, with its theory, its friction and what is prescribed.
       class(path_t), intent(in) :: self
-      !> Slip energy g [-], from 0 to the limit of the way.
+      !> Slip energy g [-], from 0 to the limit of the path.
       real(dp), intent(in) :: slip_energy
       !> A contact nearby, which helps the search, or a new one.
       type(contact_t), intent(in) :: neighbour
@@ -134,7 +133,7 @@ contains
       waypoint%contact = neighbour
       allocate (theory, source=self%theory)
       theory%ratio = waypoint%ratio
-      call find_contact(theory, self%control, self%held, self%branch, waypoint%contact)
+      call find_contact(theory, self%control, self%prescribed, self%branch, waypoint%contact)
       ! without intimate contact there is no friction
       waypoint%is_found = waypoint%contact%is_found .and. waypoint%contact%radius > 0
       if (waypoint%is_found) call complete_waypoint(self, waypoint)
@@ -142,7 +141,6 @@ contains
 
    !> b, slip core and angle of a contact and its g.
    pure subroutine complete_waypoint(self, waypoint)
-      !> The way, with its friction.
       class(path_t), intent(in) :: self
       !> In: with its contact and g. Out: with b, slip core and angle, too.
       type(waypoint_t), intent(inout) :: waypoint
@@ -157,11 +155,9 @@ contains
 
    !> A quantity of a state: root of the slip core, force in pi w R, or displacement, reduced.
    pure real(dp) function quantity_of(self, quantity, waypoint) result(value)
-      !> The way, with its friction.
       class(path_t), intent(in) :: self
       !> One of `..._along`: the quantity that is asked for.
       integer, intent(in) :: quantity
-      !> State on the way, which has been found.
       type(waypoint_t), intent(in) :: waypoint
 
       select case (quantity)
@@ -176,11 +172,10 @@ contains
 
    !> d ln(quantity)/d ln g at a state, d core being th cos th d th.
    pure real(dp) function rate_of(self, quantity, waypoint, step, is_central) result(rate)
-      !> The way, with its theory, its friction and what is held.
+      !> The path, with its theory, its friction and what is prescribed.
       class(path_t), intent(in) :: self
       !> One of `..._along`: the quantity that is asked for.
       integer, intent(in) :: quantity
-      !> State on the way, which has been found.
       type(waypoint_t), intent(in) :: waypoint
       !> Step of ln g for differences, > 0, much below 1.
       real(dp), intent(in) :: step
@@ -205,9 +200,8 @@ contains
 
    !> d ln b/d ln g at a state, from differences on the sides where there is contact.
    pure real(dp) function radius_rate(self, waypoint, step, is_central) result(rate)
-      !> The way, with its theory, its friction and what is held.
+      !> The path, with its theory, its friction and what is prescribed.
       class(path_t), intent(in) :: self
-      !> State on the way, which has been found.
       type(waypoint_t), intent(in) :: waypoint
       !> Step of ln g for differences, > 0, much below 1.
       real(dp), intent(in) :: step
@@ -239,9 +233,9 @@ contains
    !> A quantity less the given value, or its rate, and the slope of that. Beyond the last contact both are as if the
    !> root had been passed.
    pure subroutine evaluate(self, x, value, slope)
-      !> The way; its `quantity`, `given` and `is_rate` say what is evaluated.
+      !> The path; its `quantity`, `given` and `is_rate` say what is evaluated.
       class(path_t), intent(in) :: self
-      !> Place z = sqrt(g) on the way, > 0.
+      !> Position z = sqrt(g) on the path, > 0.
       real(dp), intent(in) :: x
       !> Quantity less its given value, or the rate of the quantity.
       real(dp), intent(out) :: value

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What is looked for on the way from rest to sliding: its end, and states with a given angle, force or displacement.
+!> What is looked for on the path from rest to sliding: its end, and states with a given angle, force or displacement.
 !>
 !> Where the contact shrinks as slip takes from adhesion, which it does in stable contact under a given load or approach, the first
 !> state with a force or displacement and the largest force are found for certain (`adfric_round_shrinking_path`): the force may
@@ -20,14 +20,14 @@ module adfric_round_sphere_peeling_search
    private
    public :: find_end, find_state, find_largest, get_capped
 
-   !> The last intimate contact less what is held, as a function of X.
+   !> The last intimate contact less what is prescribed, as a function of X.
    type, extends(equation_t) :: last_contact_t
       !> Theory of adhesion; its X is set by `evaluate`.
       class(theory_t), allocatable :: theory
-      !> What is held: `control_load` or `control_approach`.
+      !> What is prescribed: `control_load` or `control_approach`.
       integer :: control = control_load
-      !> Load or approach that is held, reduced.
-      real(dp) :: held = 0
+      !> Load or approach that is prescribed, reduced.
+      real(dp) :: prescribed = 0
    contains
       procedure :: evaluate
    end type last_contact_t
@@ -38,9 +38,9 @@ module adfric_round_sphere_peeling_search
 
 contains
 
-   !> The state with a value of a quantity, the first on the way; not found if there is none before sliding.
+   !> The state with a value of a quantity, the first on the path; not found if there is none before sliding.
    pure subroutine find_state(self, quantity, value, waypoint, is_converged)
-      !> The way; where its end is needed it receives that, too.
+      !> The path; where its end is needed it receives that, too.
       type(path_t), intent(inout) :: self
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
@@ -48,7 +48,6 @@ contains
       real(dp), intent(in) :: value
       !> Receives the state; not found if the value is not reached before sliding.
       type(waypoint_t), intent(out) :: waypoint
-      !> Did all searches converge?
       logical, intent(out) :: is_converged
 
       is_converged = .true.
@@ -72,9 +71,8 @@ contains
       if (is_converged) call find_before_end(self, quantity, value, waypoint, is_converged)
    end subroutine find_state
 
-   !> The first state with a force or a displacement on a way along which the contact shrinks.
+   !> The first state with a force or a displacement on a path along which the contact shrinks.
    pure subroutine find_first_state(self, quantity, value, waypoint, is_converged)
-      !> The way.
       type(path_t), intent(in) :: self
       !> `force_along` or `displacement_along`.
       integer, intent(in) :: quantity
@@ -82,13 +80,13 @@ contains
       real(dp), intent(in) :: value
       !> Receives the state; not found if the value is not reached before sliding.
       type(waypoint_t), intent(out) :: waypoint
-      !> Did the search converge?
       logical, intent(out) :: is_converged
-      type(shrinking_sphere_t) :: way
+      type(shrinking_sphere_t) :: retreat
       type(slip_state_t) :: state
 
-      call new_shrinking(way, self)
-      call find_first(way, merge(first_force, first_displacement, quantity == force_along), value, state_of(self%start), state, &
+      call new_shrinking(retreat, self)
+      call find_first(retreat, merge(first_force, first_displacement, quantity == force_along), value, state_of(self%start), &
+         & state, &
          & is_converged)
       if (.not. state%is_found) return
       call get_waypoint(self, state%slip_energy, self%start%contact, waypoint)
@@ -96,9 +94,9 @@ contains
       waypoint%core = state%core
    end subroutine find_first_state
 
-   !> `find_state` on the whole way, whose end is known.
+   !> `find_state` on the whole path, whose end is known.
    pure subroutine find_before_end(self, quantity, value, waypoint, is_converged)
-      !> The way, whose end is known; it serves as the equation of searches.
+      !> The path, whose end is known; it serves as the equation of searches.
       type(path_t), intent(inout) :: self
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
@@ -106,7 +104,6 @@ contains
       real(dp), intent(in) :: value
       !> Receives the state; not found if the value is not reached before sliding.
       type(waypoint_t), intent(out) :: waypoint
-      !> Did all searches converge?
       logical, intent(out) :: is_converged
       type(waypoint_t) :: peak
 
@@ -128,9 +125,7 @@ contains
 
    !> The state of an unchanged contact with a value of a quantity; not found if that is beyond gamma = 0.
    pure subroutine turn(self, from, quantity, value, waypoint)
-      !> The way, with its friction.
       type(path_t), intent(in) :: self
-      !> State whose contact is kept.
       type(waypoint_t), intent(in) :: from
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
@@ -157,7 +152,6 @@ contains
 
    !> The state of an unchanged contact with another angle.
    pure subroutine get_capped(from, angle, waypoint)
-      !> State whose contact is kept.
       type(waypoint_t), intent(in) :: from
       !> Angle arccos gamma of the new state [rad], 0 to pi/2.
       real(dp), intent(in) :: angle
@@ -170,11 +164,10 @@ contains
       if (angle < half_pi) waypoint%core = slip_of_angle(angle)
    end subroutine get_capped
 
-   !> Find where the way ends, and how.
+   !> Find where the path ends, and how.
    pure subroutine find_end(self, is_converged)
-      !> The way, which receives its end in `finish` and `ending`.
+      !> The path, which receives its end in `finish` and `ending`.
       type(path_t), intent(inout) :: self
-      !> Did all searches converge?
       logical, intent(out) :: is_converged
       type(waypoint_t) :: last
       real(dp) :: cap, expected
@@ -192,7 +185,7 @@ contains
          expected = 2*expected
       end do
       if (.not. is_shrinking(self)) then
-         call march(self, last)
+         call stepping(self, last)
       else if (.not. last%is_found) then
          call find_snap_off(self, last, is_converged)
       end if
@@ -205,18 +198,17 @@ contains
       end if
    end subroutine find_end
 
-   !> Does the area shrink all the way, so that gamma falls all the way? Not on the other branch, and not with a radius
+   !> Does the area shrink all the path, so that gamma falls all the path? Not on the other branch, and not with a radius
    !> held, where the reach of adhesion widens.
    pure logical function is_shrinking(self)
-      !> The way; its control and branch are read.
       type(path_t), intent(in) :: self
 
       is_shrinking = self%branch == branch_stable .and. (self%control == control_load .or. self%control == control_approach)
    end function is_shrinking
 
    !> Where the area may grow: go step by step to where contact is lost or gamma falls below 0 for the first time.
-   pure subroutine march(self, last)
-      !> The way; its `ending` is set where contact is lost.
+   pure subroutine stepping(self, last)
+      !> The path; its `ending` is set where contact is lost.
       type(path_t), intent(inout) :: self
       !> In: a state at or beyond the end. Out: the last state with contact, or the first one with gamma < 0.
       type(waypoint_t), intent(inout) :: last
@@ -233,7 +225,7 @@ contains
          known = next
          if (known%core >= largest_slip_core) exit
       end do
-      ! nothing on the way: the state at its end stands, which the last step may miss by round-off
+      ! nothing on the path: the state at its end stands, which the last step may miss by round-off
       if (next%is_found .and. known%core < largest_slip_core .and. last%is_found) return
       if (.not. next%is_found) then
          self%ending = end_snap_off
@@ -246,15 +238,14 @@ contains
          end do
       end if
       last = known
-   end subroutine march
+   end subroutine stepping
 
    !> The last contact on the way to a state without contact.
    pure subroutine find_snap_off(self, last, is_converged)
-      !> The way, whose `ending` is set.
+      !> The path, whose `ending` is set.
       type(path_t), intent(inout) :: self
       !> In: a state without contact. Out: the last one with contact.
       type(waypoint_t), intent(inout) :: last
-      !> Did all searches converge?
       logical, intent(out) :: is_converged
       type(last_contact_t) :: equation
       real(dp) :: ratio
@@ -262,7 +253,7 @@ contains
       self%ending = end_snap_off
       allocate (equation%theory, source=self%theory)
       equation%control = self%control
-      equation%held = self%held
+      equation%prescribed = self%prescribed
       ratio = last%ratio + (1 - last%ratio)/2
       call find_root(equation, last%ratio, 1.0_dp, .false., ratio, is_converged)
       equation%theory%ratio = ratio
@@ -277,22 +268,21 @@ contains
    pure subroutine get_last_contact(theory, control, contact)
       !> Theory of adhesion, for the X that its `ratio` holds.
       class(theory_t), intent(in) :: theory
-      !> One of `control_...`: what is held.
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
-      !> Receives the last intimate contact.
       type(contact_t), intent(out) :: contact
 
       call theory%pull_off(control, contact)
       if (.not. contact%radius > 0) call theory%of_radius(0.0_dp, contact)
    end subroutine get_last_contact
 
-   !> The last contact less what is held.
+   !> The last contact less what is prescribed.
    pure subroutine evaluate(self, x, value, slope)
-      !> The equation, with its theory, control and the value that is held.
+      !> The equation, with its theory, control and the value that is prescribed.
       class(last_contact_t), intent(in) :: self
-      !> X, the share of adhesion that is left [-], > 0.
+      !> X, the share of adhesion that remains [-], > 0.
       real(dp), intent(in) :: x
-      !> Load or approach of the last contact less the one that is held, reduced.
+      !> Load or approach of the last contact less the one that is prescribed, reduced.
       real(dp), intent(out) :: value
       !> Derivative of the value by X, from a difference.
       real(dp), intent(out) :: slope
@@ -305,32 +295,30 @@ contains
       theory%ratio = x*(1 - ratio_step)
       call get_last_contact(theory, self%control, near)
       if (self%control == control_approach) then
-         value = here%approach - self%held
+         value = here%approach - self%prescribed
          slope = (here%approach - near%approach)/(x*ratio_step)
       else
-         value = here%load - self%held
+         value = here%load - self%prescribed
          slope = (here%load - near%load)/(x*ratio_step)
       end if
    end subroutine evaluate
 
-   !> The state of the largest force before the contact is constant; not found if the end of the way bears more.
+   !> The state of the largest force before the contact is constant; not found if the end of the path bears more.
    pure subroutine find_largest(self, onset, waypoint, is_converged)
-      !> The way, whose end is known.
+      !> The path, whose end is known.
       type(path_t), intent(inout) :: self
-      !> The last static state.
       type(waypoint_t), intent(in) :: onset
-      !> Receives the state.
       type(waypoint_t), intent(out) :: waypoint
-      !> Did the search converge?
       logical, intent(out) :: is_converged
-      type(shrinking_sphere_t) :: way
+      type(shrinking_sphere_t) :: retreat
       type(slip_state_t) :: state
       logical :: is_larger
 
       is_converged = .true.
       if (is_shrinking(self)) then
-         call new_shrinking(way, self)
-         call find_largest_force(way, state_of(self%start), state_of(self%finish), quantity_of(self, force_along, onset), state, &
+         call new_shrinking(retreat, self)
+         call find_largest_force(retreat, state_of(self%start), state_of(self%finish), quantity_of(self, force_along, onset), &
+            & state, &
             & is_larger)
          if (is_larger) call get_waypoint(self, state%slip_energy, self%start%contact, waypoint)
       else
@@ -338,15 +326,14 @@ contains
       end if
    end subroutine find_largest
 
-   !> The largest value of a quantity before the end of the way; not found if it still rises there.
+   !> The largest value of a quantity before the end of the path; not found if it still rises there.
    pure subroutine find_peak(self, quantity, waypoint, is_converged)
-      !> The way, whose end is known; it serves as the equation of the search.
+      !> The path, whose end is known; it serves as the equation of the search.
       type(path_t), intent(inout) :: self
       !> One of `..._along`: the quantity whose largest value is wanted.
       integer, intent(in) :: quantity
       !> Receives the state of the largest value; not found if the quantity still rises at the end.
       type(waypoint_t), intent(out) :: waypoint
-      !> Did all searches converge?
       logical, intent(out) :: is_converged
       real(dp) :: z, high
 
@@ -363,7 +350,7 @@ contains
 
    !> The state with a value of a quantity, 0 < value <= that of a state which lies after it.
    pure subroutine find_crossing(self, quantity, value, last, waypoint, is_converged)
-      !> The way, which serves as the equation of the search.
+      !> The path, which serves as the equation of the search.
       type(path_t), intent(inout) :: self
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
@@ -373,7 +360,6 @@ contains
       type(waypoint_t), intent(in) :: last
       !> Receives the state with the value.
       type(waypoint_t), intent(inout) :: waypoint
-      !> Did all searches converge?
       logical, intent(out) :: is_converged
       real(dp) :: z, high
 

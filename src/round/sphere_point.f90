@@ -58,7 +58,7 @@ module adfric_round_sphere_point
       type(choice_t) :: choice
       !> The last pull-off load, and what it belongs to.
       real(dp) :: pull_off_load = 0, pull_off_ratio = -1
-      !> What was held for that load, one of `control_...`; 0: none is known.
+      !> What was prescribed for that load, one of `control_...`; 0: none is known.
       integer :: pull_off_control = 0
       !> The last events of the static phase, and the contact and friction they belong to.
       logical :: has_events = .false.
@@ -78,7 +78,6 @@ contains
 
    !> Solve a point.
    subroutine solve_point(case, needs_events, memory, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> Are the events of the static phase asked for?
       logical, intent(in) :: needs_events
@@ -105,7 +104,7 @@ contains
             & merge(given_force, given_displacement, case%is_force_given), case%tangential, state)
          call take_state(state, point)
       else
-         ! with events X changes on the way, and with it what could be proved; nothing is proved of what r < b carries
+         ! with events X changes on the path, and with it what could be proved; nothing is proved of what r < b carries
          if (case%theory == theory_auto .and. .not. (needs_events .or. case%pressure_factor > 0)) &
             & call try_limit(case, memory, point)
          memory%theory%ratio = point%ratio
@@ -127,11 +126,10 @@ contains
       if (needs_events .and. .not. case%pressure_factor > 0) call add_events(case, memory, point)
    end subroutine solve_point
 
-   !> Take the way on a driven spring into the memory.
+   !> Take the path on a driven spring into the memory.
    pure subroutine take_drive(case, memory)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
-      !> Receives the way, if it is a new one.
+      !> Receives the path, if it is a new one.
       type(sphere_memory_t), intent(inout) :: memory
 
       if (memory%has_drive) then
@@ -144,7 +142,6 @@ contains
 
    !> Does static friction change the contact?
    pure logical function is_peeling(case)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
 
       is_peeling = case%has_friction .and. case%interaction > 0 .and. (case%is_force_given .or. case%is_displacement_given) &
@@ -153,7 +150,6 @@ contains
 
    !> The law of friction of a case.
    pure type(friction_t) function new_friction(case) result(friction)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
 
       friction = friction_t(case%strength, case%poisson, case%edge_fraction, case%interaction, case%slip_energy_ratio)
@@ -161,7 +157,6 @@ contains
 
    !> A state of the static phase.
    pure subroutine take_state(state, point)
-      !> State of the static phase.
       type(friction_state_t), intent(in) :: state
       !> Receives the contact, X and friction of the state.
       type(sphere_point_t), intent(inout) :: point
@@ -179,7 +174,6 @@ contains
 
    !> What happens between rest and sliding; a tangential force or displacement has no part in it.
    pure subroutine add_events(case, memory, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> What earlier points left; it receives the events if they are new.
       type(sphere_memory_t), intent(inout) :: memory
@@ -202,7 +196,6 @@ contains
 
    !> Have two points of one theory the same way from rest to sliding?
    pure logical function has_same_events(one, two)
-      !> Two points of one theory, in reduced variables.
       type(sphere_case_t), intent(in) :: one, two
 
       has_same_events = one%control == two%control .and. one%branch == two%branch .and. .not. any(abs( &
@@ -233,7 +226,6 @@ contains
 
    !> The contact of a limit theory, where it will do.
    pure subroutine try_limit(case, memory, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> What earlier points left; it receives the choice if that is another one.
       type(sphere_memory_t), intent(inout) :: memory
@@ -250,7 +242,6 @@ contains
 
    !> Add what follows from the contact alone.
    subroutine finish_contact(case, memory, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> What earlier points left; it receives the pull-off load, and the contact as a neighbour.
       type(sphere_memory_t), intent(inout) :: memory
@@ -286,7 +277,7 @@ contains
       type(sphere_memory_t), intent(in) :: memory
       !> What is found of the point, with theory and contact.
       type(sphere_point_t), intent(in) :: point
-      !> One of `control_...`: what is held.
+      !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
 
       if (point%theory == memory%number) then
@@ -300,9 +291,7 @@ contains
 
    !> Friction of a strength that grows with pressure.
    subroutine add_sheared(case, memory, needs_events, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
-      !> Holds the theory that has found the contact.
       type(sphere_memory_t), intent(in) :: memory
       !> Are the events asked for? At the onset of sliding nothing drops.
       logical, intent(in) :: needs_events
@@ -362,7 +351,6 @@ contains
 
    !> Friction that leaves the contact alone: during sliding, or without interaction.
    pure subroutine add_friction(case, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> In: with its contact. Out: with its friction, too, or with the status of a force that it does not bear.
       type(sphere_point_t), intent(inout) :: point
@@ -393,7 +381,6 @@ contains
 
    !> Add force, displacement and slip that follow from arccos gamma.
    pure subroutine add_static_friction(case, angle, point)
-      !> The point in reduced variables.
       type(sphere_case_t), intent(in) :: case
       !> Angle arccos gamma [rad], 0 to pi/2.
       real(dp), intent(in) :: angle

@@ -83,8 +83,8 @@ contains
       type is (maugis_t)
          self%tension = theory%ratio*theory%lambda
          if (contact%radius > 0) then
-            ! the place is ln(s0/a); the difference of c and a has lost its digits where lambda is large
-            self%width = contact%radius*exp(contact%place)
+            ! the position is ln(s0/a); the difference of c and a has lost its digits where lambda is large
+            self%width = contact%radius*exp(contact%position)
          else
             self%width = contact%adhesion_radius
             self%least_gap = axial_gap(theory%lambda, self%tension, contact%adhesion_radius)

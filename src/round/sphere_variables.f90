@@ -10,7 +10,7 @@ module adfric_round_sphere_variables
    private
    public :: get_sphere_variables, get_sphere_results, get_sphere_profiles
 
-   !> Places of the variables.
+   !> Indices of the variables.
    integer, parameter, public :: v_units = 1, v_radius = 2, v_contact_modulus = 3, v_young_modulus = 4, &
       & v_body_poisson_ratio = 5, v_second_young_modulus = 6, v_second_poisson_ratio = 7, &
       & v_work_of_adhesion = 8, v_adhesion_stress = 9, v_adhesion_range = 10, v_lambda = 11, &
@@ -21,11 +21,11 @@ module adfric_round_sphere_variables
       & v_relative_tolerance = 29, v_events = 30, v_profiles = 31, v_n_r = 32, v_r_max = 33
    integer, parameter, public :: n_sphere_variables = 33
 
-   !> Places of the words in the choices.
+   !> Indices of the words in the choices.
    integer, parameter, public :: units_si = 1, units_reduced = 2, state_static = 1, state_sliding = 2
    integer, parameter, public :: choose_auto = 1
 
-   !> Places of the results.
+   !> Indices of the results.
    integer, parameter, public :: r_load = 1, r_approach = 2, r_contact_radius = 3, r_adhesion_radius = 4, &
       & r_friction_radius = 5, r_contact_area = 6, r_friction_area = 7, r_friction_force = 8, r_adhesion_ratio = 9, &
       & r_stick_radius = 10, r_slip = 11, r_largest_slip = 12, r_tangential_displacement = 13, r_pull_off_load = 14, &

@@ -14,7 +14,7 @@ module adfric_round_variables
    private
    public :: get_indenter_variables, get_indenter_results, get_indenter_profiles, indenter_unit_of
 
-   !> Places of the variables.
+   !> Indices of the variables.
    integer, parameter, public :: v_kind = 1, v_radius = 2, v_slope = 3, v_half_angle = 4, v_exponent = 5, v_coefficient = 6, &
       & v_face_radius = 7, v_coefficient_1 = 8, v_coefficient_8 = 15, v_contact_modulus = 16, v_poisson_ratio = 18, &
       & v_second_poisson_ratio = 20, &
@@ -26,7 +26,7 @@ module adfric_round_variables
       & v_lateral_stiffness = 48, v_base_displacement = 49
    integer, parameter, public :: n_indenter_variables = 49
 
-   !> Places of the words in the choices.
+   !> Indices of the words in the choices.
    integer, parameter, public :: kind_flat = 1, kind_cone = 2, kind_paraboloid = 3, kind_power = 4, kind_sphere = 5, &
       & kind_flat_cone = 6, kind_flat_paraboloid = 7, kind_rounded_punch = 8, kind_rounded_cone = 9, kind_polynomial = 10
    integer, parameter, public :: choose_auto = 1, choose_none = 2, choose_jkr = 3, choose_dmt = 4, &
@@ -35,7 +35,7 @@ module adfric_round_variables
    !> Theories, as results.
    integer, parameter, public :: theory_none = 0, theory_jkr = 1, theory_dmt = 2, theory_maugis_dugdale = 3
 
-   !> Places of the results.
+   !> Indices of the results.
    integer, parameter, public :: r_load = 1, r_approach = 2, r_contact_radius = 3, r_contact_area = 4, r_mean_pressure = 5, &
       & r_contact_stiffness = 6, r_elastic_energy = 7, r_pull_off_load = 8, r_pull_off_approach = 9, r_jump_inward_load = 10, &
       & r_jump_inward_approach = 11, r_jump_outward_load = 12, r_jump_outward_approach = 13, r_stable = 14, r_theory_used = 15, &
@@ -48,7 +48,7 @@ module adfric_round_variables
       & r_jump_force = 44, r_arrest_force = 45, r_jump_energy = 46, r_jump_period = 47, r_period_work = 48, &
       & r_tangential_force = 49
    integer, parameter, public :: n_indenter_results = 49
-   !> Places of the profiles; that of the shear stress comes from the rows of friction.
+   !> Indices of the profiles; that of the shear stress comes from the rows of friction.
    public :: p_shear_stress
    integer, parameter, public :: p_pressure = 1, p_gap = 2
 
@@ -256,17 +256,15 @@ contains
    end function get_indenter_profiles
 
    !> Unit of a variable of a body: that of the coefficient of r^n depends on n.
-   function indenter_unit_of(variables, values, place) result(unit)
-      !> The table of variables.
+   function indenter_unit_of(variables, values, index) result(unit)
       type(variable_t), intent(in) :: variables(:)
-      !> Values of the variables; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable in the table.
-      integer, intent(in) :: place
+      !> Index of the variable in the table.
+      integer, intent(in) :: index
       character(:), allocatable :: unit
 
-      unit = variables(place)%unit
-      if (place /= v_coefficient .or. .not. is_set(values(v_exponent))) return
+      unit = variables(index)%unit
+      if (index /= v_coefficient .or. .not. is_set(values(v_exponent))) return
       unit = 'm^(1-'//show_number(values(v_exponent))//')'
    end function indenter_unit_of
 

@@ -9,18 +9,18 @@ module stepped_cases
    use model_calls, only: find_problems, solve_values, solve_point, axis_of
    implicit none (type, external)
    private
-   public :: new_marched, give_list, give_heights, give_attribute, sampled_wave, rough_line, rough_map
+   public :: new_stepped, give_list, give_heights, give_attribute, sampled_wave, rough_line, rough_map
    public :: find_problems, solve_values, solve_point, axis_of
    public :: kind_2d, kind_3d, kind_profile, kind_cosines, kind_map
 
-   !> Places of the words of the kind.
+   !> Positions of the words of the kind.
    integer, parameter :: kind_2d = 1, kind_3d = 2, kind_profile = 3, kind_cosines = 4, kind_map = 5
    real(dp), parameter :: two_pi = 2*acos(-1.0_dp)
 
 contains
 
    !> A surface of a kind without its heights or cosines, on a standard solid, with adhesion, at a penetration. Heights stay as they are.
-   subroutine new_marched(model, values, kind)
+   subroutine new_stepped(model, values, kind)
       type(wavy_model_t), intent(out) :: model
       real(dp), allocatable, intent(out) :: values(:)
       integer, intent(in) :: kind
@@ -42,18 +42,18 @@ contains
       values(v_range) = 1.0e-5_dp
       values(v_velocity) = 0.5_dp
       values(v_penetration) = 4.0e-5_dp
-   end subroutine new_marched
+   end subroutine new_stepped
 
    !> Give a list of numbers.
-   subroutine give_list(model, values, place, list)
+   subroutine give_list(model, values, position, list)
       type(wavy_model_t), intent(inout) :: model
       real(dp), intent(inout) :: values(:)
-      integer, intent(in) :: place
+      integer, intent(in) :: position
       real(dp), intent(in) :: list(:)
       type(problems_t) :: problems
 
-      call model%take_dataset(place, reshape(list, [size(list), 1]), problems)
-      values(place) = 1
+      call model%take_dataset(position, reshape(list, [size(list), 1]), problems)
+      values(position) = 1
    end subroutine give_list
 
    !> Give heights of shape `(nx, ny)` with their distances, without attributes.
@@ -72,14 +72,14 @@ contains
    end subroutine give_heights
 
    !> Give an attribute of a dataset.
-   subroutine give_attribute(model, place, name, value)
+   subroutine give_attribute(model, position, name, value)
       type(wavy_model_t), intent(inout) :: model
-      integer, intent(in) :: place
+      integer, intent(in) :: position
       character(*), intent(in) :: name
       real(dp), intent(in) :: value
       type(problems_t) :: problems
 
-      call model%take_attribute(place, name, value, problems)
+      call model%take_attribute(position, name, value, problems)
    end subroutine give_attribute
 
    !> Samples of the wave of `new_marched`, from its crest on; shape `(n, 1)`.

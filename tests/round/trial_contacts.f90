@@ -15,19 +15,19 @@ module trial_contacts
 
 contains
 
-   !> Contact of Maugis's theory at a place on its curve.
-   type(contact_t) function curve_contact(lambda, ratio, place) result(contact)
-      real(dp), intent(in) :: lambda, ratio, place
+   !> Contact of Maugis's theory at a position on its curve.
+   type(contact_t) function curve_contact(lambda, ratio, position) result(contact)
+      real(dp), intent(in) :: lambda, ratio, position
       type(curve_point_t) :: point
 
-      call get_curve_point(lambda, ratio, place, point)
+      call get_curve_point(lambda, ratio, position, point)
       contact = contact_t()
       contact%is_found = .true.
       contact%radius = point%radius
       contact%adhesion_radius = point%adhesion_radius
       contact%load = point%load
       contact%approach = point%approach
-      contact%place = place
+      contact%position = position
    end function curve_contact
 
    !> State without contact whose adhesion reaches a radius.

@@ -11,7 +11,7 @@ module search_rules
    use adfric_describe_table, only: result_t, kind_real
    use adfric_describe_derived, only: derived_t
    use adfric_foundation_case, only: kind_map, wavy_case_t, resolve_case
-   use adfric_foundation_stepped_case, only: is_marched
+   use adfric_foundation_stepped_case, only: is_stepped
    use adfric_foundation_surface, only: negligible
    use adfric_foundation_variables, only: r_adhesion_area, r_contact_area, r_friction_coefficient, r_friction_force, r_load, &
       & r_penetration, v_kind, v_stress
@@ -90,7 +90,7 @@ contains
       type(answer_t), intent(in) :: answer
       !> Number of the point.
       integer, intent(in) :: i
-      !> Is it a place without values?
+      !> Is it a position without values?
       logical, intent(in) :: is_singular
       character(:), allocatable, intent(inout) :: fault
       real(dp) :: estimate
@@ -126,7 +126,7 @@ contains
       end do
    end subroutine judge_point
 
-   !> Does a given load act at the very place that is asked for? There a field has no value.
+   !> Does a given load act at the very position that is asked for? There a field has no value.
    pure logical function is_under_load(model, values)
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:)
@@ -346,7 +346,7 @@ contains
 
       adhesion = 0
       if (is_set(values(v_stress))) adhesion = values(v_stress)*(found(r_contact_area) + found(r_adhesion_area))
-      if (is_marched(values)) then
+      if (is_stepped(values)) then
          case%period = derived_value(model, values, 'period')
          case%height = derived_value(model, values, 'height')
          case%load_unit = derived_value(model, values, 'pressure_unit')*case%period
