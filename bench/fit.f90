@@ -18,9 +18,9 @@ program fit
    use adfric_fit_starts, only: get_start
    use adfric_numerics_distributions, only: chi_squared_quantile, f_quantile, normal_quantile, t_quantile
    use adfric_numerics_random_numbers, only: random_t, new_random, next_normal
-   use adfric_sphere_contact, only: theory_maugis_dugdale
-   use adfric_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_sphere_variables
+   use adfric_round_sphere_contact, only: theory_maugis_dugdale
+   use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
+   use adfric_round_sphere_variables
    use measure, only: print_heading, integer_argument, text_argument, open_table
    implicit none (type, external)
 
@@ -89,12 +89,12 @@ contains
    end subroutine new_curve
 
    !> A free variable without bounds of its own.
-   type(free_t) function new_free(place)
-      integer, intent(in) :: place
+   type(free_t) function new_free(index)
+      integer, intent(in) :: index
 
-      new_free%name = model%variables(place)%name
-      new_free%unit = model%variables(place)%unit
-      new_free%variable = place
+      new_free%name = model%variables(index)%name
+      new_free%unit = model%variables(index)%unit
+      new_free%variable = index
    end function new_free
 
    !> The same with noise.
@@ -179,7 +179,7 @@ contains
       integer, intent(in) :: k
       real(dp), intent(in) :: value
       integer, intent(inout) :: hits(4)
-      type(fit_t) :: held
+      type(fit_t) :: prescribed
       type(solution_t) :: there
       integer :: i, level
       real(dp) :: reach(2), limit(2), excess, variance
@@ -192,10 +192,10 @@ contains
          limit = f_quantile(levels, 1, found%degrees_of_freedom)
          variance = found%sigma_estimate**2
       end if
-      held = problem
-      held%frees = pack(problem%frees, [(i /= k, i=1, size(problem%frees))])
-      held%base(problem%frees(k)%variable) = value
-      call solve_fit(held, there)
+      prescribed = problem
+      prescribed%frees = pack(problem%frees, [(i /= k, i=1, size(problem%frees))])
+      prescribed%base(problem%frees(k)%variable) = value
+      call solve_fit(prescribed, there)
       excess = (there%chi2 - found%chi2)/variance
       do level = 1, 2
          if (abs(log(found%estimate(k)/value)) <= reach(level)*found%error_internal(k)) hits(level) = hits(level) + 1
@@ -237,7 +237,8 @@ contains
       end do
    end subroutine time_fits
 
-   !> Time of an evaluation of all points with their derivatives, from the places of the one before, about as far as a step of a search.
+   !> Time of an evaluation of all points with their derivatives, from the indices of the one before, about as far as a step of a
+   !> search.
    real(dp) function time_of_evaluation(problem) result(time)
       type(fit_t), intent(in) :: problem
       integer, parameter :: n_repeats = 200

@@ -5,12 +5,12 @@
 program sphere
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
-   use adfric_model_status, only: status_solved
-   use adfric_sphere_contact, only: contact_t, find_contact, theory_maugis_dugdale, control_load, control_approach, &
+   use adfric_describe_status, only: status_solved
+   use adfric_round_sphere_contact, only: contact_t, find_contact, theory_maugis_dugdale, control_load, control_approach, &
       control_radius, branch_stable
-   use adfric_sphere_maugis_dugdale, only: maugis_t
-   use adfric_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_sphere_variables
+   use adfric_round_sphere_maugis_dugdale, only: maugis_t
+   use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
+   use adfric_round_sphere_variables
    use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use plain_dugdale, only: solve_plain
@@ -127,7 +127,7 @@ contains
    subroutine report_times(folder)
       character(*), intent(in) :: folder
       character(9), parameter :: names(3) = ['load     ', 'approach ', 'radius   ']
-      real(dp) :: lambda, held(n_times), shuffled(n_times), low(3), times(n_repeats)
+      real(dp) :: lambda, prescribed(n_times), shuffled(n_times), low(3), times(n_repeats)
       type(maugis_t) :: theory
       type(contact_t) :: fold
       integer :: table, k, control, n_failed
@@ -146,9 +146,9 @@ contains
          low(control_radius) = 1.0e-3_dp
          write (output_unit, '(es8.1)', advance='no') lambda
          do control = 1, 3
-            held = even(low(control), merge(3.0_dp, low(control) + 10, control == control_radius), n_times)
-            shuffled = shuffle(held)
-            call time_theory(lambda, control, held, .true., times, n_failed)
+            prescribed = even(low(control), merge(3.0_dp, low(control) + 10, control == control_radius), n_times)
+            shuffled = shuffle(prescribed)
+            call time_theory(lambda, control, prescribed, .true., times, n_failed)
             call judge(n_failed == 0, 'times: not converged')
             call report_time(table, lambda, trim(names(control)), 'swept', times)
             call time_theory(lambda, control, shuffled, .true., times, n_failed)

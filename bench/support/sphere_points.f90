@@ -2,12 +2,12 @@
 !> Contacts of a sphere with their answers in quadruple precision, for other programs to be compared with.
 module sphere_points
    use adfric_base_kinds, only: dp
-   use adfric_sphere_contact, only: contact_t, control_load, control_approach, control_radius, branch_stable, find_contact, &
+   use adfric_round_sphere_contact, only: contact_t, control_load, control_approach, control_radius, branch_stable, find_contact, &
       theory_jkr, theory_dmt
-   use adfric_sphere_dmt, only: dmt_t
-   use adfric_sphere_jkr, only: jkr_t
-   use adfric_sphere_maugis_dugdale, only: maugis_t
-   use adfric_sphere_theory_bounds, only: limit_t, new_limit
+   use adfric_round_sphere_dmt, only: dmt_t
+   use adfric_round_sphere_jkr, only: jkr_t
+   use adfric_round_sphere_maugis_dugdale, only: maugis_t
+   use adfric_round_sphere_theory_bounds, only: limit_t, new_limit
    use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, open_table
    use plain_dugdale, only: solve_plain
@@ -30,7 +30,7 @@ contains
       type(contact_t) :: contact, fold
       type(state_t) :: truth
       type(spread_t) :: t
-      real(dp) :: lambda, held(n), times(n_repeats), other_times(3)
+      real(dp) :: lambda, prescribed(n), times(n_repeats), other_times(3)
       integer :: table, decade, control, k, failed
 
       n_failed = 0
@@ -40,26 +40,26 @@ contains
          lambda = 10.0_dp**decade
          theory%lambda = lambda
          call theory%pull_off(control_load, fold)
-         held = logarithmic(-2.0_dp, 2.0_dp, n)
-         call time_theory(lambda, control_radius, held, .false., times, failed)
+         prescribed = logarithmic(-2.0_dp, 2.0_dp, n)
+         call time_theory(lambda, control_radius, prescribed, .false., times, failed)
          n_failed = n_failed + failed
          t = spread_of(times)
-         call time_others(lambda, held, n_repeats, other_times)
+         call time_others(lambda, prescribed, n_repeats, other_times)
          do k = 1, n
             contact = contact_t()
-            call find_contact(theory, control_radius, held(k), branch_stable, contact)
-            truth = of_radius(lambda, held(k))
-            call write_point(table, lambda, 'radius', held(k), truth, contact, t%median, other_times)
+            call find_contact(theory, control_radius, prescribed(k), branch_stable, contact)
+            truth = of_radius(lambda, prescribed(k))
+            call write_point(table, lambda, 'radius', prescribed(k), truth, contact, t%median, other_times)
          end do
-         held = fold%load + logarithmic(-2.0_dp, 2.0_dp, n)
-         call time_theory(lambda, control_load, held, .false., times, failed)
+         prescribed = fold%load + logarithmic(-2.0_dp, 2.0_dp, n)
+         call time_theory(lambda, control_load, prescribed, .false., times, failed)
          n_failed = n_failed + failed
          t = spread_of(times)
          do k = 1, n
             contact = contact_t()
-            call find_contact(theory, control_load, held(k), branch_stable, contact)
-            truth = of_load(lambda, held(k))
-            call write_point(table, lambda, 'load', held(k), truth, contact, t%median)
+            call find_contact(theory, control_load, prescribed(k), branch_stable, contact)
+            truth = of_load(lambda, prescribed(k))
+            call write_point(table, lambda, 'load', prescribed(k), truth, contact, t%median)
          end do
          do control = control_load, control_approach
             call time_pull_off(lambda, control, times, failed)

@@ -2,9 +2,9 @@
 !> Random strips of each regime with their answers, and what another method's answer is worth.
 module strip_cases
    use adfric_base_kinds, only: dp
-   use adfric_wavy_balance, only: balance_t, get_balance
-   use adfric_wavy_steady_state, only: find_steady_state
-   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_adhesion_only, regime_adhesion_zones, regime_saturated
+   use adfric_foundation_balance, only: balance_t, get_balance
+   use adfric_foundation_steady_state, only: find_steady_state
+   use adfric_foundation_strip, only: strip_t, steady_state_t, regime_adhesion_only, regime_adhesion_zones, regime_saturated
    use plain_edges, only: edges_t, new_edges, edges_of, elastic_edges, state_of_edges, is_possible
    use random_dice, only: dice_t, new_dice
    use trial_strips, only: trial_t, draw_trial, make_strip
@@ -54,7 +54,7 @@ contains
             call find_steady_state(c%strip, c%trial%branch, c%answer)
             found = c%answer%regime
             if (found == regime_adhesion_zones .and. c%answer%entry > 0) found = snap
-            ! adhesion in the whole gap has no edges, an elastic foundation no Maxwell arm to march
+            ! adhesion in the whole gap has no edges, an elastic foundation no Maxwell arm to time stepping
             if (found /= regime .or. c%trial%beta <= 1) cycle
             if (regime == regime_adhesion_only .and. c%answer%half_width >= 3.14_dp) cycle
             call make_strip(c%trial, neighbour, strip)

@@ -13,7 +13,7 @@
 !> closed.
 !>
 !> All but the solution of the points is done by one thread at a time (`critical (adfric_api)`), since gfortran keeps the lengths of
-!> texts that functions give back in one place for all threads.
+!> texts that functions give back in one index for all threads.
 module adfric_api
    use adfric, only: known_models
    use adfric_api_solution, only: solve_by_threads, stopped
@@ -25,8 +25,8 @@ module adfric_api
    use adfric_base_text, only: name_length
    use adfric_base_words, only: count_words, get_word
    use adfric_input_text_table, only: data_table_t => text_table_t, new_data_table => new_table_of_numbers
-   use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_solved
-   use adfric_model_table, only: profile_axis_t
+   use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
+   use adfric_describe_table, only: profile_axis_t
    use adfric_run_progress, only: progress_t
    implicit none (type, external)
    private
@@ -248,7 +248,7 @@ contains
    end subroutine unset
 
    !> Sweep a variable. Several sweeps make the outer product of their values; the variable that is swept last varies fastest. A
-   !> variable that is swept already takes the new values in the same place.
+   !> variable that is swept already takes the new values in the same index.
    subroutine sweep_one(self, name, values, error)
       !> The simulation; unchanged if there is an error.
       class(simulation_t), intent(inout) :: self

@@ -13,7 +13,7 @@ module adfric_contact_periodic
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_contact_arguments, only: largest_ratio, lies_between, status_bad_argument
-   use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_out_of_memory, status_solved
+   use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_out_of_memory, status_solved
    use adfric_periodic_operator, only: is_too_long
    use adfric_periodic_point, only: periodic_goal_t, periodic_memory_t, periodic_surface_t, solve_periodic
    use adfric_periodic_slip, only: periodic_slip_t
@@ -84,13 +84,13 @@ contains
          & status, tolerance)
    end subroutine solve_periodic_penetration
 
-   !> Find the contact for what is held.
+   !> Find the contact for what is prescribed.
    subroutine solve(heights, period, goal, pressure, gap, mean_pressure, penetration, contact_fraction, status, tolerance)
       !> Heights of the rough body; shape `(nx, ny)`.
       real(dp), intent(in) :: heights(:, :)
       !> Periods in x and y.
       real(dp), intent(in) :: period(2)
-      !> What is held.
+      !> What is prescribed.
       type(periodic_goal_t), intent(in) :: goal
       !> Receives the pressure [E*].
       real(dp), intent(out) :: pressure(:, :)
@@ -145,7 +145,7 @@ contains
       real(dp), intent(in) :: heights(:, :)
       !> Periods in x and y.
       real(dp), intent(in) :: period(2)
-      !> What is held, and the largest violation of the conditions of contact.
+      !> What is prescribed, and the largest violation of the conditions of contact.
       type(periodic_goal_t), intent(in) :: goal
       !> Shape of the map of the pressure.
       integer, intent(in) :: shape_of_pressure(2)

@@ -14,14 +14,14 @@ module adfric_contact_strip
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_contact_arguments, only: largest_ratio, lies_between, status_bad_argument
-   use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_solved
-   use adfric_wavy_crosswise, only: memory_t
-   use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_load, solve_penetration
-   use adfric_wavy_foundation, only: new_foundation
-   use adfric_wavy_steady_state, only: branch_adhered, branch_approach
-   use adfric_wavy_adhesion, only: edge_continuous, edge_instantaneous
-   use adfric_wavy_strip, only: regime_adhesion_only, regime_free
-   use adfric_wavy_surface, only: surface_t
+   use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
+   use adfric_foundation_crosswise, only: memory_t
+   use adfric_foundation_equilibrium, only: equilibrium_t, neighbour_t, solve_load, solve_penetration
+   use adfric_foundation_foundation, only: new_foundation
+   use adfric_foundation_steady_state, only: branch_adhered, branch_approach
+   use adfric_foundation_adhesion, only: edge_continuous, edge_instantaneous
+   use adfric_foundation_strip, only: regime_adhesion_only, regime_free
+   use adfric_foundation_surface, only: surface_t
    implicit none (type, external)
    private
    public :: solve_strip_load, solve_strip_penetration
@@ -115,7 +115,7 @@ contains
    end subroutine solve_strip_penetration
 
    !> May these numbers be solved?
-   elemental logical function are_good(phase, ratio, stress, range, held)
+   elemental logical function are_good(phase, ratio, stress, range, prescribed)
       !> Relaxation phase.
       real(dp), intent(in) :: phase
       !> Ratio of retardation and relaxation time.
@@ -125,10 +125,10 @@ contains
       !> Range of adhesion.
       real(dp), intent(in) :: range
       !> Load or penetration.
-      real(dp), intent(in) :: held
+      real(dp), intent(in) :: prescribed
 
       are_good = lies_between(phase, 0.0_dp, largest_ratio) .and. lies_between(ratio, 1.0_dp, largest_ratio) &
-         & .and. lies_between(stress, 0.0_dp, largest_ratio) .and. lies_between(held, -largest_ratio, largest_ratio)
+         & .and. lies_between(stress, 0.0_dp, largest_ratio) .and. lies_between(prescribed, -largest_ratio, largest_ratio)
       if (.not. are_good) return
       if (stress > 0) are_good = lies_between(range, 1/largest_ratio, largest_ratio)
    end function are_good

@@ -15,7 +15,7 @@ module adfric_fit_curve
       !> Does a point have a standard error of the abscissa?
       logical :: is_latent = .false.
       !> The points in the data set; shape `(n)`.
-      integer, allocatable :: place(:)
+      integer, allocatable :: index(:)
       !> Abscissas and ordinates with their standard errors; where the ordinates' is not known, all have the same one. Shape `(n)`.
       real(dp), allocatable :: x(:), y(:), sigma(:), x_sigma(:)
       !> Is the point one of contact?
@@ -90,11 +90,8 @@ contains
 
    !> Take the points of a data set that are used.
    subroutine take_points(self, number, data, unit)
-      !> The curve; it receives the points.
       class(curve_t), intent(inout) :: self
-      !> Number of the data set.
       integer, intent(in) :: number
-      !> The data set.
       type(data_set_t), intent(in) :: data
       !> The standard error of all ordinates where none is given.
       real(dp), intent(in) :: unit
@@ -108,17 +105,17 @@ contains
          if (allocated(data%x_sigma)) is_used(i) = is_used(i) .and. ieee_is_finite(data%x_sigma(i))
       end do
       self%data_set = number
-      self%place = pack([(i, i=1, size(data%x))], is_used)
-      self%n = size(self%place)
-      self%x = data%x(self%place)
-      self%y = data%y(self%place)
+      self%index = pack([(i, i=1, size(data%x))], is_used)
+      self%n = size(self%index)
+      self%x = data%x(self%index)
+      self%y = data%y(self%index)
       allocate (self%sigma(self%n), source=unit)
-      if (allocated(data%sigma)) self%sigma = data%sigma(self%place)
+      if (allocated(data%sigma)) self%sigma = data%sigma(self%index)
       allocate (self%x_sigma(self%n), source=0.0_dp)
-      if (allocated(data%x_sigma)) self%x_sigma = data%x_sigma(self%place)
+      if (allocated(data%x_sigma)) self%x_sigma = data%x_sigma(self%index)
       self%is_latent = any(self%x_sigma > 0)
       allocate (self%is_contact(self%n), source=.true.)
-      if (allocated(data%is_contact)) self%is_contact = data%is_contact(self%place)
+      if (allocated(data%is_contact)) self%is_contact = data%is_contact(self%index)
       allocate (self%fitted(self%n), self%residual(self%n), source=0.0_dp)
       self%foot = self%x
       allocate (self%is_beyond(self%n), self%is_apart(self%n), source=.false.)
@@ -126,11 +123,8 @@ contains
 
    !> Derivatives of the nuisances of a data set by the numbers that are fitted.
    pure subroutine nuisance_slopes(frees, data_set, slopes, of_nuisance)
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
-      !> Number of the data set.
       integer, intent(in) :: data_set
-      !> Derivatives of each free variable by the number that is fitted.
       real(dp), intent(in) :: slopes(:)
       !> Receives the derivatives; shape `(n_free, n_nuisances)`.
       real(dp), intent(out) :: of_nuisance(:, :)

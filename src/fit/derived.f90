@@ -9,7 +9,7 @@ module adfric_fit_derived
    use adfric_fit_path, only: path_t, set_path
    use adfric_fit_sphere_basis, only: of_radius, of_modulus, of_work, of_lambda
    use adfric_fit_solution, only: solution_t, derived_value_t
-   use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale
+   use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
    implicit none (type, external)
    private
    public :: find_derived
@@ -18,13 +18,11 @@ contains
 
    !> Find the derived quantities. The sum of squares has been evaluated at the estimate.
    subroutine find_derived(self, names, covariance, solution)
-      !> The sum of squares.
       type(objective_t), intent(in) :: self
       !> Names of those that are wanted; empty: all.
       character(*), intent(in) :: names
       !> Covariance of the numbers that are fitted.
       real(dp), intent(in) :: covariance(:, :)
-      !> Receives the quantities.
       type(solution_t), intent(inout) :: solution
       type(path_t) :: path
       real(dp) :: stress
@@ -57,9 +55,7 @@ contains
 
       !> Add a quantity if it is wanted, and not free itself.
       subroutine add(name, unit, value, gradient)
-         !> Name and unit.
          character(*), intent(in) :: name, unit
-         !> The value.
          real(dp), intent(in) :: value
          !> Its derivatives by the numbers that are fitted.
          real(dp), intent(in) :: gradient(:)

@@ -6,7 +6,7 @@ module adfric_fit_names
    use adfric_base_unset, only: is_set
    use adfric_base_kinds, only: dp
    use adfric_fit_problem, only: fit_t, nuisance_names
-   use adfric_model_derived, only: add_derived, derived_t
+   use adfric_describe_derived, only: add_derived, derived_t
    implicit none (type, external)
    private
    public :: list_free_names, list_extra_names, suffix_of, find_derived_rows
@@ -22,7 +22,6 @@ contains
 
    !> Names of the free variables as datasets, separated by a blank: without the group, unless two of them would have one name.
    function list_free_names(fit) result(names)
-      !> The fit with its free variables.
       type(fit_t), intent(in) :: fit
       character(:), allocatable :: names
       character(:), allocatable :: name
@@ -72,7 +71,6 @@ contains
 
    !> What stands behind the names of what each data set has; nothing if there is only one.
    pure function suffix_of(fit, data_set) result(suffix)
-      !> The fit with its data sets.
       type(fit_t), intent(in) :: fit
       !> Number of the data set, from 1.
       integer, intent(in) :: data_set

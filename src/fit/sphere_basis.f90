@@ -9,10 +9,11 @@ module adfric_fit_sphere_basis
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_fit_problem, only: free_t
-   use adfric_material_contact_modulus, only: contact_modulus_of
-   use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale
-   use adfric_sphere_units, only: get_sphere_units
-   use adfric_sphere_variables, only: v_radius, v_contact_modulus, v_second_poisson_ratio, v_work_of_adhesion, v_adhesion_stress, &
+   use adfric_solid_contact_modulus, only: contact_modulus_of
+   use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
+   use adfric_round_sphere_units, only: get_sphere_units
+   use adfric_round_sphere_variables, only: v_radius, v_contact_modulus, v_second_poisson_ratio, v_work_of_adhesion, &
+      & v_adhesion_stress, &
       & v_adhesion_range, v_lambda, v_shear_strength, v_edge_fraction, v_theory
    implicit none (type, external)
    private
@@ -51,13 +52,10 @@ contains
 
    !> The reduced variables, and how they change.
    pure subroutine set_basis(self, values, frees, slopes)
-      !> Receives the sphere.
       type(basis_t), intent(inout) :: self
       !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
-      !> The free variables.
       type(free_t), intent(in) :: frees(:)
-      !> Derivatives of each free variable by the number that is fitted.
       real(dp), intent(in) :: slopes(:)
       real(dp) :: modulus, work, change
       integer :: k
@@ -114,9 +112,8 @@ contains
       if (is_set(values(v_adhesion_range))) lambda_of = work/values(v_adhesion_range)/stress
    end function lambda_of
 
-   !> Let lambda change with R, E* and w where the stress or the range of adhesion is held, and w with E* R without adhesion.
+   !> Let lambda change with R, E* and w where the stress or the range of adhesion is prescribed, and w with E* R without adhesion.
    pure subroutine finish_chain(self, values)
-      !> The sphere.
       type(basis_t), intent(inout) :: self
       !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
@@ -134,23 +131,22 @@ contains
    end subroutine finish_chain
 
    !> Derivative of ln E* by one of the moduli or Poisson's ratios.
-   pure real(dp) function modulus_slope(values, place)
+   pure real(dp) function modulus_slope(values, index)
       !> Values of the variables of the model `sphere`.
       real(dp), intent(in) :: values(:)
-      !> Place of the variable.
-      integer, intent(in) :: place
+      integer, intent(in) :: index
       real(dp) :: low(v_contact_modulus:v_second_poisson_ratio), high(v_contact_modulus:v_second_poisson_ratio), h
 
-      if (place == v_contact_modulus) then
-         modulus_slope = 1/values(place)
+      if (index == v_contact_modulus) then
+         modulus_slope = 1/values(index)
          return
       end if
       low = values(v_contact_modulus:v_second_poisson_ratio)
       high = low
-      h = relative_step*max(abs(values(place)), tiny(h))
-      if (.not. abs(values(place)) > 0) h = relative_step
-      low(place) = low(place) - h
-      high(place) = high(place) + h
+      h = relative_step*max(abs(values(index)), tiny(h))
+      if (.not. abs(values(index)) > 0) h = relative_step
+      low(index) = low(index) - h
+      high(index) = high(index) + h
       modulus_slope = log(contact_modulus_of(high)/contact_modulus_of(low))/(2*h)
    end function modulus_slope
 

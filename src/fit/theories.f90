@@ -6,8 +6,9 @@ module adfric_fit_theories
    use adfric_base_unset, only: unset, is_set
    use adfric_fit_problem, only: fit_t
    use adfric_fit_sphere_basis, only: theory_of
-   use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale
-   use adfric_sphere_variables, only: v_theory, v_lambda, v_adhesion_stress, v_adhesion_range, v_work_of_adhesion, v_load, r_load
+   use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
+   use adfric_round_sphere_variables, only: v_theory, v_lambda, v_adhesion_stress, v_adhesion_range, v_work_of_adhesion, v_load, &
+      & r_load
    implicit none (type, external)
    private
    public :: make_theory, theory_name
@@ -15,18 +16,17 @@ module adfric_fit_theories
 contains
 
    !> Name of a theory.
-   subroutine theory_name(fit, place, name)
-      !> The fit.
+   subroutine theory_name(fit, position, name)
       type(fit_t), intent(in) :: fit
-      !> Place in the choices of the model's variable `theory`.
-      integer, intent(in) :: place
+      !> Index in the choices of the model's variable `theory`.
+      integer, intent(in) :: position
       !> Receives the name.
       character(:), allocatable, intent(out) :: name
       integer :: k, first
 
       associate (choices => fit%model%variables(v_theory)%choices)
          first = 1
-         do k = 2, place
+         do k = 2, position
             first = first + index(choices(first:), ' ')
          end do
          name = choices(first:first + index(choices(first:)//' ', ' ') - 2)
@@ -34,11 +34,10 @@ contains
    end subroutine theory_name
 
    !> The same data fitted by another theory: without the variables that it does not have.
-   subroutine make_theory(fit, place, other, kept, is_possible)
-      !> The fit.
+   subroutine make_theory(fit, position, other, kept, is_possible)
       type(fit_t), intent(in) :: fit
-      !> Place in the choices of the model's variable `theory`.
-      integer, intent(in) :: place
+      !> Index in the choices of the model's variable `theory`.
+      integer, intent(in) :: position
       !> Receives the fit by the other theory.
       type(fit_t), intent(out) :: other
       !> Receives the numbers of the free variables that it has.
@@ -51,7 +50,7 @@ contains
       is_possible = .false.
       if (fit%model%name /= 'sphere') return
       other = fit
-      other%base(v_theory) = place
+      other%base(v_theory) = position
       theory = theory_of(other%base)
       has = .true.
       do k = 1, size(has)
@@ -76,7 +75,6 @@ contains
 
    !> Is a load in contact negative, or is there a pull-off?
    pure logical function has_negative_loads(fit)
-      !> The fit.
       type(fit_t), intent(in) :: fit
       real(dp), allocatable :: loads(:)
       logical, allocatable :: counts(:)

@@ -5,7 +5,7 @@ module adfric_input_attributes
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: count_words, get_word
    use adfric_hdf5_members, only: number_label_t, read_number_labels
-   use adfric_model_table, only: variable_t
+   use adfric_describe_table, only: variable_t
    use adfric_run_dataset, only: dataset_t
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)
@@ -54,7 +54,6 @@ contains
 
    !> Add the attributes to a checksum.
    subroutine add_attributes(dataset, checksum)
-      !> The dataset with its attributes.
       type(dataset_t), intent(in) :: dataset
       !> The checksum so far; it does not change if there are no attributes.
       type(checksum_t), intent(inout) :: checksum

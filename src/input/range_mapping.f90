@@ -2,14 +2,14 @@
 !> The unit interval as the range of a variable.
 module adfric_input_range_mapping
    use adfric_base_kinds, only: dp
-   use adfric_model_table, only: variable_t, kind_integer
+   use adfric_describe_table, only: variable_t, kind_integer
    implicit none (type, external)
    private
    public :: range_of_variable_t, map_range
 
    !> The range of a variable in a sample.
    type :: range_of_variable_t
-      !> Place of the variable in the model's table, from 1; 0 if there is none.
+      !> Index of the variable in the model's table, from 1; 0 if there is none.
       integer :: variable = 0
       !> Number of the `&range` group in the file, from 1.
       integer :: group = 0

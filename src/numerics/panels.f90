@@ -19,14 +19,14 @@ module adfric_numerics_panels
    end type integrand_t
 
    abstract interface
-      !> Value at a place.
-      pure real(dp) function value_at_i(self, place)
+      !> Value at a position.
+      pure real(dp) function value_at_i(self, position)
          import :: integrand_t, dp
          implicit none (type, external)
          !> The function with its parameters.
          class(integrand_t), intent(in) :: self
          !> Where it is evaluated, inside the range of the integral.
-         real(dp), intent(in) :: place
+         real(dp), intent(in) :: position
       end function value_at_i
    end interface
 

@@ -76,7 +76,7 @@ contains
 
    !> The equation as seen from a pole below the root.
    pure subroutine look_from_below(equation, a, c, near)
-      !> Receives level and places of the poles.
+      !> Receives level and positions of the poles.
       type(equation_t), intent(inout) :: equation
       !> Poles; shape `(n)`.
       real(dp), intent(in) :: a(:)
@@ -91,7 +91,7 @@ contains
 
    !> The equation as seen from a pole above the root.
    pure subroutine look_from_above(equation, a, c, near)
-      !> Receives level and places of the poles.
+      !> Receives level and positions of the poles.
       type(equation_t), intent(inout) :: equation
       !> Poles; shape `(n)`.
       real(dp), intent(in) :: a(:)
@@ -106,7 +106,6 @@ contains
 
    !> A bracket of the root, with both ends positive.
    pure subroutine get_bracket(equation, near, low, high)
-      !> The equation of the root.
       type(equation_t), intent(in) :: equation
       !> Number of the near pole.
       integer, intent(in) :: near
@@ -132,7 +131,6 @@ contains
    !> C. P. Nielsen, D. C. Sorensen, Numerische Mathematik 31, 31, 1978). Where that leaves the bracket, or takes long, a step
    !> halves the bracket on a logarithmic scale.
    pure subroutine find_distance(equation, low, high, y)
-      !> The equation of the root.
       type(equation_t), intent(in) :: equation
       !> Ends of the bracket, > 0.
       real(dp), intent(in) :: low, high
@@ -162,17 +160,15 @@ contains
 
    !> Value of the equation, sum_i b_i/(y + e_i) - level, and what its slope owes to either side.
    pure subroutine evaluate(equation, y, value, near_slope, far_slope)
-      !> The equation of a root.
       type(equation_t), intent(in) :: equation
       !> Distance from the near pole, > 0 and less than the gap.
       real(dp), intent(in) :: y
-      !> The value.
       real(dp), intent(out) :: value
       !> The negative of its slope, from the near pole and those behind it.
       real(dp), intent(out) :: near_slope
       !> The negative of its slope, from the poles beyond the root.
       real(dp), intent(out) :: far_slope
-      real(dp) :: distance, distance_rest, term, term_rest, total, rest, left_over
+      real(dp) :: distance, distance_rest, term, term_rest, total, rest, remainder
       integer :: i
 
       value = -equation%level
@@ -183,9 +179,9 @@ contains
          call get_sum(y, equation%e(i), distance, distance_rest)
          distance_rest = distance_rest + equation%e_rest(i)
          call get_quotient(equation%b(i), equation%b_rest(i), distance, distance_rest, term, term_rest)
-         call get_sum(value, term, total, left_over)
+         call get_sum(value, term, total, remainder)
          value = total
-         rest = rest + (left_over + term_rest)
+         rest = rest + (remainder + term_rest)
          if (distance > 0) then
             near_slope = near_slope + term/distance
          else
@@ -197,7 +193,6 @@ contains
 
    !> The step to the root of p + q/y + r/(y - gap), of which q is given by the near slope and r by the far one.
    pure real(dp) function step_of(equation, y, value, near_slope, far_slope)
-      !> The equation of a root.
       type(equation_t), intent(in) :: equation
       !> Distance from the near pole, where the step begins.
       real(dp), intent(in) :: y

@@ -10,7 +10,7 @@ module adfric_output_extra_datasets
       close_dataset, make_scale, attach_scale, to_state
    use adfric_hdf5_reading, only: open_dataset
    use adfric_hdf5_words, only: create_word_dataset
-   use adfric_model_table, only: extra_t
+   use adfric_describe_table, only: extra_t
    use adfric_output_constants, only: file_unit
    use adfric_output_flags, only: write_flags
    implicit none (type, external)
@@ -21,9 +21,7 @@ contains
 
    !> Create the datasets with their values: the scales first, to which the others are attached.
    subroutine create_extras(calls, file, extras)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
       !> The datasets. A scale has its own name for its dimension; each dimension of the others is one of these.
       type(extra_t), intent(in) :: extras(:)
@@ -40,11 +38,8 @@ contains
 
    !> Create one of them.
    subroutine create_extra(calls, file, extra, is_scale)
-      !> Chain of HDF5 calls; nothing is done once one of them has failed.
       type(hdf5_calls_t), intent(inout) :: calls
-      !> Id of the open results file.
       integer(hid_t), intent(in) :: file
-      !> The dataset with its values.
       type(extra_t), intent(in) :: extra
       !> Is it the scale of a dimension?
       logical, intent(in) :: is_scale

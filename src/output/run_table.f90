@@ -4,9 +4,9 @@ module adfric_output_run_table
    use adfric_base_kinds, only: dp, i8
    use adfric_base_text, only: show_number
    use adfric_base_words, only: get_word, pad
-   use adfric_model_doubt, only: doubt_limits, doubt_meanings, doubt_name, doubt_none, n_doubts, quantity_of
-   use adfric_model_status, only: status_solved, n_status
-   use adfric_model_table, only: result_t
+   use adfric_describe_doubt, only: doubt_limits, doubt_meanings, doubt_name, doubt_none, n_doubts, quantity_of
+   use adfric_describe_status, only: status_solved, n_status
+   use adfric_describe_table, only: result_t
    use adfric_run_summary, only: run_summary_t
    implicit none (type, external)
    private
@@ -73,7 +73,6 @@ contains
 
    !> Lines with the number of points in each state that was met.
    function state_lines(result, counts) result(lines)
-      !> Result that has states.
       type(result_t), intent(in) :: result
       !> Number of points in each state, from 0 on.
       integer(i8), intent(in) :: counts(0:)
@@ -123,7 +122,6 @@ contains
 
    !> Line with the range of a result.
    function range_line(result, lowest, highest) result(line)
-      !> Result with the units of this run.
       type(result_t), intent(in) :: result
       !> Smallest and largest value in the unit of the result; the smallest one is above the largest one if there is no value.
       real(dp), intent(in) :: lowest, highest

@@ -5,18 +5,18 @@ module adfric_periodic_elastic_model
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_material_adhesion_rows, only: adhesion_law_t, adhesion_names, branch_adhered, check_adhesion, has_adhesion, &
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names, branch_adhered, check_adhesion, has_adhesion, &
       & n_adhesion_rows, resolve_adhesion, set_adhesion_rows
-   use adfric_material_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
+   use adfric_solid_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
       & has_poisson_ratio, n_two_bodies, set_modulus_rows
-   use adfric_material_coulomb_rows, only: check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
+   use adfric_interface_coulomb_rows, only: check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
       & resolve_coulomb, set_coulomb_rows
-   use adfric_material_shear_strength_rows, only: check_shear, get_friction_of_area, has_shear, n_shear_rows, &
+   use adfric_interface_shear_strength_rows, only: check_shear, get_friction_of_area, has_shear, n_shear_rows, &
       & p_shear_stress, set_shear_rows, shear_profiles, shear_stress
-   use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_pointwise, only: point_state_t
-   use adfric_model_rows, only: positive
-   use adfric_model_table, only: profile_axis_t, variable_t
+   use adfric_describe_derived, only: derived_t, add_derived
+   use adfric_describe_pointwise, only: point_state_t
+   use adfric_describe_rows, only: positive
+   use adfric_describe_table, only: profile_axis_t, variable_t
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t
    use adfric_periodic_area, only: relative_error_of
@@ -78,13 +78,11 @@ contains
 
    !> Set the tables of the model.
    subroutine set_elastic_tables(self, name, summary, surface)
-      !> The model, which receives the tables.
       class(elastic_model_t), intent(inout) :: self
       !> Name of the model in `&job model = ...`.
       character(*), intent(in) :: name
       !> What the model is, in one line for `adfric help`.
       character(*), intent(in) :: summary
-      !> Variables of the surface.
       type(variable_t), intent(in) :: surface(:)
       type(variable_t) :: solid(n_elastic_solid)
 
@@ -100,9 +98,8 @@ contains
       allocate (self%profiles, source=shear_profiles())
    end subroutine set_elastic_tables
 
-   !> Make room for the pull-offs that points share.
+   !> Make space for the pull-offs that points share.
    subroutine prepare(self)
-      !> The model; all threads use what it keeps.
       class(elastic_model_t), intent(inout) :: self
 
       if (.not. associated(self%pull_offs)) allocate (self%pull_offs)
@@ -110,7 +107,6 @@ contains
 
    !> Give back the pull-offs that points have shared.
    subroutine release(self)
-      !> The model, which keeps nothing at the end.
       class(elastic_model_t), intent(inout) :: self
 
       if (.not. associated(self%pull_offs)) return
@@ -120,22 +116,19 @@ contains
 
    !> See `periodic_model_t`.
    subroutine check_solid(self, values, is_swept, problems)
-      !> The model; its tables give the variables their names.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Is the variable swept? Not asked here; shape `(n_variables)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       call check_friction(self, values, problems)
-      associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1, held => self%before_held)
+      associate (first => self%first_of_solid, last => self%first_of_solid + n_two_bodies - 1, prescribed => self%before_prescribed)
          call check_contact_modulus(self%variables(first:last), values(first:last), problems, &
             & has_coulomb(coulomb_values(self, values)))
          call check_adhesion(self%variables(last + 1:last + n_adhesion_rows), values(last + 1:last + n_adhesion_rows), problems)
          if (.not. has_adhesion(values(last + 1:last + n_adhesion_rows))) then
-            if (values(held + v_mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
+            if (values(prescribed + v_mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
                & 'is below 0, but nothing pulls without &adhesion')
             if (wants_pull_off(values(self%last_of_solid))) &
                & call problems%add('output', 'pull_off', 'has no meaning without &adhesion')
@@ -152,11 +145,8 @@ contains
 
    !> Add to `problems` what is wrong with the friction, of either kind.
    subroutine check_friction(self, values, problems)
-      !> The model; its tables give the variables their names.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       logical :: is_adhesive
 
@@ -171,9 +161,7 @@ contains
 
    !> Values of the rows of Coulomb's friction.
    pure function coulomb_values(self, values) result(friction)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       real(dp) :: friction(n_coulomb_rows)
 
@@ -184,9 +172,7 @@ contains
 
    !> Coulomb's friction of a point, whose values have been checked.
    type(coulomb_t) function friction_of(self, values) result(friction)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(periodic_surface_t) :: surface
 
@@ -197,9 +183,7 @@ contains
 
    !> Does the tangential displacement lack Poisson's ratio, beside a contact modulus?
    logical function lacks_poisson_ratio(self, values) result(lacks)
-      !> The model, for its surface.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(periodic_surface_t) :: surface
 
@@ -212,9 +196,7 @@ contains
 
    !> Have stress and range sizes with which the surface can be solved?
    logical function is_possible(self, values)
-      !> The model, for its surface.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       type(periodic_surface_t) :: surface
       type(adhesion_law_t) :: law
@@ -232,11 +214,9 @@ contains
 
    !> See `periodic_model_t`.
    subroutine set_solid(self, values, surface)
-      !> The model, for the places of the rows of the solid.
+      !> The model, for the indices of the rows of the solid.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Receives the contact modulus.
       type(periodic_surface_t), intent(inout) :: surface
 
       if (.not. allocated(surface%solid)) allocate (periodic_solid_t :: surface%solid)
@@ -245,9 +225,7 @@ contains
 
    !> Adhesion of a point, whose values have been checked.
    type(adhesion_law_t) function adhesion_of(self, values) result(law)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       associate (before => self%first_of_solid + n_two_bodies - 1)
@@ -257,13 +235,11 @@ contains
 
    !> See `periodic_model_t`.
    subroutine set_interface(self, values, modulus, goal)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Contact modulus E* [Pa].
       real(dp), intent(in) :: modulus
-      !> What is held at the point; receives adhesion or friction.
+      !> What is prescribed at the point; receives adhesion or friction.
       type(periodic_goal_t), intent(inout) :: goal
       type(adhesion_law_t) :: law
 
@@ -295,9 +271,7 @@ contains
 
    !> See `periodic_model_t`: the regime, energies, and what cells can tell of adhesion.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
@@ -338,9 +312,7 @@ contains
 
    !> See `periodic_model_t`.
    subroutine store_slip(self, values, surface, slip, results)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
@@ -362,9 +334,7 @@ contains
 
    !> See `model_t`: the shear stress belongs to friction.
    pure integer function count_profiles(self, values)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       count_profiles = p_shear_stress - 1
@@ -374,15 +344,11 @@ contains
 
    !> See `pointwise_model_t`: the maps of pressure and gap, and with friction that of the shear stress.
    subroutine fill_profiles(self, values, results, state, axes, profiles)
-      !> The model, for the places of its rows.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Results of the point; shape `(n_results)`.
       real(dp), intent(in) :: results(:)
-      !> The solution of the point.
       class(point_state_t), allocatable, intent(in) :: state
-      !> Axes of the maps.
       type(profile_axis_t), intent(in) :: axes(:)
       !> Receives the maps of pressure [Pa], gap [m] and shear stress [Pa]; shape `(nx, ny, n_profiles)`.
       real(dp), intent(inout) :: profiles(:, :, :)
@@ -407,9 +373,7 @@ contains
 
    !> See `model_t`: zones of adhesion that the cells do not see.
    function describe_doubts(self, values) result(text)
-      !> The model, for its surface.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
 
@@ -418,9 +382,7 @@ contains
 
    !> Zones of adhesion that the cells do not see, in a line; empty if there is nothing to say.
    function doubt_adhesion(self, values) result(text)
-      !> The model, for its surface.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       character(:), allocatable :: text
       type(periodic_surface_t) :: surface
@@ -442,7 +404,6 @@ contains
 
    !> The regime of a solution.
    pure integer function regime_of(solution) result(regime)
-      !> The solution, which is one.
       type(periodic_solution_t), intent(in) :: solution
 
       regime = merge(regime_partial, regime_none, solution%area%cells > 0)
@@ -458,7 +419,6 @@ contains
 
    !> Length of a short zone of adhesion over that of a cell.
    pure real(dp) function cells_per_zone(law, surface)
-      !> The adhesion.
       type(adhesion_law_t), intent(in) :: law
       !> Periods and cells of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
@@ -470,11 +430,8 @@ contains
 
    !> See `periodic_model_t`: the contact modulus, and lengths of adhesion.
    function derive_solid(self, values, surface) result(derived)
-      !> The model, for the rows of the solid.
       class(elastic_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The surface, with its solid.
       type(periodic_surface_t), intent(in) :: surface
       type(derived_t), allocatable :: derived(:)
       type(adhesion_law_t) :: law

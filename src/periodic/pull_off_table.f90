@@ -22,19 +22,14 @@ contains
    subroutine get_pull_off(table, solver, shape, period, adhesion, tolerance, pull_off, error)
       !> The table, which receives what had to be found.
       type(found_once_t), intent(inout) :: table
-      !> Solver for surfaces of these cells and periods.
       type(periodic_solver_t), intent(inout) :: solver
       !> Gap of the undeformed surfaces in the middles of the cells [periods along x].
       real(dp), intent(in) :: shape(:, :)
       !> Periods, that along x 1.
       real(dp), intent(in) :: period(2)
-      !> The law; lengths in periods along x.
       type(periodic_adhesion_t), intent(in) :: adhesion
-      !> Largest residual that is allowed [-].
       real(dp), intent(in) :: tolerance
-      !> The pull-off.
       type(pull_off_t), intent(out) :: pull_off
-      !> Not allocated if all went well.
       type(error_t), allocatable, intent(out) :: error
       type(search_t) :: search
       real(dp) :: numbers(n_numbers), found(4)
@@ -59,7 +54,6 @@ contains
 
    !> Look up the numbers of a pull-off.
    subroutine look_up(table, numbers, shape, found, is_known, search)
-      !> The table.
       type(found_once_t), intent(inout) :: table
       !> Numbers that it depends on beside the gaps.
       real(dp), intent(in) :: numbers(n_numbers)

@@ -4,10 +4,10 @@ module adfric_periodic_sliding_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_material_given_spectrum, only: given_spectrum_t
-   use adfric_material_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows
-   use adfric_model_check, only: require, refuse_given, refuse_swept
-   use adfric_model_table, only: variable_t
+   use adfric_solid_given_spectrum, only: given_spectrum_t
+   use adfric_solid_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows
+   use adfric_describe_check, only: require, refuse_given, refuse_swept
+   use adfric_describe_table, only: variable_t
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_sliding_case, only: is_direction, speed_of
    use adfric_periodic_sliding_variables
@@ -30,13 +30,8 @@ contains
       type(variable_t), intent(in) :: variables(:)
       !> Values in the order of `variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> Heights of the input.
       type(given_heights_t), intent(in) :: heights
-      !> Is the variable swept? Shape `(n_variables)`.
-      logical, intent(in) :: is_swept(:)
-      !> Are maps wanted?
-      logical, intent(in) :: has_profiles
-      !> Receives what is wrong with the input; nothing is removed.
+      logical, intent(in) :: is_swept(:), has_profiles
       type(problems_t), intent(inout) :: problems
 
       call require(variables, values, [v_kind], problems)
@@ -62,7 +57,7 @@ contains
 
       !> Add a problem of one variable to the list.
       subroutine add(v, text)
-         !> Place of the variable in the table, one of `v_...`.
+         !> Index of the variable in the table, one of `v_...`.
          integer, intent(in) :: v
          !> What is wrong with the variable; its name is put before this.
          character(*), intent(in) :: text
@@ -80,11 +75,9 @@ contains
       real(dp), intent(in) :: values(:)
       !> Period along x [m], or unset.
       real(dp), intent(in) :: length
-      !> Lists and master curve of the input.
       type(given_spectrum_t), intent(in) :: spectrum
       !> Is the variable swept? Shape `(n_solid_rows)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
       integer :: before
 
@@ -108,7 +101,6 @@ contains
       real(dp), intent(in) :: length
       !> Is the variable swept? Shape `(n_solid_rows)`.
       logical, intent(in) :: is_swept(:)
-      !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
       if (.not. any(is_set(values([s_thickness, s_base, s_poisson_ratio])))) return
@@ -132,13 +124,13 @@ contains
    contains
 
       !> Add a problem of one row to the list.
-      subroutine add(place, text)
-         !> Place of the variable among the rows, one of `s_...`.
-         integer, intent(in) :: place
+      subroutine add(index, text)
+         !> Index of the variable among the rows, one of `s_...`.
+         integer, intent(in) :: index
          !> What is wrong with the variable; its name is put before this.
          character(*), intent(in) :: text
 
-         call problems%add(rows(place)%group, rows(place)%name, text)
+         call problems%add(rows(index)%group, rows(index)%name, text)
       end subroutine add
 
    end subroutine check_layer

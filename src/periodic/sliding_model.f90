@@ -9,12 +9,12 @@ module adfric_periodic_sliding_model
    use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_material_given_spectrum, only: given_spectrum_t
-   use adfric_material_spectrum_rows, only: take_spectrum, take_spectrum_attribute, describe_spectrum, doubt_spectrum, &
+   use adfric_solid_given_spectrum, only: given_spectrum_t
+   use adfric_solid_spectrum_rows, only: take_spectrum, take_spectrum_attribute, describe_spectrum, doubt_spectrum, &
       & derive_spectrum, n_spectrum_rows
-   use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_doubt, only: doubt_slope_too_steep
-   use adfric_model_table, only: variable_t
+   use adfric_describe_derived, only: derived_t, add_derived
+   use adfric_describe_doubt, only: doubt_slope_too_steep
+   use adfric_describe_table, only: variable_t
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t
@@ -74,29 +74,28 @@ contains
    end subroutine new_sliding_model
 
    !> See `model_t`.
-   subroutine take_dataset(self, place, values, problems)
-      !> The model, which keeps heights and spectrum.
+   subroutine take_dataset(self, index, values, problems)
       class(sliding_model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
       !> Its values; shape `(n_last, n_first)`.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      if (place == v_heights) then
-         call self%heights%take(self%variables(place), values, problems)
+      if (index == v_heights) then
+         call self%heights%take(self%variables(index), values, problems)
       else
-         call take_spectrum(self%spectrum, place - self%first_of_solid + 1, values)
+         call take_spectrum(self%spectrum, index - self%first_of_solid + 1, values)
       end if
    end subroutine take_dataset
 
    !> See `model_t`.
-   subroutine take_attribute(self, place, name, value, problems)
+   subroutine take_attribute(self, index, name, value, problems)
       !> The model, which keeps the temperature of the master curve.
       class(sliding_model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
       !> Name of the attribute.
       character(*), intent(in) :: name
       !> Its value in SI units.
@@ -104,7 +103,7 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call take_spectrum_attribute(self%spectrum, self%variables(place), place - self%first_of_solid + 1, name, value, problems)
+      call take_spectrum_attribute(self%spectrum, self%variables(index), index - self%first_of_solid + 1, name, value, problems)
    end subroutine take_attribute
 
    !> See `periodic_model_t`.
@@ -140,7 +139,6 @@ contains
 
    !> See `periodic_model_t`.
    subroutine get_cells(self, values, surface)
-      !> The model with its heights.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -158,7 +156,6 @@ contains
 
    !> See `periodic_model_t`.
    subroutine get_shape(self, values, shape)
-      !> The model with its heights.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -176,7 +173,6 @@ contains
 
    !> See `periodic_model_t`.
    subroutine set_solid(self, values, surface)
-      !> The model with its spectrum.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -190,7 +186,6 @@ contains
 
    !> See `periodic_model_t`: of a wave in closed form, of heights that of the cells as they are.
    pure real(dp) function get_full_pressure(self, values, solid, on_cells)
-      !> The model; nothing is read from it here.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -211,9 +206,7 @@ contains
 
    !> Pressure of full contact of a wave [E0].
    pure real(dp) function pressure_of_wave(values, solid) result(pressure)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The solid of the point.
       type(viscoelastic_solid_t), intent(in) :: solid
 
       pressure = wave_pressure_of_full_contact(solid, values(v_amplitude)/values(v_period), nint(values(v_kind)) == kind_wave_2d)
@@ -221,7 +214,6 @@ contains
 
    !> See `periodic_model_t`: that of the cells, of a wave with a parabola between them.
    real(dp) function get_peak_pressure(self, values, pressure)
-      !> The model; nothing is read from it here.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -239,13 +231,12 @@ contains
 
    !> See `periodic_model_t`: a wave in full contact.
    subroutine solve_in_closed_form(self, values, surface, goal, solution, is_known)
-      !> The model; nothing is read from it here.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
       !> Periods and undeformed gap of the surface [m], and its solid.
       type(periodic_surface_t), intent(in) :: surface
-      !> What is held at the point.
+      !> What is prescribed at the point.
       type(periodic_goal_t), intent(in) :: goal
       !> Receives the solution if it is known; lengths in m, pressures in E0.
       type(periodic_solution_t), intent(inout) :: solution
@@ -269,7 +260,6 @@ contains
 
    !> See `periodic_model_t`: friction, and its error.
    subroutine finish_point(self, values, surface, solution, results, error_estimate)
-      !> The model; nothing is read from it here.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -294,7 +284,6 @@ contains
 
    !> See `periodic_model_t`: moduli and shift factor, the frequencies of the surface, and the cells of a wave.
    function derive_solid(self, values, surface) result(derived)
-      !> The model with its spectrum.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -318,7 +307,6 @@ contains
 
    !> See `model_t`: the arms, and what is not estimated.
    function describe_case(self, values) result(text)
-      !> The model with its heights and spectrum.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -330,7 +318,6 @@ contains
 
    !> See `model_t`: edges that do not meet, a solid that loses nothing, frequencies beyond the master curve.
    function describe_doubts(self, values) result(text)
-      !> The model with its heights and spectrum.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -347,9 +334,7 @@ contains
 
    !> Sliding velocity [m/s].
    pure real(dp) function velocity_of(self, values) result(velocity)
-      !> The model, for the place of the velocity.
       class(sliding_model_t), intent(in) :: self
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
       velocity = values(self%first_of_solid + s_velocity - 1)
@@ -357,7 +342,6 @@ contains
 
    !> See `model_t`: the steepest slope of waves, the mean one of heights.
    subroutine measure(self, values, results, measures)
-      !> The model with its heights.
       class(sliding_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)

@@ -18,9 +18,7 @@ contains
 
    !> Set friction and what goes with it.
    subroutine set_sliding_results(values, solid, solution, results, error_estimate)
-      !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
-      !> The solid of the point.
       type(viscoelastic_solid_t), intent(in) :: solid
       !> Solution of the point; lengths in m, pressures in E0.
       type(periodic_solution_t), intent(in) :: solution
@@ -53,7 +51,6 @@ contains
 
    !> Which regime is it?
    pure integer function regime_of(solution) result(regime)
-      !> Solution of the point.
       type(periodic_solution_t), intent(in) :: solution
 
       regime = regime_partial
@@ -64,9 +61,7 @@ contains
    !> Relative error of the friction: the largest of what its two forms differ by, of what the last grid has changed, and of half of what
    !> the one before it has changed; 1 at most, and where the loss is no number above round-off. Where nothing rubs, that of the area.
    pure real(dp) function error_of(solid, solution) result(error)
-      !> The solid of the point.
       type(viscoelastic_solid_t), intent(in) :: solid
-      !> Solution of the point.
       type(periodic_solution_t), intent(in) :: solution
       real(dp) :: loss, coarse(size(solution%coarse_losses, 2))
       integer :: k
@@ -90,7 +85,6 @@ contains
    pure real(dp) function shift_of(pressure, solid) result(shift)
       !> Pressure in the middles of the cells of one period.
       real(dp), intent(in) :: pressure(:, :)
-      !> The solid with the motion.
       type(viscoelastic_solid_t), intent(in) :: solid
 
       shift = not_a_number()
@@ -104,12 +98,12 @@ contains
    pure real(dp) function peak_of_wave(map) result(peak)
       !> The map in the middles of cells; goes on periodically.
       real(dp), intent(in) :: map(:, :)
-      integer :: place(2), n(2)
+      integer :: index(2), n(2)
 
-      place = maxloc(map)
+      index = maxloc(map)
       n = shape(map)
-      peak = map(place(1), place(2))
-      associate (i => place(1), j => place(2))
+      peak = map(index(1), index(2))
+      associate (i => index(1), j => index(2))
          peak = peak + rise(map(modulo(i - 2, n(1)) + 1, j), map(i, j), map(modulo(i, n(1)) + 1, j)) &
             & + rise(map(i, modulo(j - 2, n(2)) + 1), map(i, j), map(i, modulo(j, n(2)) + 1))
       end associate

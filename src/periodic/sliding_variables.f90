@@ -3,30 +3,30 @@
 module adfric_periodic_sliding_variables
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
-   use adfric_material_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
-   use adfric_model_rows, only: above_zero, any_number, choice, number, poisson_ratio, positive, result_row, whole_number
-   use adfric_model_table, only: variable_t, result_t
+   use adfric_solid_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
+   use adfric_describe_rows, only: above_zero, any_number, choice, number, poisson_ratio, positive, result_row, whole_number
+   use adfric_describe_table, only: variable_t, result_t
    use adfric_periodic_given_heights, only: set_heights_rows, n_heights_rows
    use adfric_periodic_variables, only: get_periodic_results, n_periodic_results, r_penetration, smooth_fraction_row
    implicit none (type, external)
    private
    public :: set_surface_rows, set_solid_rows, get_sliding_results, cells_of
 
-   !> Places of the rows of the surface.
+   !> Indices of the rows of the surface.
    integer, parameter, public :: v_kind = 1, v_period = 2, v_amplitude = 3, v_heights = 4, v_length_x = 5, v_length_y = 6, &
       & v_rms_height = 7, v_direction = 8, v_cells = 9
    integer, parameter, public :: n_surface_rows = 9
    !> Kinds of surfaces, in the order of the choice.
    integer, parameter, public :: kind_wave_1d = 1, kind_wave_2d = 2, kind_heights = 3
 
-   !> Places among the rows of the solid: those of the spectrum, the last of which is the temperature, then those of the layer.
+   !> Indices among the rows of the solid: those of the spectrum, the last of which is the temperature, then those of the layer.
    integer, parameter, public :: s_thickness = n_spectrum_rows + 1, s_base = n_spectrum_rows + 2, &
       & s_poisson_ratio = n_spectrum_rows + 3, s_velocity = n_spectrum_rows + 4
    integer, parameter, public :: n_solid_rows = n_spectrum_rows + 4
    !> Bases of the layer, in the order of the choice.
    integer, parameter, public :: base_frictionless = 1, base_bonded = 2
 
-   !> Places of the results behind those of all models of a periodic surface.
+   !> Indices of the results behind those of all models of a periodic surface.
    integer, parameter, public :: r_friction_stress = n_periodic_results + 1, r_friction_coefficient = n_periodic_results + 2, &
       & r_lateral_stress = n_periodic_results + 3, r_full_contact_friction = n_periodic_results + 4, &
       & r_contact_shift = n_periodic_results + 5, r_dissipation = n_periodic_results + 6, &

@@ -4,9 +4,9 @@
 module adfric_periodic_surface_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_model_check, only: refuse_swept
-   use adfric_model_doubt, only: doubt_slope_too_steep
-   use adfric_model_table, only: variable_t
+   use adfric_describe_check, only: refuse_swept
+   use adfric_describe_doubt, only: doubt_slope_too_steep
+   use adfric_describe_table, only: variable_t
    use adfric_periodic_elastic_model, only: elastic_model_t
    use adfric_periodic_given_heights, only: given_heights_t, set_heights_rows, n_heights_rows
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t
@@ -14,7 +14,7 @@ module adfric_periodic_surface_model
    private
    public :: surface_model_t, new_surface_model
 
-   !> Places of the surface's own variables; those that all models of a periodic surface share follow.
+   !> Indices of the surface's own variables; those that all models of a periodic surface share follow.
    integer, parameter, public :: v_heights = 1, v_length_x = 2, v_length_y = 3, v_rms_height = 4
 
    !> The model `surface_elastic`.
@@ -49,17 +49,17 @@ contains
    end subroutine new_surface_model
 
    !> See `model_t`.
-   subroutine take_dataset(self, place, values, problems)
+   subroutine take_dataset(self, index, values, problems)
       !> The model, which keeps the depths below the highest summit.
       class(surface_model_t), intent(inout) :: self
-      !> Place of the dataset in `variables`.
-      integer, intent(in) :: place
+      !> Index of the dataset in `variables`.
+      integer, intent(in) :: index
       !> Heights of the rough body [m]; shape `(nx, ny)`, ny = 1 if they do not vary along y.
       real(dp), intent(in) :: values(:, :)
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call self%given%take(self%variables(place), values, problems)
+      call self%given%take(self%variables(index), values, problems)
    end subroutine take_dataset
 
    !> See `periodic_model_t`.
@@ -79,7 +79,6 @@ contains
 
    !> See `periodic_model_t`.
    subroutine get_cells(self, values, surface)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -91,7 +90,6 @@ contains
 
    !> See `periodic_model_t`.
    subroutine get_shape(self, values, shape)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -103,7 +101,6 @@ contains
 
    !> See `elastic_model_t`.
    pure real(dp) function height_of(self, values)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -113,7 +110,6 @@ contains
 
    !> See `periodic_model_t`: that of the cells as they are.
    pure real(dp) function get_full_pressure(self, values, solid, on_cells)
-      !> The model; nothing is read from it here.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
@@ -129,7 +125,6 @@ contains
 
    !> See `periodic_model_t`: that of a cell.
    real(dp) function get_peak_pressure(self, values, pressure)
-      !> The model; nothing is read from it here.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
@@ -143,7 +138,6 @@ contains
 
    !> See `periodic_model_t`.
    function describe_surface(self) result(text)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       character(:), allocatable :: text
 
@@ -152,7 +146,6 @@ contains
 
    !> See `model_t`: edges that do not meet, and what cells do not see of adhesion.
    function describe_doubts(self, values) result(text)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -163,7 +156,6 @@ contains
 
    !> See `model_t`: the mean slope of the heights.
    subroutine measure(self, values, results, measures)
-      !> The model with its heights.
       class(surface_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)

@@ -1,31 +1,31 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Rows of the tables that all models of a periodic surface share: tolerance, then those of the solid, what is held, and the maps; and
-!> those of the models on an elastic half-space, which may adhere.
+!> Rows of the tables that all models of a periodic surface share: tolerance, then those of the solid, what is prescribed, and the
+!> maps; and those of the models on an elastic half-space, which may adhere.
 module adfric_periodic_variables
    use adfric_base_kinds, only: dp
-   use adfric_material_adhesion_rows, only: n_adhesion_rows
-   use adfric_material_contact_modulus, only: n_two_bodies
-   use adfric_material_coulomb_rows, only: n_coulomb_rows, slip_results
-   use adfric_material_shear_strength_rows, only: n_shear_rows
-   use adfric_model_rows, only: number, switch, result_row, any_number
-   use adfric_model_table, only: variable_t, result_t
+   use adfric_interface_adhesion_rows, only: n_adhesion_rows
+   use adfric_solid_contact_modulus, only: n_two_bodies
+   use adfric_interface_coulomb_rows, only: n_coulomb_rows, slip_results
+   use adfric_interface_shear_strength_rows, only: n_shear_rows
+   use adfric_describe_rows, only: number, switch, result_row, any_number
+   use adfric_describe_table, only: variable_t, result_t
    implicit none (type, external)
    private
-   public :: tolerance_row, set_held_rows, pull_off_row, get_periodic_results, get_elastic_results, smooth_fraction_row
+   public :: tolerance_row, set_prescribed_rows, pull_off_row, get_periodic_results, get_elastic_results, smooth_fraction_row
 
-   !> Places among the rows behind those of the solid.
+   !> Indices among the rows behind those of the solid.
    integer, parameter, public :: v_mean_pressure = 1, v_penetration = 2, v_profiles = 3
-   integer, parameter, public :: n_held = 3
+   integer, parameter, public :: n_prescribed = 3
    !> Number of the rows that the models on an elastic half-space share.
    integer, parameter, public :: n_elastic_solid = n_two_bodies + n_adhesion_rows + n_coulomb_rows &
       & + n_shear_rows + 1
-   integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_held
+   integer, parameter, public :: n_periodic_variables = 1 + n_elastic_solid + n_prescribed
 
-   !> Places of the results.
+   !> Indices of the results.
    integer, parameter, public :: r_mean_pressure = 1, r_penetration = 2, r_contact_fraction = 3, r_contact_fraction_error = 4, &
       & r_peak_pressure = 5, r_mean_gap = 6, r_full_contact_pressure = 7, r_contact_violation = 8
    integer, parameter, public :: n_periodic_results = 8
-   !> Places of those that the models on an elastic half-space add, and their number in all.
+   !> Indices of those that the models on an elastic half-space add, and their number in all.
    integer, parameter, public :: r_regime = 9, r_adhesion_fraction = 10, r_elastic_energy = 11, r_adhesion_energy = 12, &
       & r_pull_off_pressure = 13, r_cells_per_zone = 14, r_friction_stress = 15, r_friction_coefficient = 16, &
       & r_friction_force = 17, r_stick_fraction = 18, r_tangential_displacement = 19, r_tangential_stiffness = 20, &
@@ -44,9 +44,9 @@ contains
          & meaning='largest violation of the conditions of contact', default=1.0e-10_dp, lower=1.0e-13_dp, upper=1.0e-3_dp)
    end function tolerance_row
 
-   !> Rows of what is held and of the maps.
-   subroutine set_held_rows(v, may_pull)
-      !> Receives the rows; shape `(n_held)`.
+   !> Rows of what is prescribed and of the maps.
+   subroutine set_prescribed_rows(v, may_pull)
+      !> Receives the rows; shape `(n_prescribed)`.
       type(variable_t), intent(inout) :: v(:)
       !> May the load be below 0?
       logical, intent(in) :: may_pull
@@ -59,7 +59,7 @@ contains
          & meaning='approach from first touch, at the mean of the deformed surface, instead')
       v(v_profiles) = switch(group='output', name='profiles', meaning='write maps of pressure and gap for every point', &
          & default=.false.)
-   end subroutine set_held_rows
+   end subroutine set_prescribed_rows
 
    !> The switch of the pull-off.
    type(variable_t) function pull_off_row() result(v)

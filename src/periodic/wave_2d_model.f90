@@ -8,10 +8,10 @@ module adfric_periodic_wave_2d_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
-   use adfric_model_check, only: require, refuse_swept
-   use adfric_model_doubt, only: doubt_slope_too_steep
-   use adfric_model_rows, only: positive, whole_number
-   use adfric_model_table, only: variable_t
+   use adfric_describe_check, only: require, refuse_swept
+   use adfric_describe_doubt, only: doubt_slope_too_steep
+   use adfric_describe_rows, only: positive, whole_number
+   use adfric_describe_table, only: variable_t
    use adfric_periodic_elastic_model, only: elastic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t
    use adfric_periodic_wave_cells, only: set_wave
@@ -19,7 +19,7 @@ module adfric_periodic_wave_2d_model
    private
    public :: wave_2d_model_t, new_wave_2d_model
 
-   !> Places of the wave's own variables; those that all models of a periodic surface share follow.
+   !> Indices of the wave's own variables; those that all models of a periodic surface share follow.
    integer, parameter, public :: v_period = 1, v_amplitude = 2, v_cells = 3
    integer, parameter, public :: n_wave_2d_own = 3
    !> Cells come in multiples of this, so that grids of half and a quarter of them tell the error of the area.
@@ -59,7 +59,6 @@ contains
 
    !> See `periodic_model_t`.
    subroutine check_surface(self, values, is_swept, problems)
-      !> The model; its tables give the variables their names.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -74,7 +73,6 @@ contains
 
    !> See `periodic_model_t`.
    subroutine get_cells(self, values, surface)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -90,7 +88,6 @@ contains
 
    !> See `periodic_model_t`.
    subroutine get_shape(self, values, shape)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -106,7 +103,6 @@ contains
 
    !> See `elastic_model_t`.
    pure real(dp) function height_of(self, values)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -118,7 +114,6 @@ contains
 
    !> See `periodic_model_t`: that of the wave itself.
    pure real(dp) function get_full_pressure(self, values, solid, on_cells)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
@@ -134,7 +129,6 @@ contains
 
    !> See `periodic_model_t`: that of the crest, about which pressure is even in both directions.
    real(dp) function get_peak_pressure(self, values, pressure)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, not used here.
       real(dp), intent(in) :: values(:)
@@ -151,7 +145,6 @@ contains
 
    !> See `model_t`: the steepest slope, that of both waves together.
    subroutine measure(self, values, results, measures)
-      !> The model; nothing is read from it here.
       class(wave_2d_model_t), intent(in) :: self
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)

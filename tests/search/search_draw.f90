@@ -9,8 +9,8 @@ module search_draw
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: count_words
    use adfric_input_variable, only: is_in_range
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
    use random_dice, only: dice_t
    use search_data, only: drawn_data_t, draw_data
    use search_units, only: n_dimensions, dimensions_of, unit_in_case
@@ -35,7 +35,7 @@ module search_draw
    type :: drawn_case_t
       !> Shape `(n_variables, n_points)`.
       real(dp), allocatable :: values(:, :)
-      !> Place of the variable in which the points differ, rising.
+      !> Position of the variable in which the points differ, rising.
       integer :: swept = 0
       !> Datasets, whether the case takes them or not.
       type(drawn_data_t), allocatable :: data(:)
@@ -123,7 +123,7 @@ contains
       type(dice_t), intent(inout) :: dice
       type(sizes_t), intent(in) :: sizes
       real(dp), intent(inout) :: values(:)
-      !> Place of the variable.
+      !> Position of the variable.
       integer, intent(in) :: k
       integer :: number
 
@@ -221,7 +221,7 @@ contains
    subroutine find_problems(model, values, swept, problems)
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:)
-      !> Place of a swept variable; 0 if there is none.
+      !> Position of a swept variable; 0 if there is none.
       integer, intent(in) :: swept
       type(problems_t), intent(out) :: problems
       logical :: is_swept(size(values))

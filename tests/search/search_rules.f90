@@ -6,14 +6,14 @@ module search_rules
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_input_variable, only: is_in_range
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: result_t, kind_real
-   use adfric_model_derived, only: derived_t
-   use adfric_wavy_case, only: kind_map, wavy_case_t, resolve_case
-   use adfric_wavy_marched_case, only: is_marched
-   use adfric_wavy_surface, only: negligible
-   use adfric_wavy_variables, only: r_adhesion_area, r_contact_area, r_friction_coefficient, r_friction_force, r_load, &
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_describe_table, only: result_t, kind_real
+   use adfric_describe_derived, only: derived_t
+   use adfric_foundation_case, only: kind_map, wavy_case_t, resolve_case
+   use adfric_foundation_stepped_case, only: is_stepped
+   use adfric_foundation_surface, only: negligible
+   use adfric_foundation_variables, only: r_adhesion_area, r_contact_area, r_friction_coefficient, r_friction_force, r_load, &
       & r_penetration, v_kind, v_stress
    use model_calls, only: solve_values
    use random_dice, only: dice_t, new_dice
@@ -90,7 +90,7 @@ contains
       type(answer_t), intent(in) :: answer
       !> Number of the point.
       integer, intent(in) :: i
-      !> Is it a place without values?
+      !> Is it a position without values?
       logical, intent(in) :: is_singular
       character(:), allocatable, intent(inout) :: fault
       real(dp) :: estimate
@@ -126,7 +126,7 @@ contains
       end do
    end subroutine judge_point
 
-   !> Does a given load act at the very place that is asked for? There a field has no value.
+   !> Does a given load act at the very position that is asked for? There a field has no value.
    pure logical function is_under_load(model, values)
       class(model_t), intent(in) :: model
       real(dp), intent(in) :: values(:)
@@ -346,7 +346,7 @@ contains
 
       adhesion = 0
       if (is_set(values(v_stress))) adhesion = values(v_stress)*(found(r_contact_area) + found(r_adhesion_area))
-      if (is_marched(values)) then
+      if (is_stepped(values)) then
          case%period = derived_value(model, values, 'period')
          case%height = derived_value(model, values, 'height')
          case%load_unit = derived_value(model, values, 'pressure_unit')*case%period

@@ -4,8 +4,8 @@ module indenter_cases
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: find_word, count_words
    use adfric_base_unset, only: unset
-   use adfric_indenter_model, only: indenter_model_t, new_indenter_model
-   use adfric_indenter_variables
+   use adfric_round_model, only: indenter_model_t, new_indenter_model
+   use adfric_round_variables
    implicit none (type, external)
    private
    public :: new_indenter, new_named, hold, kind_of, n_kinds, size_of
@@ -47,7 +47,7 @@ contains
       end select
    end subroutine new_indenter
 
-   !> Place of a kind among the words.
+   !> Position of a kind among the words.
    integer function kind_of(name)
       character(*), intent(in) :: name
       type(indenter_model_t) :: model
@@ -88,9 +88,9 @@ contains
    contains
 
       !> Take one number over, if it is there.
-      subroutine take(key, place)
+      subroutine take(key, position)
          character(*), intent(in) :: key
-         integer, intent(in) :: place
+         integer, intent(in) :: position
          character(:), allocatable :: list
          integer :: first, last
 
@@ -99,7 +99,7 @@ contains
          if (first == 0) return
          first = first + len(key) + 2
          last = first + index(list(first:), ';') - 2
-         read (list(first:last), *) values(place)
+         read (list(first:last), *) values(position)
       end subroutine take
 
    end subroutine new_named
@@ -107,7 +107,7 @@ contains
    !> Hold one quantity.
    pure subroutine hold(values, control, number)
       real(dp), intent(inout) :: values(:)
-      !> Place of the variable.
+      !> Position of the variable.
       integer, intent(in) :: control
       real(dp), intent(in) :: number
 

@@ -5,17 +5,17 @@ module sphere_cases
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: unset
-   use adfric_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_sphere_variables
+   use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
+   use adfric_round_sphere_variables
    use model_calls, only: find_problems, solve_values, solve_point
    implicit none (type, external)
    private
    public :: new_tip, new_reduced, slide, hold, add_friction, find_problems, solve_values, solve_point
-   public :: theory_word, controls, held, lengths, approaches, forces, unit_of, is_same_number
+   public :: theory_word, controls, prescribed, lengths, approaches, forces, unit_of, is_same_number
 
    !> What can be held, as variables and as results.
    integer, parameter :: controls(*) = [v_load, v_approach, v_contact_radius]
-   integer, parameter :: held(*) = [r_load, r_approach, r_contact_radius]
+   integer, parameter :: prescribed(*) = [r_load, r_approach, r_contact_radius]
 
    !> Units of the results; the others are areas, energies, a stiffness and pure numbers.
    integer, parameter :: lengths(*) = [r_contact_radius, r_adhesion_radius, r_friction_radius, r_stick_radius]
@@ -93,7 +93,7 @@ contains
       if (kind == 6) values([v_interaction, v_slip_energy_ratio]) = [0.3_dp, 1.2_dp]
    end subroutine add_friction
 
-   !> Place of a theory among the words of the input.
+   !> Position of a theory among the words of the input.
    pure integer function theory_word(name)
       character(*), intent(in) :: name
       character(14), parameter :: names(*) = [character(14) :: 'auto', 'hertz', 'jkr', 'dmt', 'maugis_dugdale']
@@ -102,18 +102,18 @@ contains
    end function theory_word
 
    !> Unit of a result by J 2.11, written out.
-   pure real(dp) function unit_of(place, values) result(unit)
-      integer, intent(in) :: place
+   pure real(dp) function unit_of(position, values) result(unit)
+      integer, intent(in) :: position
       real(dp), intent(in) :: values(:)
 
       associate (r => values(v_radius), e => values(v_contact_modulus), w => values(v_work_of_adhesion))
          unit = 1
-         if (any(lengths == place)) unit = (3*pi*w*r**2/(4*e))**(1.0_dp/3)
-         if (any(approaches == place)) unit = (9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
-         if (any(forces == place)) unit = pi*w*r
-         if (any([r_jump_energy, r_period_work] == place)) unit = pi*w*r*(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
-         if (place == r_critical_lateral_stiffness) unit = pi*w*r/(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
-         if (any([r_contact_area, r_friction_area] == place)) unit = (3*pi*w*r**2/(4*e))**(2.0_dp/3)
+         if (any(lengths == position)) unit = (3*pi*w*r**2/(4*e))**(1.0_dp/3)
+         if (any(approaches == position)) unit = (9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
+         if (any(forces == position)) unit = pi*w*r
+         if (any([r_jump_energy, r_period_work] == position)) unit = pi*w*r*(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
+         if (position == r_critical_lateral_stiffness) unit = pi*w*r/(9*pi**2*w**2*r/(16*e**2))**(1.0_dp/3)
+         if (any([r_contact_area, r_friction_area] == position)) unit = (3*pi*w*r**2/(4*e))**(2.0_dp/3)
       end associate
    end function unit_of
 
