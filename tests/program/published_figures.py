@@ -216,8 +216,9 @@ class PublishedFigures(Runs):
     def test_lecture_jkr(self):
         """a' = [F' + b' + sqrt(2 b' F' + b'^2)]^(1/3) on the stable branch, less the root on the other; the table has the same numbers."""
         found = self.solve("lecture_jkr")
-        a = found["contact_radius"]
-        for k, reduced in enumerate(3 * np.pi * found["work_of_adhesion"]):
+        # R = 1 mm and E* = 0.75 MPa: a' is the radius in mm, F' the load in N
+        a, energies = 1e3 * found["contact_radius"], 3e-2 * np.pi * found["work_of_adhesion"]
+        for k, reduced in enumerate(energies):
             force = found["load"][k]
             root = np.sqrt(np.maximum(2 * reduced * force + reduced**2, 0))
             sign = np.where(a**3 >= reduced / 2, 1, -1)
@@ -228,9 +229,9 @@ class PublishedFigures(Runs):
         n_compared = 0
         for row in table("yas_jkr"):
             reduced = row["b'=9 pi gamma/(4 E* R)"]
-            if not is_on(3 * np.pi * found["work_of_adhesion"], reduced) or row["branch"] != "stable":
+            if not is_on(energies, reduced) or row["branch"] != "stable":
                 continue
-            k = nearest(3 * np.pi * found["work_of_adhesion"], reduced)
+            k = nearest(energies, reduced)
             stable = a**3 > reduced / 2
             if row["a'=a/R"] < 0.45:
                 # between samples of the radius the load is cubic
