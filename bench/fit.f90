@@ -11,7 +11,7 @@ program fit
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: unset
    use adfric_fit_course, only: course_t, begin_course
-   use adfric_fit_path, only: path_t, set_path
+   use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_fit_problem, only: fit_t, free_t, data_set_t, event_t, event_pull_off_load
    use adfric_fit_solution, only: solution_t, fit_solved
    use adfric_fit_solve, only: solve_fit
@@ -56,7 +56,7 @@ contains
       integer, intent(in) :: n_points, kind
       type(fit_t), intent(out) :: problem
       type(data_set_t) :: data
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       real(dp) :: values(n_sphere_variables, n_points), results(n_sphere_results, n_points), error(n_points), counts(1), pull_off
       integer :: status(n_points), k
 

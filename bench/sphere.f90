@@ -6,7 +6,7 @@ program sphere
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
    use adfric_describe_status, only: status_solved
-   use adfric_round_sphere_contact, only: contact_t, find_contact, theory_maugis_dugdale, control_load, control_approach, &
+   use adfric_round_sphere_contact, only: sphere_contact_t, find_contact, theory_maugis_dugdale, control_load, control_approach, &
       control_radius, branch_stable
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
@@ -129,7 +129,7 @@ contains
       character(9), parameter :: names(3) = ['load     ', 'approach ', 'radius   ']
       real(dp) :: lambda, prescribed(n_times), shuffled(n_times), low(3), times(n_repeats)
       type(maugis_t) :: theory
-      type(contact_t) :: fold
+      type(sphere_contact_t) :: fold
       integer :: table, k, control, n_failed
 
       table = open_table(folder//'/sphere_times.csv', 'lambda,held,order,us,us_least,us_most')
@@ -221,7 +221,7 @@ contains
       real(dp), intent(in) :: lambda
       type(errors_t), intent(out) :: e
       type(maugis_t) :: theory
-      type(contact_t) :: contact, fold
+      type(sphere_contact_t) :: contact, fold
       type(state_t) :: truth
       real(dp), dimension(n_errors) :: radii, excess
       real(dp) :: least

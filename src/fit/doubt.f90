@@ -7,7 +7,7 @@ module adfric_fit_doubt
    use adfric_fit_model_curve, only: model_curve_t
    use adfric_fit_objective, only: objective_t
    use adfric_fit_sphere_curve, only: sphere_curve_t
-   use adfric_fit_state, only: state_t, get_state
+   use adfric_fit_state, only: fit_state_t, get_state
    use adfric_describe_doubt, only: doubt_estimate_above_tenth, n_doubts, not_measured, raise_measures
    use adfric_describe_model, only: model_t
    use adfric_describe_status, only: status_solved
@@ -46,7 +46,7 @@ contains
       !> What is measured, which rises.
       real(dp), intent(inout) :: measures(:)
       real(dp) :: results(size(model%results)), of_point(n_doubts)
-      type(state_t) :: s
+      type(fit_state_t) :: s
       integer :: i
 
       results = not_a_number()

@@ -9,11 +9,11 @@
 module adfric_fit_fold
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_model_points, only: fold_t
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_order, only: order_of
-   use adfric_fit_path, only: path_t
+   use adfric_fit_path, only: sphere_path_t
    use adfric_fit_sphere_curve, only: sphere_curve_t, take_values
    use adfric_round_sphere_contact, only: theory_hertz, theory_dmt
    use adfric_round_sphere_variables, only: r_load, r_approach, r_contact_radius, r_contact_area, r_adhesion_radius, &
@@ -258,7 +258,7 @@ contains
 
    !> Take the points of a curve that the fold may pass.
    pure subroutine take_contact(curve, fold)
-      class(curve_t), intent(in) :: curve
+      class(fit_curve_t), intent(in) :: curve
       type(curve_fold_t), intent(inout) :: fold
       integer, allocatable :: kept(:)
       integer :: i

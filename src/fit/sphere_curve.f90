@@ -16,15 +16,15 @@ module adfric_fit_sphere_curve
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: curve_t, take_points
+   use adfric_fit_curve, only: fit_curve_t, take_points
    use adfric_fit_foot, only: foot_t, find_foot
    use adfric_fit_frame, only: frame_t, new_frame, set_frame
    use adfric_fit_order, only: median_step
    use adfric_fit_ordinate, only: ordinate_t, get_ordinate, is_ordinate
-   use adfric_fit_path, only: path_t, set_path, find_state, move_state, is_outer, ends_unloaded
+   use adfric_fit_path, only: sphere_path_t, set_path, find_state, move_state, is_outer, ends_unloaded
    use adfric_fit_problem, only: free_t, fit_t, data_set_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset
    use adfric_fit_sphere_basis, only: basis_t, set_basis, of_radius, of_work, of_lambda
-   use adfric_fit_state, only: state_t, add_derivatives
+   use adfric_fit_state, only: fit_state_t, add_derivatives
    use adfric_round_sphere_contact, only: theory_maugis_dugdale
    use adfric_round_sphere_variables, only: v_load, v_approach, v_interaction, v_branch, v_units, v_tangential_force, &
       & v_tangential_displacement, v_base_displacement, v_lateral_stiffness, v_pressure_factor, r_load, r_friction_force, units_si
@@ -33,7 +33,7 @@ module adfric_fit_sphere_curve
    public :: sphere_curve_t, new_sphere_curve, is_sphere_curve, is_plain_sphere, take_values
 
    !> A measured curve of a sphere.
-   type, extends(curve_t) :: sphere_curve_t
+   type, extends(fit_curve_t) :: sphere_curve_t
       !> The ordinate, a index in the results of the model.
       integer :: ordinate = 0
       !> Is the abscissa the position of a base, not the load?
@@ -45,7 +45,7 @@ module adfric_fit_sphere_curve
       !> The sphere, its path, and what all points have in common.
       type(basis_t) :: basis
       !> The path of prescribed states.
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       !> What all points have in common.
       type(frame_t) :: common
       !> Of the last evaluation: indices (0: none), what was prescribed there, and its derivatives by the index (two), lambda and
@@ -114,7 +114,7 @@ contains
       call new_frame(self%common, size(fit%frees))
    end subroutine new_sphere_curve
 
-   !> See `curve_t`: a second row for every point at most.
+   !> See `fit_curve_t`: a second row for every point at most.
    pure integer function most_rows(self)
       class(sphere_curve_t), intent(in) :: self
 
@@ -133,7 +133,7 @@ contains
       call set_path(self%path, self%basis%theory, self%is_base, self%basis%lambda, ks)
    end subroutine take_values
 
-   !> See `curve_t`.
+   !> See `fit_curve_t`.
    subroutine evaluate(self, values, nuisance, slopes, is_exact, n_rows, r, j, is_valid)
       !> The curve, which keeps the indices for its next evaluation.
       class(sphere_curve_t), intent(inout) :: self
@@ -205,7 +205,7 @@ contains
       real(dp), intent(inout) :: r(:)
       !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
-      type(state_t) :: s
+      type(fit_state_t) :: s
       type(ordinate_t) :: o
       real(dp) :: prescribed, share, prescribed_l, prescribed_ks, weight, last_step
       logical :: is_beyond
@@ -294,7 +294,7 @@ contains
       real(dp), intent(inout) :: r(:)
       !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
-      type(state_t) :: s
+      type(fit_state_t) :: s
       type(ordinate_t) :: o
       type(foot_t) :: point
       real(dp) :: u, v, u_t, v_t, length, x_weight, y_weight
@@ -351,7 +351,7 @@ contains
       !> Receives its derivatives.
       real(dp), intent(out) :: gradient(:)
       logical, intent(out) :: is_valid
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       real(dp) :: jump
 
       call take_values(self, values, nuisance, slopes)

@@ -10,13 +10,13 @@ module adfric_fit_starts
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_curve_starts, only: find_curve_starts, has_curve_starts
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_problem, only: fit_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset, &
       & nuisance_friction_offset, nuisance_contact_point, nuisance_lateral_gain, nuisance_spring_stiffness
    use adfric_fit_sphere_basis, only: theory_of
-   use adfric_fit_path, only: path_t, set_path
+   use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_solid_contact_modulus, only: contact_modulus_of
    use adfric_numerics_bounded_least_squares, only: squares_work_t
    use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
@@ -266,7 +266,7 @@ contains
       real(dp), intent(in) :: lambda
       !> Values of the free variables; those without a start of the user's are changed.
       real(dp), intent(inout) :: v(:)
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       real(dp) :: lowest, largest, deepest, work, radius
       integer :: k, theory
 

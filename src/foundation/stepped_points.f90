@@ -24,7 +24,7 @@ module adfric_foundation_stepped_points
    use adfric_foundation_stepping_profiles, only: get_stepping_profiles
    use adfric_foundation_stepping_relief, only: relief_t
    use adfric_foundation_stepping_solid, only: solid_t, new_solid
-   use adfric_foundation_stepping_path, only: path_t, new_path
+   use adfric_foundation_stepping_path, only: column_path_t, new_path
    use adfric_foundation_stepped_case, only: stepped_case_t, resolve_stepped, get_relief, get_spectrum, has_heights, &
       & strip_spacing_of, &
       & period_of, shape_positions, foundation_positions
@@ -240,7 +240,7 @@ contains
       type(stepping_surface_t), intent(inout) :: surface
       type(relief_t), intent(in) :: relief
       type(solid_t), intent(in) :: solid
-      type(path_t), allocatable :: rows(:)
+      type(column_path_t), allocatable :: rows(:)
       integer :: i
 
       allocate (rows(size(relief%rows)))

@@ -16,17 +16,17 @@ module adfric_round_friction_point
    use adfric_describe_status, only: status_no_equilibrium, status_not_converged
    implicit none (type, external)
    private
-   public :: friction_t, add_slip, add_friction, shear_at
+   public :: round_friction_t, add_slip, add_friction, shear_at
 
    !> Friction of a contact.
-   type :: friction_t
+   type :: round_friction_t
       !> Its slip by a coefficient.
       type(indenter_slip_t) :: slip
       !> How it resists shear, where there is a shear strength.
       type(resistance_t) :: resistance
       !> Its slip then.
       type(shear_slip_t) :: shear
-   end type friction_t
+   end type round_friction_t
 
 contains
 
@@ -156,7 +156,7 @@ contains
    pure real(dp) function shear_at(case, contact, friction, values, r) result(traction)
       type(indenter_case_t), intent(in) :: case
       type(contact_t), intent(in) :: contact
-      type(friction_t), intent(in) :: friction
+      type(round_friction_t), intent(in) :: friction
       real(dp), intent(in) :: values(:)
       !> Distance from the axis, reduced, >= 0.
       real(dp), intent(in) :: r

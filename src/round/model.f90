@@ -12,7 +12,7 @@ module adfric_round_model
    use adfric_round_survey, only: ends_t, survey_t, survey_curve
    use adfric_round_curve, only: stability_control
    use adfric_round_edge_slope, only: measure_edge
-   use adfric_round_friction_point, only: add_friction, add_slip, friction_t, shear_at
+   use adfric_round_friction_point, only: add_friction, add_slip, round_friction_t, shear_at
    use adfric_round_loop, only: find_loop, loop_t
    use adfric_round_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_driven, store_peeled
    use adfric_round_point_results, only: estimate_error, store_contact, store_ends, store_events, store_stress
@@ -48,7 +48,7 @@ module adfric_round_model
       !> Its contact.
       type(contact_t) :: contact
       !> Its friction, where there is one.
-      type(friction_t) :: friction
+      type(round_friction_t) :: friction
       !> The survey of its curve; it serves the next point, too, if that has the same curve and control.
       type(survey_t) :: survey
       !> Values of the variables up to the theory, the stiffness of the spring, and X in sliding, which the curve follows from where

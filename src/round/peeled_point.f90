@@ -11,7 +11,7 @@ module adfric_round_peeled_point
    use adfric_round_contact_state, only: contact_t
    use adfric_round_survey, only: ends_t, survey_curve, survey_t
    use adfric_round_interaction_events, only: find_peeling_events, peeling_events_t
-   use adfric_round_interaction_path, only: friction_law_t, get_rates, largest_slip_of, new_path, path_t, slip_of, &
+   use adfric_round_interaction_path, only: friction_law_t, get_rates, largest_slip_of, new_path, interaction_path_t, slip_of, &
       & waypoint_t
    use adfric_round_interaction_search, only: find_force
    use adfric_round_spring_drive, only: driven_state_t, find_driven_state, new_spring_drive, spring_drive_t
@@ -93,7 +93,7 @@ contains
       real(dp), intent(inout) :: results(:)
       type(survey_t) :: survey
       type(contact_t) :: contact
-      type(path_t) :: path
+      type(interaction_path_t) :: path
       type(friction_law_t) :: law
 
       if (wants_peeling_events(values)) then
@@ -112,7 +112,7 @@ contains
    !> Add the events of a path, in SI units.
    pure subroutine add_events(case, path, peeled, results)
       type(indenter_case_t), intent(in) :: case
-      type(path_t), intent(inout) :: path
+      type(interaction_path_t), intent(inout) :: path
       type(peeled_t), intent(inout) :: peeled
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
@@ -157,7 +157,7 @@ contains
       type(ends_t), intent(inout) :: ends
       !> Receives the events; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
-      type(path_t) :: path
+      type(interaction_path_t) :: path
       type(waypoint_t) :: waypoint
       type(survey_t) :: weak
       real(dp) :: force
@@ -198,7 +198,7 @@ contains
    pure subroutine drive_contact(case, path, peeled)
       type(indenter_case_t), intent(in) :: case
       !> The path from rest, which need not have been followed.
-      type(path_t), intent(in) :: path
+      type(interaction_path_t), intent(in) :: path
       !> Receives the state; its path is found if it is not known.
       type(peeled_t), intent(inout) :: peeled
 
@@ -213,7 +213,7 @@ contains
 
    !> The slope of the force over the displacement, and what round-off of the force does to the radius.
    pure subroutine add_rates(path, waypoint, peeled)
-      type(path_t), intent(in) :: path
+      type(interaction_path_t), intent(in) :: path
       type(waypoint_t), intent(in) :: waypoint
       type(peeled_t), intent(inout) :: peeled
       real(dp), parameter :: round_off = 8*epsilon(1.0_dp)
