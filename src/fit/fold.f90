@@ -16,8 +16,7 @@ module adfric_fit_fold
    use adfric_fit_path, only: sphere_path_t
    use adfric_fit_sphere_curve, only: sphere_curve_t, take_values
    use adfric_round_sphere_contact, only: theory_hertz, theory_dmt
-   use adfric_round_sphere_variables, only: r_load, r_approach, r_contact_radius, r_contact_area, r_adhesion_radius, &
-      & r_friction_radius
+   use adfric_round_sphere_variables, only: out => sphere_output
    implicit none (type, external)
    private
    public :: curve_fold_t, choose_fold, new_curve_fold, find_fold, fold_slopes, fold_slope, last_slopes, spread_below
@@ -240,9 +239,9 @@ contains
          if (path%theory == theory_hertz .or. path%theory == theory_dmt) then
             of_abscissa = merge(2, 3, path%is_base)
             select case (y)
-            case (r_load)
+            case (out%load)
                power = 3.0_dp/of_abscissa
-            case (r_contact_radius, r_adhesion_radius, r_friction_radius)
+            case (out%contact_radius, out%adhesion_radius, out%friction_radius)
                power = 1.0_dp/of_abscissa
             case default
                power = 2.0_dp/of_abscissa
@@ -252,7 +251,7 @@ contains
          ! at th = pi/2 load, approach and c change with the square of the distance, as the abscissa does, and the radius linearly
          is_touch = path%side < 0 .and. path%fold%t >= half_pi
          power = 0.5_dp
-         if (is_touch .and. any(y == [r_load, r_approach, r_contact_area, r_adhesion_radius])) power = 1
+         if (is_touch .and. any(y == [out%load, out%approach, out%contact_area, out%adhesion_radius])) power = 1
       end associate
    end function power_of
 

@@ -26,8 +26,7 @@ module adfric_fit_sphere_curve
    use adfric_fit_sphere_basis, only: basis_t, set_basis, of_radius, of_work, of_lambda
    use adfric_fit_state, only: fit_state_t, add_derivatives
    use adfric_round_sphere_contact, only: theory_maugis_dugdale
-   use adfric_round_sphere_variables, only: v_load, v_approach, v_interaction, v_branch, v_units, v_tangential_force, &
-      & v_tangential_displacement, v_base_displacement, v_lateral_stiffness, v_pressure_factor, r_load, r_friction_force, units_si
+   use adfric_round_sphere_variables, only: units_si, in => sphere_input, out => sphere_output
    implicit none (type, external)
    private
    public :: sphere_curve_t, new_sphere_curve, is_sphere_curve, is_plain_sphere, take_values
@@ -74,7 +73,7 @@ contains
       type(data_set_t), intent(in) :: data
 
       is_sphere_curve = is_plain_sphere(fit, data)
-      if (data%abscissa == v_approach .and. allocated(data%x_sigma)) is_sphere_curve = .false.
+      if (data%abscissa == in%approach .and. allocated(data%x_sigma)) is_sphere_curve = .false.
    end function is_sphere_curve
 
    !> Is a data set one of a smooth sphere at rest or in steady sliding, on its stable branch?
@@ -82,16 +81,16 @@ contains
       type(fit_t), intent(in) :: fit
       type(data_set_t), intent(in) :: data
       !> What takes a contact out of steady sliding.
-      integer, parameter :: beside_sliding(*) = [v_tangential_force, v_tangential_displacement, v_base_displacement, &
-         & v_lateral_stiffness]
+      integer, parameter :: beside_sliding(*) = [in%tangential_force, in%tangential_displacement, in%base_displacement, &
+         & in%lateral_stiffness]
 
       is_plain_sphere = .false.
       if (fit%model%name /= 'sphere') return
-      is_plain_sphere = (data%abscissa == v_load .or. data%abscissa == v_approach) .and. is_ordinate(data%ordinate) &
-         & .and. nint(fit%base(v_units)) == units_si .and. nint(fit%base(v_branch)) == 1 &
-         & .and. .not. fit%base(v_interaction) > 0 .and. .not. any(fit%frees%variable == v_interaction) &
-         & .and. .not. any(fit%frees%variable == v_pressure_factor) .and. .not. any(is_set(fit%base(beside_sliding)))
-      if (is_plain_sphere .and. is_set(fit%base(v_pressure_factor))) is_plain_sphere = .not. abs(fit%base(v_pressure_factor)) > 0
+      is_plain_sphere = (data%abscissa == in%load .or. data%abscissa == in%approach) .and. is_ordinate(data%ordinate) &
+         & .and. nint(fit%base(in%units)) == units_si .and. nint(fit%base(in%branch)) == 1 &
+         & .and. .not. fit%base(in%interaction) > 0 .and. .not. any(fit%frees%variable == in%interaction) &
+         & .and. .not. any(fit%frees%variable == in%pressure_factor) .and. .not. any(is_set(fit%base(beside_sliding)))
+      if (is_plain_sphere .and. is_set(fit%base(in%pressure_factor))) is_plain_sphere = .not. abs(fit%base(in%pressure_factor)) > 0
    end function is_plain_sphere
 
    !> Take a data set.
@@ -104,7 +103,7 @@ contains
 
       call take_points(self, number, fit%data_sets(number), unit)
       self%ordinate = fit%data_sets(number)%ordinate
-      self%is_base = fit%data_sets(number)%abscissa == v_approach
+      self%is_base = fit%data_sets(number)%abscissa == in%approach
       self%frees = fit%frees
       allocate (self%t(self%n), self%prescribed(self%n), self%prescribed_t(self%n), self%prescribed_tt(self%n), &
          & self%prescribed_l(self%n), &
