@@ -36,8 +36,11 @@ AREAS = {
         "A wave on a half-plane": "docs/theory/waves.md",
         "A wave that adheres": "docs/theory/adhesive_wave.md",
         "Lines that slide over rubber": "docs/theory/line_sliding.md",
-        "The half-space": "docs/theory/halfspace.md",
-        "Periodic surfaces": "docs/theory/periodic.md",
+        "Contact of periodic surfaces": "docs/theory/periodic_contact.md",
+        "Adhesion of periodic surfaces": "docs/theory/periodic_adhesion.md",
+        "Sliding over rubber": "docs/theory/periodic_sliding.md",
+        "Slip and friction of rough surfaces": "docs/theory/periodic_slip.md",
+        "Layers on a rigid base": "docs/theory/layers.md",
     },
     "Reference": {
         "The language of scenes": "docs/reference/language.md",
@@ -53,6 +56,7 @@ AREAS = {
     },
     "Validation": {
         "Speed against error": "docs/validation/accuracy.md",
+        "Rough surfaces: speed and error": "docs/validation/rough_surfaces.md",
         "What simple points save": "docs/validation/scenes.md",
         "How it scales": "docs/validation/scaling.md",
         "Hard cases": "docs/validation/hard_cases.md",
