@@ -23,7 +23,7 @@ module adfric_plane_adhesive_wave_point
    private
    public :: adhesive_point_t, is_possible_adhesion, derive_adhesion, solve_adhesion, get_adhesive_profiles
 
-   !> What the closed forms leave of the digits (docs/theory/halfspace.md).
+   !> What the closed forms leave of the digits (docs/theory/adhesive_wave.md).
    real(dp), parameter :: closed_form = 1.0e-13_dp
    !> Positions in the contact where the pressure is compared with the adhesion stress.
    integer, parameter :: n_positions = 4
