@@ -41,7 +41,7 @@ contains
       end associate
    end subroutine derive_strips
 
-   !> Sliding so slow that a layer has no front (docs/theory/wavy.md); empty without a doubt.
+   !> Sliding so slow that a layer has no front (docs/theory/columns_adhesion.md); empty without a doubt.
    function doubt_strips(values) result(text)
       !> Values of one point; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
