@@ -76,7 +76,7 @@ def write_fortran(folder, work):
                 "incl_src": False, "search": False, "quiet": True}
     project = work / "fortran.md"
     project.write_text("".join(["---\n", *(f"{key}: {value}\n" for key, value in settings.items()), "---\n\n"
-                                "The modules of [the library](../docs/library.html), as the comments of their sources say.\n"]))
+                                "The modules of [the library](../docs/reference/library.html), as the comments of their sources say.\n"]))
     run("ford", str(project))
     keep_inside(folder)
 
