@@ -45,8 +45,9 @@ class TablesTest(unittest.TestCase):
         self.check("columns", guide_columns=["0.06938", "0.04112", "1.516"])
 
     def test_sphere(self):
-        """Fig. 5 of Johnson."""
-        self.check("sphere", theory_sphere=["136.53", "329.30"])
+        """Figs. 3 and 5 of Johnson, pull-off against lambda, where `auto` takes a limit theory, events, and stick-slip."""
+        self.check("sphere", theory_johnson1997=("136.53", "329.30", "2.626293", "0.930351"), theory_round_adhesion=("1.1e-16",),
+                   theory_round_branches=("1.95059", "0.83475"), theory_round_peeling=("14.41032", "0.40217"), theory_stick_slip=("9.11896", "0.46016"))
 
 
 if __name__ == "__main__":

@@ -308,7 +308,7 @@ contains
    end subroutine compare
 
    !> What a difference of a result is measured by, where the result itself is smaller: a component of a field by the whole
-   !> field; load and approach of a contact by a share of those of pull-off (`docs/theory/indenter.md`); load and friction of a wave by a
+   !> field; load and approach of a contact by a share of those of pull-off (`docs/theory/round_branches.md`); load and friction of a wave by a
    !> share of the tractions they are made of, and friction that is nothing beside the load by that (`docs/theory/columns_strips.md`).
    real(dp) function least_size(model, results, values, found, k) result(least)
       class(model_t), intent(in) :: model
