@@ -12,7 +12,8 @@ program error_estimates
    use adfric_base_kinds, only: dp
    use adfric_describe_status, only: status_solved
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_round_sphere_variables
+   use adfric_round_sphere_variables, only: n_sphere_results, n_sphere_variables, units_reduced, in => sphere_input, &
+      & out => sphere_output
    use adfric_foundation_crosswise, only: memory_t
    use adfric_foundation_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load
    use adfric_foundation_foundation, only: new_foundation
@@ -214,21 +215,21 @@ contains
          call dice%between(-12.0_dp, -2.0_dp, digits)
          call dice%between(0.0_dp, 3.0_dp, control)
          call dice%decades(-2.0_dp, 2.0_dp, prescribed)
-         values([v_units, v_theory], 1) = [units_reduced, theory]
-         values(v_lambda, 1) = lambda
-         values(v_relative_tolerance, 1) = max(10**digits, model%variables(v_relative_tolerance)%lower)
+         values([in%units, in%theory], 1) = [units_reduced, theory]
+         values(in%lambda, 1) = lambda
+         values(in%relative_tolerance, 1) = max(10**digits, model%variables(in%relative_tolerance)%lower)
          if (control < 1) then
-            values(v_contact_radius, 1) = prescribed
+            values(in%contact_radius, 1) = prescribed
             truth = of_radius(lambda, prescribed)
          else if (control < 2) then
             fold = pull_off_of_load(lambda)
             prescribed = real(fold%value(2), dp) + prescribed
-            values(v_load, 1) = prescribed
+            values(in%load, 1) = prescribed
             truth = of_load(lambda, prescribed)
          else
             fold = pull_off_of_approach(lambda)
             prescribed = max(real(fold%value(3), dp), touching_approach(lambda)) + prescribed
-            values(v_approach, 1) = prescribed
+            values(in%approach, 1) = prescribed
             truth = of_approach(lambda, prescribed)
          end if
          call model%solve_block(values, results, estimate, status, limits)
@@ -236,9 +237,9 @@ contains
             counts%n_unsolved = counts%n_unsolved + 1
             cycle
          end if
-         call count_case(counts, estimate(1), max(relative(results(r_load, 1), truth%value(2)), &
-            relative(results(r_approach, 1), truth%value(3)), &
-            real(abs(results(r_contact_radius, 1) - truth%value(1))/truth%value(1), dp)), 'sphere')
+         call count_case(counts, estimate(1), max(relative(results(out%load, 1), truth%value(2)), &
+            relative(results(out%approach, 1), truth%value(3)), &
+            real(abs(results(out%contact_radius, 1) - truth%value(1))/truth%value(1), dp)), 'sphere')
       end do
    end subroutine count_spheres
 

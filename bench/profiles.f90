@@ -14,7 +14,7 @@ program profiles
    use adfric_foundation_stepping_equilibrium, only: stepping_surface_t, stepping_equilibrium_t, find_at_load, stepping_solved
    use adfric_foundation_stepping_forces, only: stepping_forces_t, get_stepping_forces
    use adfric_foundation_stepping_law, only: new_stepping_law
-   use adfric_foundation_stepping_period, only: column_state_t, period_t, step_period
+   use adfric_foundation_stepping_period, only: column_state_t, stepped_period_t, step_period
    use adfric_foundation_stepping_solid, only: solid_t, new_solid
    use adfric_foundation_stepping_path, only: new_path
    use measure, only: print_heading, text_argument, open_table
@@ -116,7 +116,7 @@ contains
       integer, intent(out) :: n_periods
       type(stepping_surface_t) :: plain
       type(column_state_t) :: state
-      type(period_t) :: period
+      type(stepped_period_t) :: period
       type(stepping_forces_t) :: forces
       real(dp) :: low, high, middle, at_low, at_high, excess
       integer :: k, side
@@ -163,7 +163,7 @@ contains
       type(stepping_surface_t), intent(in) :: surface
       real(dp), intent(in) :: depth
       type(column_state_t), intent(inout) :: state
-      type(period_t), intent(inout) :: period
+      type(stepped_period_t), intent(inout) :: period
       integer, intent(inout) :: n_periods
       integer :: k
 

@@ -23,7 +23,7 @@ module stepped_estimates
    use adfric_foundation_stepped_points, only: solve_stepped_block
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
    use adfric_foundation_surface, only: negligible, share_of_scale
-   use adfric_foundation_variables
+   use adfric_foundation_variables, only: n_wavy_results, in => foundation_input, out => foundation_output
    use estimate_counts, only: counts_t, count_case
    use stepping_cases, only: stepping_case_t
    use stepping_judge, only: draw_case
@@ -142,7 +142,7 @@ contains
          call give_rows(trial, parts, shifts, true_samples*size(trial%amplitudes), true_rows, values, given)
          call give_rows(trial, parts, shifts, nx, ny, of_rows, sampled)
          ! the highest position of a map is that of its rows
-         values(v_penetration) = depth + highest_of(given%heights) - highest_of(sampled%heights)
+         values(in%penetration) = depth + highest_of(given%heights) - highest_of(sampled%heights)
          call find_truth(values, given, truth)
          call find_halves(values, given, truth, half)
          call keep(counts, of_rows, sampled, truth, half)
@@ -198,12 +198,12 @@ contains
 
       call new_wavy_model(model)
       values = model%variables%default
-      values([v_kind, v_edge]) = [kind, trial%edge]
-      values(v_branch) = merge(2, 1, trial%is_approach)
-      values([v_period, v_stiffness, v_velocity]) = 1
-      values(v_penetration) = depth
-      if (trial%stress > 0) values([v_stress, v_range]) = [trial%stress, trial%range]
-      values([v_moduli, v_relaxation_times]) = 1
+      values([in%kind, in%edge]) = [kind, trial%edge]
+      values(in%branch) = merge(2, 1, trial%is_approach)
+      values([in%period, in%stiffness, in%velocity]) = 1
+      values(in%penetration) = depth
+      if (trial%stress > 0) values([in%stress, in%range]) = [trial%stress, trial%range]
+      values([in%moduli, in%relaxation_times]) = 1
       given%moduli = trial%stiffness
       given%relaxation_times = trial%times
       given%amplitudes = trial%amplitudes
@@ -222,7 +222,7 @@ contains
       allocate (given%heights(n, 1))
       call fill_row(trial, weights, given%heights(:, 1))
       call set_samples(n, values)
-      if (interpolation == linear_pieces) values(v_interpolation) = 1
+      if (interpolation == linear_pieces) values(in%interpolation) = 1
    end subroutine give_samples
 
    !> Rows in which the waves of a trial are of changing height: the m-th has the share 1 + sum over k of parts(k) cos(2 pi k y + m
@@ -247,7 +247,7 @@ contains
          call fill_row(trial, weights, given%heights(:, j))
       end do
       call set_samples(nx, values)
-      values(v_strip_spacing) = 1/real(ny, dp)
+      values(in%strip_spacing) = 1/real(ny, dp)
    end subroutine give_rows
 
    !> Samples of a sum of waves.
@@ -271,9 +271,9 @@ contains
       integer, intent(in) :: n
       real(dp), intent(inout) :: values(:)
 
-      values([v_heights, v_detrend, v_periodise]) = 1
-      values(v_spacing) = 1/real(n, dp)
-      values(v_period) = unset
+      values([in%heights, in%detrend, in%periodise]) = 1
+      values(in%spacing) = 1/real(n, dp)
+      values(in%period) = unset
    end subroutine set_samples
 
    !> Put a point under a load.
@@ -281,8 +281,8 @@ contains
       real(dp), intent(inout) :: values(:)
       real(dp), intent(in) :: load
 
-      values(v_penetration) = unset
-      values(v_load) = load
+      values(in%penetration) = unset
+      values(in%load) = load
    end subroutine load_point
 
    !> Highest position of rows.
@@ -354,8 +354,8 @@ contains
       every_second = given
       every_second%heights = given%heights(:, ::2)
       of_half = values
-      of_half(v_strip_spacing) = 2*values(v_strip_spacing)
-      if (is_set(values(v_penetration))) of_half(v_penetration) = values(v_penetration) &
+      of_half(in%strip_spacing) = 2*values(in%strip_spacing)
+      if (is_set(values(in%penetration))) of_half(in%penetration) = values(in%penetration) &
          + highest_of(every_second%heights) - highest_of(given%heights)
       call find_truth(of_half, every_second, half)
    end subroutine find_halves
@@ -377,8 +377,8 @@ contains
          counts%n_unsolved = counts%n_unsolved + 1
          return
       end if
-      is_load_given = is_set(values(v_load))
-      error = true_error(results(r_load, 1), results(r_friction_force, 1), truth, is_load_given)
+      is_load_given = is_set(values(in%load))
+      error = true_error(results(out%load, 1), results(out%friction_force, 1), truth, is_load_given)
       if (present(half)) then
          if (.not. half%is_solved) then
             counts%n_doubtful = counts%n_doubtful + 1

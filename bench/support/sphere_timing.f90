@@ -2,7 +2,7 @@
 !> Times of contacts of a sphere by Maugis's theory, and the numbers that are held.
 module sphere_timing
    use adfric_base_kinds, only: dp
-   use adfric_round_sphere_contact, only: contact_t, branch_stable, find_contact
+   use adfric_round_sphere_contact, only: sphere_contact_t, branch_stable, find_contact
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
    use adfric_system_clock, only: wall_clock
    use random_dice, only: dice_t, new_dice
@@ -23,13 +23,13 @@ contains
       !> Of the last repetition.
       integer, intent(out) :: n_failed
       type(maugis_t) :: theory
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       real(dp) :: start
       integer :: r, k
 
       theory%lambda = lambda
       do r = 1, size(times)
-         contact = contact_t()
+         contact = sphere_contact_t()
          n_failed = 0
          start = wall_clock()
          do k = 1, size(prescribed)
@@ -48,7 +48,7 @@ contains
       real(dp), intent(out) :: times(:)
       integer, intent(out) :: n_failed
       type(maugis_t) :: theory
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       real(dp) :: start
       integer :: r, k
 

@@ -23,10 +23,10 @@ module adfric_api_state
    use adfric_run_run, only: new_run, run_t
    implicit none (type, external)
    private
-   public :: state_t, open_model, open_state, read_state
+   public :: case_state_t, open_model, open_state, read_state
 
    !> The parts of a simulation.
-   type :: state_t
+   type :: case_state_t
       !> The model with its points; the model is not allocated where the simulation is closed.
       type(run_t) :: run
       !> Value of every variable, and which of them are given or swept.
@@ -46,14 +46,14 @@ module adfric_api_state
       procedure :: check_case
       procedure :: check_open
       procedure :: check_solved
-   end type state_t
+   end type case_state_t
 
 contains
 
    !> Open a model by its name.
    subroutine open_model(self, name, error)
       !> Receives the model, with no value but the defaults; closed if there is an error.
-      type(state_t), intent(out) :: self
+      type(case_state_t), intent(out) :: self
       !> Name of the model; blanks at its end do not count.
       character(*), intent(in) :: name
       !> Allocated if there is no such model; says which there are.
@@ -71,7 +71,7 @@ contains
    !> Open what an input describes: the model, its values, sweeps and datasets, or a fit with its data.
    subroutine read_state(self, input, is_text, error, tables)
       !> Receives the model with its values; closed if there is an error.
-      type(state_t), intent(out) :: self
+      type(case_state_t), intent(out) :: self
       !> Name of the input, or its text.
       character(*), intent(in) :: input
       !> Is it the text, and not the name?
@@ -111,7 +111,7 @@ contains
    !> Take over what an input describes.
    subroutine take_input(self, run)
       !> Receives the model with its values.
-      type(state_t), intent(inout) :: self
+      type(case_state_t), intent(inout) :: self
       !> What the input describes; nothing is left of it.
       type(run_input_t), intent(inout) :: run
       logical :: is_fit
@@ -138,7 +138,7 @@ contains
    !> Open a model.
    subroutine open_state(self, model)
       !> Receives the model, with no value but the defaults.
-      type(state_t), intent(out) :: self
+      type(case_state_t), intent(out) :: self
       !> The model, which is taken over.
       class(model_t), allocatable, intent(inout) :: model
 
@@ -149,7 +149,7 @@ contains
    !> Give everything back.
    subroutine close_state(self)
       !> The simulation, open or closed.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
 
       if (allocated(self%found)) deallocate (self%found)
       if (allocated(self%run%model)) deallocate (self%run%model)
@@ -158,7 +158,7 @@ contains
    !> Give a variable one value: it is not swept any more.
    subroutine give(self, name, value, error)
       !> The simulation; unchanged if there is an error.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
       !> Name of the variable, or `group%name`.
       character(*), intent(in) :: name
       !> The value: a real number of kind `dp`, an integer, a logical or a word.
@@ -189,7 +189,7 @@ contains
    !> Give a variable a dataset.
    subroutine give_dataset(self, name, values, rank, error)
       !> The simulation; after an error the dataset is not given.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
       !> Name of the variable, or `group%name`.
       character(*), intent(in) :: name
       !> Values of the dataset in the SI unit of the variable; shape `(nx, ny)`, ny = 1 for one dimension.
@@ -211,7 +211,7 @@ contains
    !> Give a variable its default value again, or none.
    subroutine take_back(self, name, error)
       !> The simulation; unchanged if there is an error.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
       !> Name of the variable, or `group%name`.
       character(*), intent(in) :: name
       !> Allocated if there is no such variable.
@@ -227,7 +227,7 @@ contains
    !> Sweep variables together.
    subroutine sweep(self, names, values, error)
       !> The simulation; unchanged if there is an error.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
       !> Names of the variables, or `group%name`.
       character(*), intent(in) :: names(:)
       !> Values of the variables in their SI units; shape `(n_values, n_names)`.
@@ -264,7 +264,7 @@ contains
    !> Let the model check all values together, as those of a namelist.
    subroutine check_case(self, error)
       !> The simulation, which is open; the points receive the values.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
       !> Says what is missing, contradictory or impossible, a line each.
       type(error_t), allocatable, intent(out) :: error
       type(namelist_file_t) :: nothing
@@ -293,7 +293,7 @@ contains
    !> Is the simulation open?
    subroutine check_open(self, error)
       !> The simulation.
-      class(state_t), intent(in) :: self
+      class(case_state_t), intent(in) :: self
       !> Allocated if the simulation is closed.
       type(error_t), allocatable, intent(out) :: error
 
@@ -304,7 +304,7 @@ contains
    !> Is the simulation solved?
    subroutine check_solved(self, error)
       !> The simulation.
-      class(state_t), intent(in) :: self
+      class(case_state_t), intent(in) :: self
       !> Allocated if the simulation is closed, or not solved since a variable was set last.
       type(error_t), allocatable, intent(out) :: error
 
@@ -317,7 +317,7 @@ contains
    !> Find a variable.
    subroutine find_variable(self, name, index, error)
       !> The simulation.
-      class(state_t), intent(in) :: self
+      class(case_state_t), intent(in) :: self
       !> Name of the variable, or `group%name`.
       character(*), intent(in) :: name
       !> Index of the variable in the model's table; 0 if there is an error.
@@ -340,7 +340,7 @@ contains
    !> Take note of a variable that has one value now: what was found does not belong to it.
    subroutine mark(self, index, is_given)
       !> The simulation.
-      class(state_t), intent(inout) :: self
+      class(case_state_t), intent(inout) :: self
       !> Index of the variable in the model's table.
       integer, intent(in) :: index
       !> Is the value given by the caller, and not the default?

@@ -7,7 +7,7 @@ module adfric_c_results
    use adfric_api_numbers, only: find_number
    use adfric_api_results, only: refuse
    use adfric_api_solution, only: solve_by_threads
-   use adfric_api_state, only: state_t
+   use adfric_api_state, only: case_state_t
    use adfric_base_error, only: error_t, file_failure, input_failure, set_error
    use adfric_base_text, only: show_count, to_lower
    use adfric_base_words, only: get_word
@@ -46,7 +46,7 @@ contains
       !> Receives the handle of the results.
       type(c_ptr), intent(in), value :: found
       type(listener_t) :: listener
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
 
       call refuse_null(found, 'found', error)
@@ -71,7 +71,7 @@ contains
       type(c_ptr), intent(in), value :: names
       !> Receives their values.
       type(c_ptr), intent(in), value :: values
-      type(state_t), pointer :: state
+      type(case_state_t), pointer :: state
       type(error_t), allocatable :: error
       real(c_double), pointer :: numbers(:)
       type(c_ptr), pointer :: list(:)
@@ -93,7 +93,7 @@ contains
    !> Solve a case of one point.
    subroutine solve_single(state, handle, names, values, error)
       !> The case.
-      type(state_t), intent(inout) :: state
+      type(case_state_t), intent(inout) :: state
       !> Its handle.
       integer(c_int64_t), intent(in) :: handle
       !> Names of results.
@@ -134,7 +134,7 @@ contains
    !> Solve a case, and give what it finds a handle.
    subroutine solve_case(state, n_threads, listener, found, error)
       !> The case.
-      type(state_t), intent(inout) :: state
+      type(case_state_t), intent(inout) :: state
       !> Number of threads; 0: as many as OpenMP gives.
       integer, intent(in) :: n_threads
       !> Watches the call.
@@ -163,7 +163,7 @@ contains
    !> Keep what was found.
    subroutine keep_results(state, sink, summary, found, error)
       !> The case.
-      type(state_t), intent(in) :: state
+      type(case_state_t), intent(in) :: state
       !> What was found; the results take it over.
       type(memory_sink_t), allocatable, intent(inout) :: sink
       !> Counts and times of the solution.

@@ -8,17 +8,17 @@ module adfric_command_help_entries
    public :: entries_t
 
    !> What is said, and by whom.
-   type :: entry_t
+   type :: help_entry_t
       !> What is said; one line of a table, or a page.
       character(:), allocatable :: text
       !> Names of those who say it, separated by a blank.
       character(:), allocatable :: owners
-   end type entry_t
+   end type help_entry_t
 
    !> Entries in the order in which they came.
    type :: entries_t
       !> The entries, with space for more.
-      type(entry_t), allocatable, private :: items(:)
+      type(help_entry_t), allocatable, private :: items(:)
       !> Number of entries.
       integer, private :: n = 0
    contains
@@ -58,7 +58,7 @@ contains
       !> The entries, which have space for at least one more afterwards.
       type(entries_t), intent(inout) :: self
       integer, parameter :: first_size = 16
-      type(entry_t), allocatable :: larger(:)
+      type(help_entry_t), allocatable :: larger(:)
       integer :: i
 
       if (.not. allocated(self%items)) allocate (self%items(first_size))

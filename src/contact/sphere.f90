@@ -13,7 +13,7 @@ module adfric_contact_sphere
    use adfric_base_not_a_number, only: not_a_number
    use adfric_contact_arguments, only: largest_ratio, lies_between, status_bad_argument
    use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
-   use adfric_round_sphere_contact, only: branch_stable, branch_unstable, contact_t, control_approach, control_load, &
+   use adfric_round_sphere_contact, only: branch_stable, branch_unstable, sphere_contact_t, control_approach, control_load, &
       & control_radius, &
       & find_contact, part_bodies, theory_maugis_dugdale
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
@@ -103,7 +103,7 @@ contains
       !> Is the approach held, and not the load? False if absent.
       logical, intent(in), optional :: holds_approach
       type(maugis_t) :: theory
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       integer :: control
 
       control = control_load
@@ -149,7 +149,7 @@ contains
       !> Receives what has become of the contact.
       integer, intent(out) :: status
       type(maugis_t) :: theory
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       logical :: is_apart
 
       status = status_bad_argument

@@ -8,7 +8,7 @@ module adfric_fit_base_line_marks
    use adfric_base_kinds, only: dp
    use adfric_fit_base_line, only: find_passes, fewest
    use adfric_fit_course, only: course_t
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_loss, only: get_loss
    use adfric_fit_minima, only: minima_limit
    use adfric_fit_objective, only: objective_t, new_objective, most_rows_of
@@ -110,7 +110,7 @@ contains
    !> Choose the marks of a curve: the best ones, and the least and largest base lines that are as good.
    subroutine choose_marks(contact, apart, data, loss, loss_width, variance, marks, number)
       !> The curve with all points in contact, and apart.
-      class(curve_t), intent(in) :: contact, apart
+      class(fit_curve_t), intent(in) :: contact, apart
       type(data_set_t), intent(in) :: data
       !> Its loss, with its width.
       integer, intent(in) :: loss

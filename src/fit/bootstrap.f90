@@ -5,7 +5,7 @@
 !> intervals are those of the middle refits, (1 - level)/2 left out at either end. A set of two pieces shows as one long interval.
 module adfric_fit_bootstrap
    use adfric_base_kinds, only: dp
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_fold_search, only: find_minimum
    use adfric_fit_objective, only: objective_t
    use adfric_fit_order, only: sort
@@ -102,7 +102,7 @@ contains
 
    !> New points around those of the model.
    subroutine add_noise(truth, sigma, random, x, y)
-      class(curve_t), intent(in) :: truth
+      class(fit_curve_t), intent(in) :: truth
       !> Standard error of a point in the units of the residuals.
       real(dp), intent(in) :: sigma
       type(random_t), intent(inout) :: random

@@ -6,10 +6,10 @@ module adfric_fit_curve
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    implicit none (type, external)
    private
-   public :: curve_t, take_points, nuisance_slopes
+   public :: fit_curve_t, take_points, nuisance_slopes
 
    !> A measured curve. Only points that are used are kept.
-   type, abstract :: curve_t
+   type, abstract :: fit_curve_t
       !> Number of the data set, and of points that are used.
       integer :: data_set = 0, n = 0
       !> Does a point have a standard error of the abscissa?
@@ -28,15 +28,15 @@ module adfric_fit_curve
       procedure(evaluate_i), deferred :: evaluate
       procedure(find_event_i), deferred :: find_event
       procedure(most_rows_i), deferred :: most_rows
-   end type curve_t
+   end type fit_curve_t
 
    abstract interface
       !> Residuals, model less data in standard errors, and their derivatives. The first n rows are those of the points, more may follow.
       subroutine evaluate_i(self, values, nuisance, slopes, is_exact, n_rows, r, j, is_valid)
-         import :: curve_t, dp
+         import :: fit_curve_t, dp
          implicit none (type, external)
          !> The curve, which keeps what helps its next evaluation.
-         class(curve_t), intent(inout) :: self
+         class(fit_curve_t), intent(inout) :: self
          !> Values of all variables of the model.
          real(dp), intent(in) :: values(:)
          !> Values of the nuisances of the curve.
@@ -57,10 +57,10 @@ module adfric_fit_curve
 
       !> What the model says of an event, and its derivatives.
       subroutine find_event_i(self, kind, values, nuisance, slopes, value, gradient, is_valid)
-         import :: curve_t, dp
+         import :: fit_curve_t, dp
          implicit none (type, external)
          !> The curve, whose nuisances shift the event.
-         class(curve_t), intent(inout) :: self
+         class(fit_curve_t), intent(inout) :: self
          !> One of `event_...`.
          integer, intent(in) :: kind
          !> Values of all variables of the model.
@@ -79,10 +79,10 @@ module adfric_fit_curve
 
       !> Most rows that an evaluation gives.
       pure integer function most_rows_i(self)
-         import :: curve_t
+         import :: fit_curve_t
          implicit none (type, external)
          !> The curve.
-         class(curve_t), intent(in) :: self
+         class(fit_curve_t), intent(in) :: self
       end function most_rows_i
    end interface
 
@@ -90,7 +90,7 @@ contains
 
    !> Take the points of a data set that are used.
    subroutine take_points(self, number, data, unit)
-      class(curve_t), intent(inout) :: self
+      class(fit_curve_t), intent(inout) :: self
       integer, intent(in) :: number
       type(data_set_t), intent(in) :: data
       !> The standard error of all ordinates where none is given.

@@ -8,7 +8,7 @@
 module adfric_fit_curve_starts
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_model_points, only: fold_t, model_points_t, new_model_points
    use adfric_fit_objective, only: objective_t
    use adfric_fit_order, only: order_of
@@ -131,7 +131,7 @@ contains
 
       !> Take some points of the curve, and their range.
       subroutine take_points(curve)
-         class(curve_t), intent(in) :: curve
+         class(fit_curve_t), intent(in) :: curve
          integer :: positions(curve%n), i, n
 
          associate (data => fit%data_sets(1))

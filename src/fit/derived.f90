@@ -6,7 +6,7 @@ module adfric_fit_derived
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: has_word
    use adfric_fit_objective, only: objective_t
-   use adfric_fit_path, only: path_t, set_path
+   use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_fit_sphere_basis, only: of_radius, of_modulus, of_work, of_lambda
    use adfric_fit_solution, only: solution_t, derived_value_t
    use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
@@ -24,7 +24,7 @@ contains
       !> Covariance of the numbers that are fitted.
       real(dp), intent(in) :: covariance(:, :)
       type(solution_t), intent(inout) :: solution
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       real(dp) :: stress
 
       if (allocated(solution%derived)) deallocate (solution%derived)

@@ -7,11 +7,11 @@ module adfric_fit_doubt
    use adfric_fit_model_curve, only: model_curve_t
    use adfric_fit_objective, only: objective_t
    use adfric_fit_sphere_curve, only: sphere_curve_t
-   use adfric_fit_state, only: state_t, get_state
+   use adfric_fit_state, only: fit_state_t, get_state
    use adfric_describe_doubt, only: doubt_estimate_above_tenth, n_doubts, not_measured, raise_measures
    use adfric_describe_model, only: model_t
    use adfric_describe_status, only: status_solved
-   use adfric_round_sphere_variables, only: r_contact_radius
+   use adfric_round_sphere_variables, only: out => sphere_output
    implicit none (type, external)
    private
    public :: measure_fit
@@ -46,7 +46,7 @@ contains
       !> What is measured, which rises.
       real(dp), intent(inout) :: measures(:)
       real(dp) :: results(size(model%results)), of_point(n_doubts)
-      type(state_t) :: s
+      type(fit_state_t) :: s
       integer :: i
 
       results = not_a_number()
@@ -54,7 +54,7 @@ contains
          ! a point of the base line, or beyond the fold, has no place
          if (curve%is_apart(i) .or. .not. curve%t(i) > 0) cycle
          call get_state(curve%path%theory, curve%path%lambda, curve%t(i), s)
-         results(r_contact_radius) = curve%basis%length*s%a
+         results(out%contact_radius) = curve%basis%length*s%a
          of_point = not_measured
          call model%measure(values, results, of_point)
          call raise_measures(of_point, measures)

@@ -9,15 +9,14 @@
 module adfric_fit_fold
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_model_points, only: fold_t
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_order, only: order_of
-   use adfric_fit_path, only: path_t
+   use adfric_fit_path, only: sphere_path_t
    use adfric_fit_sphere_curve, only: sphere_curve_t, take_values
    use adfric_round_sphere_contact, only: theory_hertz, theory_dmt
-   use adfric_round_sphere_variables, only: r_load, r_approach, r_contact_radius, r_contact_area, r_adhesion_radius, &
-      & r_friction_radius
+   use adfric_round_sphere_variables, only: out => sphere_output
    implicit none (type, external)
    private
    public :: curve_fold_t, choose_fold, new_curve_fold, find_fold, fold_slopes, fold_slope, last_slopes, spread_below
@@ -240,9 +239,9 @@ contains
          if (path%theory == theory_hertz .or. path%theory == theory_dmt) then
             of_abscissa = merge(2, 3, path%is_base)
             select case (y)
-            case (r_load)
+            case (out%load)
                power = 3.0_dp/of_abscissa
-            case (r_contact_radius, r_adhesion_radius, r_friction_radius)
+            case (out%contact_radius, out%adhesion_radius, out%friction_radius)
                power = 1.0_dp/of_abscissa
             case default
                power = 2.0_dp/of_abscissa
@@ -252,13 +251,13 @@ contains
          ! at th = pi/2 load, approach and c change with the square of the distance, as the abscissa does, and the radius linearly
          is_touch = path%side < 0 .and. path%fold%t >= half_pi
          power = 0.5_dp
-         if (is_touch .and. any(y == [r_load, r_approach, r_contact_area, r_adhesion_radius])) power = 1
+         if (is_touch .and. any(y == [out%load, out%approach, out%contact_area, out%adhesion_radius])) power = 1
       end associate
    end function power_of
 
    !> Take the points of a curve that the fold may pass.
    pure subroutine take_contact(curve, fold)
-      class(curve_t), intent(in) :: curve
+      class(fit_curve_t), intent(in) :: curve
       type(curve_fold_t), intent(inout) :: fold
       integer, allocatable :: kept(:)
       integer :: i

@@ -12,8 +12,8 @@ module adfric_fit_foot
    use adfric_base_kinds, only: dp
    use adfric_fit_frame, only: frame_t
    use adfric_fit_ordinate, only: ordinate_t, get_ordinate
-   use adfric_fit_path, only: path_t, find_state, is_outer
-   use adfric_fit_state, only: state_t, get_state, add_derivatives
+   use adfric_fit_path, only: sphere_path_t, find_state, is_outer
+   use adfric_fit_state, only: fit_state_t, get_state, add_derivatives
    implicit none (type, external)
    private
    public :: foot_t, find_foot
@@ -38,10 +38,10 @@ contains
    subroutine find_foot(self, c, path, t, s, o, is_fold)
       type(foot_t), intent(in) :: self
       type(frame_t), intent(in) :: c
-      type(path_t), intent(in) :: path
+      type(sphere_path_t), intent(in) :: path
       !> In: a guess of the position, or 0. Out: the position, unless the foot is the fold.
       real(dp), intent(inout) :: t
-      type(state_t), intent(out) :: s
+      type(fit_state_t), intent(out) :: s
       type(ordinate_t), intent(out) :: o
       logical, intent(out) :: is_fold
       real(dp) :: at_fold, inner, outer, position, distance
@@ -78,10 +78,10 @@ contains
    subroutine guess_foot(self, c, path, t)
       type(foot_t), intent(in) :: self
       type(frame_t), intent(in) :: c
-      type(path_t), intent(in) :: path
+      type(sphere_path_t), intent(in) :: path
       !> Receives the position.
       real(dp), intent(out) :: t
-      type(state_t) :: s
+      type(fit_state_t) :: s
       logical :: is_beyond
       real(dp) :: prescribed, last_step
 
@@ -96,9 +96,9 @@ contains
    subroutine get_slope(self, c, path, t, s, o, h, h_t)
       type(foot_t), intent(in) :: self
       type(frame_t), intent(in) :: c
-      type(path_t), intent(in) :: path
+      type(sphere_path_t), intent(in) :: path
       real(dp), intent(in) :: t
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       type(ordinate_t), intent(out) :: o
       !> Receives h times the side.
       real(dp), intent(out) :: h
@@ -121,12 +121,12 @@ contains
    subroutine find_root(self, c, path, from, to, t, s, o)
       type(foot_t), intent(in) :: self
       type(frame_t), intent(in) :: c
-      type(path_t), intent(in) :: path
+      type(sphere_path_t), intent(in) :: path
       !> The position inside of the foot, and the one outside; < 0: not known.
       real(dp), intent(in) :: from, to
       !> In: a guess. Out: the position.
       real(dp), intent(inout) :: t
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       type(ordinate_t), intent(inout) :: o
       real(dp) :: inner, outer, h, h_t, step
       integer :: k
@@ -160,11 +160,11 @@ contains
    subroutine look_beside(self, c, path, inner, outer, is_there)
       type(foot_t), intent(in) :: self
       type(frame_t), intent(in) :: c
-      type(path_t), intent(in) :: path
+      type(sphere_path_t), intent(in) :: path
       !> Receives a position inside of that foot, and one outside.
       real(dp), intent(out) :: inner, outer
       logical, intent(out) :: is_there
-      type(state_t) :: s
+      type(fit_state_t) :: s
       type(ordinate_t) :: o
       real(dp) :: far, h, h_t
       integer :: k

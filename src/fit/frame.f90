@@ -8,7 +8,7 @@ module adfric_fit_frame
    use adfric_fit_problem, only: free_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
       & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt
    use adfric_fit_sphere_basis, only: basis_t, of_radius, of_modulus, of_work, of_lambda, of_edge
-   use adfric_round_sphere_variables, only: r_load
+   use adfric_round_sphere_variables, only: out => sphere_output
    implicit none (type, external)
    private
    public :: frame_t, new_frame, set_frame
@@ -68,8 +68,8 @@ contains
          c%y_unit_by = c%y_unit_by + of_nuisance(:, nuisance_lateral_gain)/nuisance(nuisance_lateral_gain)
          c%y_zero = nuisance(nuisance_friction_offset)
          c%y_zero_by = of_nuisance(:, nuisance_friction_offset)
-         if (ordinate == r_load) c%y_zero = c%y_zero + nuisance(nuisance_load_offset)
-         if (ordinate == r_load) c%y_zero_by = c%y_zero_by + c%load_zero_by
+         if (ordinate == out%load) c%y_zero = c%y_zero + nuisance(nuisance_load_offset)
+         if (ordinate == out%load) c%y_zero_by = c%y_zero_by + c%load_zero_by
          c%tilt = nuisance(nuisance_tilt)
          c%tilt_by = of_nuisance(:, nuisance_tilt)
          if (is_base) then

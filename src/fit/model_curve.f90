@@ -12,7 +12,7 @@
 !> nearest point of the curve (`adfric_fit_model_foot`).
 module adfric_fit_model_curve
    use adfric_base_kinds, only: dp
-   use adfric_fit_curve, only: curve_t, take_points, nuisance_slopes
+   use adfric_fit_curve, only: fit_curve_t, take_points, nuisance_slopes
    use adfric_fit_model_foot, only: feet_t, find_feet
    use adfric_fit_model_points, only: model_points_t, new_model_points, fold_t, is_beyond_fold
    use adfric_fit_model_slopes, only: slopes_t, set_slopes
@@ -25,7 +25,7 @@ module adfric_fit_model_curve
    public :: model_curve_t, new_model_curve
 
    !> A measured curve of any model.
-   type, extends(curve_t) :: model_curve_t
+   type, extends(fit_curve_t) :: model_curve_t
       !> What is asked of the model.
       type(model_points_t) :: points
       !> Which offset is taken off the abscissa; 0: none.
@@ -70,7 +70,7 @@ contains
       end associate
    end subroutine new_model_curve
 
-   !> See `curve_t`: a second row for a point whose load, or foot, is not on the curve.
+   !> See `fit_curve_t`: a second row for a point whose load, or foot, is not on the curve.
    pure integer function most_rows(self)
       class(model_curve_t), intent(in) :: self
 
@@ -78,7 +78,7 @@ contains
       if (self%is_latent .or. self%points%is_by_load .and. self%points%pull_off_load > 0) most_rows = 2*self%n
    end function most_rows
 
-   !> See `curve_t`.
+   !> See `fit_curve_t`.
    subroutine evaluate(self, values, nuisance, slopes, is_exact, n_rows, r, j, is_valid)
       class(model_curve_t), intent(inout) :: self
       real(dp), intent(in) :: values(:), nuisance(:), slopes(:)
@@ -237,7 +237,7 @@ contains
       end do
    end subroutine add_latent
 
-   !> See `curve_t`: the pull-off load of models that have it among their results.
+   !> See `fit_curve_t`: the pull-off load of models that have it among their results.
    subroutine find_event(self, kind, values, nuisance, slopes, value, gradient, is_valid)
       class(model_curve_t), intent(inout) :: self
       !> One of `event_...`.

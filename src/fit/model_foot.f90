@@ -23,7 +23,7 @@ module adfric_fit_model_foot
    end type feet_t
 
    !> Measured points that remain, with what is known of their feet.
-   type :: search_t
+   type :: foot_search_t
       !> Positions, and brackets of the feet.
       real(dp), allocatable :: s(:), low(:), high(:)
       !> The positions before, and the slopes there; 0 at first.
@@ -34,7 +34,7 @@ module adfric_fit_model_foot
       logical :: is_root = .false.
       !> Not known of the end of the curve until it has been looked at.
       logical, allocatable :: is_end_known(:)
-   end type search_t
+   end type foot_search_t
 
    !> Most steps; a step that is shorter than this part of the position, or of the error of the abscissa, is the last.
    integer, parameter :: max_steps = 80
@@ -59,7 +59,7 @@ contains
       type(feet_t), intent(inout) :: feet
       !> Has the model a value at all positions?
       logical, intent(out) :: is_valid
-      type(search_t) :: search
+      type(foot_search_t) :: search
       type(fold_t) :: fold
       integer :: k, step
 
@@ -95,7 +95,7 @@ contains
       real(dp), intent(in) :: x_sigma(:), sigma(:)
       !> Factor between the model and the ordinates.
       real(dp), intent(in) :: gain
-      type(search_t), intent(inout) :: search
+      type(foot_search_t), intent(inout) :: search
       !> Has the model a value at all positions?
       logical, intent(out) :: is_valid
       real(dp), dimension(size(search%open)) :: at, first, distance, least, positions, nearest
@@ -147,7 +147,7 @@ contains
       real(dp), intent(in) :: x_sigma(:), sigma(:)
       !> Factor between the model and the ordinates.
       real(dp), intent(in) :: gain
-      type(search_t), intent(inout) :: search
+      type(foot_search_t), intent(inout) :: search
       !> Has the model a value at all positions?
       logical, intent(out) :: is_valid
       real(dp), dimension(size(search%open)) :: h, at, beside, u_s
@@ -217,7 +217,7 @@ contains
 
    !> The position after a step, within what is known of where the foot is.
    pure real(dp) function position_after(search, i, step, size_of) result(position)
-      type(search_t), intent(in) :: search
+      type(foot_search_t), intent(in) :: search
       !> Number of the point.
       integer, intent(in) :: i
       !> The step that is wanted.

@@ -7,7 +7,7 @@
 module adfric_fit_model_points
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp
-   use adfric_fit_path, only: path_t, set_path
+   use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_fit_problem, only: free_t
    use adfric_fit_sphere_basis, only: basis_t, set_basis
    use adfric_describe_model, only: model_t
@@ -234,7 +234,7 @@ contains
       real(dp), intent(in) :: values(:)
       type(fold_t), intent(inout) :: fold
       type(basis_t) :: basis
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       type(free_t) :: none(0)
       real(dp) :: no_slopes(0)
 

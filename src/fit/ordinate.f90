@@ -4,10 +4,8 @@ module adfric_fit_ordinate
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_fit_sphere_basis, only: basis_t, of_radius, of_modulus, of_work, of_strength
-   use adfric_fit_state, only: state_t
-   use adfric_round_sphere_variables, only: r_load, r_approach, r_contact_radius, r_adhesion_radius, r_friction_radius, &
-      & r_contact_area, &
-      & r_friction_area, r_friction_force
+   use adfric_fit_state, only: fit_state_t
+   use adfric_round_sphere_variables, only: out => sphere_output
    implicit none (type, external)
    private
    public :: ordinate_t, get_ordinate, get_unit, is_ordinate
@@ -25,8 +23,9 @@ contains
       !> Index of the result.
       integer, intent(in) :: index
 
-      is_ordinate = any(index == [r_load, r_approach, r_contact_radius, r_adhesion_radius, r_friction_radius, r_contact_area, &
-         & r_friction_area, r_friction_force])
+      is_ordinate = any(index == [out%load, out%approach, out%contact_radius, out%adhesion_radius, out%friction_radius, &
+         & out%contact_area, &
+         & out%friction_area, out%friction_force])
    end function is_ordinate
 
    !> The unit of an ordinate, and the derivatives of its logarithm by the numbers that are fitted.
@@ -41,11 +40,11 @@ contains
 
       associate (b => basis%by_free)
          select case (index)
-         case (r_load)
+         case (out%load)
             unit = basis%force
             by_free = b(:, of_work) + b(:, of_radius)
             return
-         case (r_approach)
+         case (out%approach)
             unit = basis%approach
             by_free = (2*b(:, of_work) + b(:, of_radius) - 2*b(:, of_modulus))/3
             return
@@ -53,10 +52,10 @@ contains
             unit = basis%length
             by_free = (b(:, of_work) + 2*b(:, of_radius) - b(:, of_modulus))/3
          end select
-         if (.not. any(index == [r_contact_area, r_friction_area, r_friction_force])) return
+         if (.not. any(index == [out%contact_area, out%friction_area, out%friction_force])) return
          unit = pi*unit**2
          by_free = 2*by_free
-         if (index /= r_friction_force) return
+         if (index /= out%friction_force) return
          unit = basis%strength*unit
          by_free = by_free + b(:, of_strength)
       end associate
@@ -68,27 +67,27 @@ contains
       integer, intent(in) :: index
       !> Edge fraction x.
       real(dp), intent(in) :: edge
-      type(state_t), intent(in) :: s
+      type(fit_state_t), intent(in) :: s
       !> Receives the function and its derivatives.
       type(ordinate_t), intent(out) :: o
 
       select case (index)
-      case (r_load)
+      case (out%load)
          o = ordinate_t(s%p, s%p_t, s%p_tt, s%p_l)
          return
-      case (r_approach)
+      case (out%approach)
          o = ordinate_t(s%d, s%d_t, s%d_tt, s%d_l)
          return
-      case (r_contact_radius, r_contact_area)
+      case (out%contact_radius, out%contact_area)
          o = ordinate_t(s%a, s%a_t, s%a_tt, s%a_l)
-      case (r_adhesion_radius)
+      case (out%adhesion_radius)
          o = ordinate_t(s%c, s%c_t, s%c_tt, s%c_l)
       case default
          ! without contact nothing rubs
          if (s%a > 0) o = ordinate_t(s%a + edge*(s%c - s%a), s%a_t + edge*(s%c_t - s%a_t), s%a_tt + edge*(s%c_tt - s%a_tt), &
             & s%a_l + edge*(s%c_l - s%a_l), s%c - s%a)
       end select
-      if (.not. any(index == [r_contact_area, r_friction_area, r_friction_force])) return
+      if (.not. any(index == [out%contact_area, out%friction_area, out%friction_force])) return
       o%y_x = 2*o%y*o%y_x
       o%y_l = 2*o%y*o%y_l
       o%y_tt = 2*(o%y_t**2 + o%y*o%y_tt)

@@ -14,16 +14,16 @@ module adfric_fit_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_powers, only: cube_root
-   use adfric_round_sphere_contact, only: contact_t, theory_hertz, theory_jkr, theory_maugis_dugdale, control_load
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_hertz, theory_jkr, theory_maugis_dugdale, control_load
    use adfric_round_sphere_dugdale_curve, only: guess_position, get_disc_radius
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
-   use adfric_fit_state, only: state_t, get_state, add_derivatives
+   use adfric_fit_state, only: fit_state_t, get_state, add_derivatives
    implicit none (type, external)
    private
-   public :: path_t, set_path, find_state, move_state, prescribed_value, is_outer, ends_unloaded
+   public :: sphere_path_t, set_path, find_state, move_state, prescribed_value, is_outer, ends_unloaded
 
    !> A path.
-   type :: path_t
+   type :: sphere_path_t
       !> One of `theory_...`.
       integer :: theory = theory_maugis_dugdale
       !> Is the base of a spring held, not the load?
@@ -35,12 +35,12 @@ module adfric_fit_path
       !> -1: the position falls outward; 1: it rises.
       integer :: side = -1
       !> The fold, with all derivatives, and phi there.
-      type(state_t) :: fold
+      type(fit_state_t) :: fold
       !> What is prescribed at the fold, and its second derivative by the position.
       real(dp) :: prescribed_at_fold = 0, prescribed_tt = 0
       !> Derivatives of the position of the fold by lambda and ks.
       real(dp) :: fold_l = 0, fold_ks = 0
-   end type path_t
+   end type sphere_path_t
 
    !> A Newton step of this size, relative to the distance from the ends of the path, is the last: the parabola leaves its cube.
    real(dp), parameter :: close_enough = 1.0e-5_dp
@@ -53,7 +53,7 @@ contains
    !> Make a path, and find its fold.
    pure subroutine set_path(path, theory, is_base, lambda, ks, has_apart)
       !> In: the path of a neighbour that helps the search, or a new one. Out: the path.
-      type(path_t), intent(inout) :: path
+      type(sphere_path_t), intent(inout) :: path
       !> One of `theory_...`.
       integer, intent(in) :: theory
       !> Is the base of a spring held, not the load?
@@ -99,8 +99,8 @@ contains
 
    !> What is prescribed: load, or position of the base.
    pure real(dp) function prescribed_value(path, s)
-      type(path_t), intent(in) :: path
-      type(state_t), intent(in) :: s
+      type(sphere_path_t), intent(in) :: path
+      type(fit_state_t), intent(in) :: s
 
       prescribed_value = s%p
       if (path%is_base) prescribed_value = s%d + path%ks*s%p
@@ -108,8 +108,8 @@ contains
 
    !> Its derivative by the position.
    pure real(dp) function prescribed_slope(path, s)
-      type(path_t), intent(in) :: path
-      type(state_t), intent(in) :: s
+      type(sphere_path_t), intent(in) :: path
+      type(fit_state_t), intent(in) :: s
 
       prescribed_slope = s%p_t
       if (path%is_base) prescribed_slope = s%d_t + path%ks*s%p_t
@@ -117,7 +117,7 @@ contains
 
    !> Does one position lie farther outward than another?
    pure logical function is_outer(path, t, than)
-      type(path_t), intent(in) :: path
+      type(sphere_path_t), intent(in) :: path
       !> The positions.
       real(dp), intent(in) :: t, than
 
@@ -126,7 +126,7 @@ contains
 
    !> Does contact begin at the end of the path without a jump? There the load, the area and their friction are 0, as out of contact.
    pure logical function ends_unloaded(path)
-      type(path_t), intent(in) :: path
+      type(sphere_path_t), intent(in) :: path
 
       ends_unloaded = path%theory == theory_hertz .and. path%is_base
    end function ends_unloaded
@@ -134,8 +134,8 @@ contains
    !> Find the fold.
    pure subroutine find_fold(path)
       !> The path; it receives the fold.
-      type(path_t), intent(inout) :: path
-      type(state_t) :: s
+      type(sphere_path_t), intent(inout) :: path
+      type(fit_state_t) :: s
       real(dp) :: low, high, disc, first
 
       low = 0
@@ -177,11 +177,11 @@ contains
    !> Newton's method for the position between two where phi_t = 0; phi_t rises there.
    pure subroutine find_zero_slope(path, from, to)
       !> The path. In: with a guess of the fold. Out: with the fold.
-      type(path_t), intent(inout) :: path
+      type(sphere_path_t), intent(inout) :: path
       !> Ends of the bracket.
       real(dp), intent(in) :: from, to
       type(maugis_t) :: theory
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       real(dp) :: low, high, t, value, slope, step
       integer :: k
 
@@ -216,13 +216,13 @@ contains
 
    !> Find the state with a prescribed value.
    pure subroutine find_state(path, prescribed, t, s, last_step, is_beyond)
-      type(path_t), intent(in) :: path
+      type(sphere_path_t), intent(in) :: path
       !> Load, or position of the base, reduced.
       real(dp), intent(in) :: prescribed
       !> In: a guess, or 0. Out: the position of the state.
       real(dp), intent(inout) :: t
       !> Receives a state near the position, with the derivatives by the position.
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       !> Receives Newton's step from that state to the position, for `move_state`.
       real(dp), intent(out) :: last_step
       !> Is there no such state? Then the fold is given.
@@ -274,8 +274,8 @@ contains
 
    !> Go the last step of Newton's method for what is prescribed, along parabolas, from a state with all derivatives.
    pure subroutine move_state(path, s, newton_step)
-      type(path_t), intent(in) :: path
-      type(state_t), intent(inout) :: s
+      type(sphere_path_t), intent(in) :: path
+      type(fit_state_t), intent(inout) :: s
       !> Change of the position by Newton's method.
       real(dp), intent(in) :: newton_step
       real(dp) :: bend, step, half
@@ -301,7 +301,7 @@ contains
 
    !> A first guess of the state: by the parabola at the fold, or as a large contact.
    pure subroutine guess_state(path, prescribed, inner, t)
-      type(path_t), intent(in) :: path
+      type(sphere_path_t), intent(in) :: path
       !> Load, or position of the base, reduced, above that of the fold.
       real(dp), intent(in) :: prescribed
       !> The innermost position.

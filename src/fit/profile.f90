@@ -16,12 +16,12 @@ module adfric_fit_profile
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_fit_objective, only: objective_t
-   use adfric_fit_profile_nodes, only: profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
+   use adfric_fit_profile_nodes, only: interval_profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
    use adfric_fit_scales, only: scales_t
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t
    implicit none (type, external)
    private
-   public :: profile_t, find_profile, find_pieces
+   public :: interval_profile_t, find_profile, find_pieces
 
    !> Nodes of a grid over lambda, and most nodes of a walk.
    integer, parameter :: n_grid = 47, most_walk = 60
@@ -37,7 +37,7 @@ contains
 
    !> Find the profile over one variable.
    subroutine find_profile(self, objective, scales, limits, work, free, minima, costs, others, variance, error, limit, is_lambda)
-      type(profile_t), intent(out) :: self
+      type(interval_profile_t), intent(out) :: self
       type(objective_t), intent(inout) :: objective
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
@@ -84,7 +84,7 @@ contains
 
    !> Walk from a minimum to one side, until S is above the largest limit, or to the bound.
    subroutine walk(self, objective, scales, limits, work, minima, from, error, largest, side)
-      type(profile_t), intent(inout) :: self
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
@@ -131,7 +131,7 @@ contains
 
    !> Solve each node from its neighbours.
    subroutine sweep(self, objective, scales, limits, work)
-      type(profile_t), intent(inout) :: self
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
@@ -166,7 +166,7 @@ contains
 
    !> Put a node where the tangents of neighbours meet above both, and one between two minima that are neighbours.
    subroutine look_between(self, objective, scales, limits, work, largest)
-      type(profile_t), intent(inout) :: self
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
@@ -199,7 +199,7 @@ contains
 
    !> The pieces of the set where S - S_min stays below a limit, as numbers that are fitted; NaN: open at the bound.
    subroutine find_pieces(self, objective, scales, limits, work, limit, pieces, n_pieces)
-      type(profile_t), intent(inout) :: self
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
@@ -231,7 +231,7 @@ contains
 
    !> Where S - S_min crosses a limit between two nodes: false position, halved where one end stays (Illinois).
    subroutine refine(self, objective, scales, limits, work, limit, inner, outer, at)
-      type(profile_t), intent(inout) :: self
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits

@@ -10,7 +10,7 @@ module adfric_fit_profile_nodes
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t, squares_outcome_t, squares_no_value
    implicit none (type, external)
    private
-   public :: profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
+   public :: interval_profile_t, new_profile, insert_node, solve_node, solve_best_node, add_node
 
    !> Most nodes.
    integer, parameter :: most_nodes = 600
@@ -18,7 +18,7 @@ module adfric_fit_profile_nodes
    real(dp), parameter :: node_step = 1.0e-4_dp
 
    !> A profile on its way.
-   type :: profile_t
+   type :: interval_profile_t
       !> Number of the variable, and of nodes.
       integer :: free = 0, n = 0
       !> Nodes, rising; S there, its slope, and all numbers that are fitted; shape `(n_free, n)`.
@@ -35,13 +35,13 @@ module adfric_fit_profile_nodes
       real(dp), allocatable :: below(:)
       !> Most points beyond the fold at any node.
       integer :: n_beyond = 0
-   end type profile_t
+   end type interval_profile_t
 
 contains
 
    !> Begin a profile without nodes.
    pure subroutine new_profile(self, free, n_free, least, variance, enough)
-      type(profile_t), intent(out) :: self
+      type(interval_profile_t), intent(out) :: self
       !> Number of the variable, and of all free ones.
       integer, intent(in) :: free, n_free
       !> Least S, variance of a point, and S - S_min over it below which a position belongs to all sets.
@@ -58,7 +58,7 @@ contains
 
    !> Put a node in its place; at a position that has one the lesser S stays.
    pure subroutine insert_node(self, x, cost, slope, q, is_minimum)
-      type(profile_t), intent(inout) :: self
+      type(interval_profile_t), intent(inout) :: self
       !> The position, S and its slope there.
       real(dp), intent(in) :: x, cost, slope
       !> All numbers that are fitted.
@@ -95,7 +95,7 @@ contains
    !> The least S over all other variables at a position, from one start.
    subroutine solve_node(self, objective, scales, limits, work, x, q, cost, slope, has_value)
       !> The profile, which notes what is below its least S.
-      type(profile_t), intent(inout) :: self
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
@@ -132,7 +132,7 @@ contains
 
    !> The least S over all other variables at a position, from several starts.
    subroutine solve_best_node(self, objective, scales, limits, work, x, starts, q, cost, slope, has_value)
-      type(profile_t), intent(inout) :: self
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits
@@ -169,7 +169,7 @@ contains
 
    !> Add a node, solved from all minima.
    subroutine add_node(self, objective, scales, limits, work, starts, x)
-      type(profile_t), intent(inout) :: self
+      type(interval_profile_t), intent(inout) :: self
       type(objective_t), intent(inout) :: objective
       type(scales_t), intent(in) :: scales
       type(squares_limits_t), intent(in) :: limits

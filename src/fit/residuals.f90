@@ -4,7 +4,7 @@ module adfric_fit_residuals
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_order, only: order_of
    use adfric_fit_problem, only: fit_t
    use adfric_fit_solution, only: solution_t
@@ -32,7 +32,7 @@ contains
 
    !> Copy what an evaluation has left of a curve.
    subroutine take_curve(curve, sigma, solution)
-      class(curve_t), intent(in) :: curve
+      class(fit_curve_t), intent(in) :: curve
       !> Standard error of a point in the units of the residuals.
       real(dp), intent(in) :: sigma
       !> Receives the fitted ordinates and residuals.

@@ -8,7 +8,7 @@ module adfric_fit_scales
       & nuisance_contact_point, nuisance_spring_stiffness, nuisance_tilt
    use adfric_fit_sphere_curve, only: is_sphere_curve
    use adfric_numerics_bounded_least_squares, only: most_variables
-   use adfric_round_sphere_variables, only: v_load
+   use adfric_round_sphere_variables, only: in => sphere_input
    implicit none (type, external)
    private
    public :: scales_t, set_scales, find_refusal, least_lambda, largest_lambda
@@ -149,7 +149,7 @@ contains
             & any(fit%frees%nuisance == nuisance_spring_stiffness .and. fit%frees%data_set == k))) then
             reason = 'a spring_stiffness is for a sphere only, an indenter has a machine_stiffness with the abscissa base_approach'
          end if
-         if (is_sphere .and. fit%data_sets(k)%abscissa == v_load &
+         if (is_sphere .and. fit%data_sets(k)%abscissa == in%load &
             & .and. is_set(fit%data_sets(k)%nuisance(nuisance_spring_stiffness))) &
             & reason = 'a spring needs the abscissa approach'
          if (len(reason) > 0) return

@@ -16,24 +16,23 @@ module adfric_fit_sphere_curve
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: curve_t, take_points
+   use adfric_fit_curve, only: fit_curve_t, take_points
    use adfric_fit_foot, only: foot_t, find_foot
    use adfric_fit_frame, only: frame_t, new_frame, set_frame
    use adfric_fit_order, only: median_step
    use adfric_fit_ordinate, only: ordinate_t, get_ordinate, is_ordinate
-   use adfric_fit_path, only: path_t, set_path, find_state, move_state, is_outer, ends_unloaded
+   use adfric_fit_path, only: sphere_path_t, set_path, find_state, move_state, is_outer, ends_unloaded
    use adfric_fit_problem, only: free_t, fit_t, data_set_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset
    use adfric_fit_sphere_basis, only: basis_t, set_basis, of_radius, of_work, of_lambda
-   use adfric_fit_state, only: state_t, add_derivatives
+   use adfric_fit_state, only: fit_state_t, add_derivatives
    use adfric_round_sphere_contact, only: theory_maugis_dugdale
-   use adfric_round_sphere_variables, only: v_load, v_approach, v_interaction, v_branch, v_units, v_tangential_force, &
-      & v_tangential_displacement, v_base_displacement, v_lateral_stiffness, v_pressure_factor, r_load, r_friction_force, units_si
+   use adfric_round_sphere_variables, only: units_si, in => sphere_input, out => sphere_output
    implicit none (type, external)
    private
    public :: sphere_curve_t, new_sphere_curve, is_sphere_curve, is_plain_sphere, take_values
 
    !> A measured curve of a sphere.
-   type, extends(curve_t) :: sphere_curve_t
+   type, extends(fit_curve_t) :: sphere_curve_t
       !> The ordinate, a index in the results of the model.
       integer :: ordinate = 0
       !> Is the abscissa the position of a base, not the load?
@@ -45,7 +44,7 @@ module adfric_fit_sphere_curve
       !> The sphere, its path, and what all points have in common.
       type(basis_t) :: basis
       !> The path of prescribed states.
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       !> What all points have in common.
       type(frame_t) :: common
       !> Of the last evaluation: indices (0: none), what was prescribed there, and its derivatives by the index (two), lambda and
@@ -74,7 +73,7 @@ contains
       type(data_set_t), intent(in) :: data
 
       is_sphere_curve = is_plain_sphere(fit, data)
-      if (data%abscissa == v_approach .and. allocated(data%x_sigma)) is_sphere_curve = .false.
+      if (data%abscissa == in%approach .and. allocated(data%x_sigma)) is_sphere_curve = .false.
    end function is_sphere_curve
 
    !> Is a data set one of a smooth sphere at rest or in steady sliding, on its stable branch?
@@ -82,16 +81,16 @@ contains
       type(fit_t), intent(in) :: fit
       type(data_set_t), intent(in) :: data
       !> What takes a contact out of steady sliding.
-      integer, parameter :: beside_sliding(*) = [v_tangential_force, v_tangential_displacement, v_base_displacement, &
-         & v_lateral_stiffness]
+      integer, parameter :: beside_sliding(*) = [in%tangential_force, in%tangential_displacement, in%base_displacement, &
+         & in%lateral_stiffness]
 
       is_plain_sphere = .false.
       if (fit%model%name /= 'sphere') return
-      is_plain_sphere = (data%abscissa == v_load .or. data%abscissa == v_approach) .and. is_ordinate(data%ordinate) &
-         & .and. nint(fit%base(v_units)) == units_si .and. nint(fit%base(v_branch)) == 1 &
-         & .and. .not. fit%base(v_interaction) > 0 .and. .not. any(fit%frees%variable == v_interaction) &
-         & .and. .not. any(fit%frees%variable == v_pressure_factor) .and. .not. any(is_set(fit%base(beside_sliding)))
-      if (is_plain_sphere .and. is_set(fit%base(v_pressure_factor))) is_plain_sphere = .not. abs(fit%base(v_pressure_factor)) > 0
+      is_plain_sphere = (data%abscissa == in%load .or. data%abscissa == in%approach) .and. is_ordinate(data%ordinate) &
+         & .and. nint(fit%base(in%units)) == units_si .and. nint(fit%base(in%branch)) == 1 &
+         & .and. .not. fit%base(in%interaction) > 0 .and. .not. any(fit%frees%variable == in%interaction) &
+         & .and. .not. any(fit%frees%variable == in%pressure_factor) .and. .not. any(is_set(fit%base(beside_sliding)))
+      if (is_plain_sphere .and. is_set(fit%base(in%pressure_factor))) is_plain_sphere = .not. abs(fit%base(in%pressure_factor)) > 0
    end function is_plain_sphere
 
    !> Take a data set.
@@ -104,7 +103,7 @@ contains
 
       call take_points(self, number, fit%data_sets(number), unit)
       self%ordinate = fit%data_sets(number)%ordinate
-      self%is_base = fit%data_sets(number)%abscissa == v_approach
+      self%is_base = fit%data_sets(number)%abscissa == in%approach
       self%frees = fit%frees
       allocate (self%t(self%n), self%prescribed(self%n), self%prescribed_t(self%n), self%prescribed_tt(self%n), &
          & self%prescribed_l(self%n), &
@@ -114,7 +113,7 @@ contains
       call new_frame(self%common, size(fit%frees))
    end subroutine new_sphere_curve
 
-   !> See `curve_t`: a second row for every point at most.
+   !> See `fit_curve_t`: a second row for every point at most.
    pure integer function most_rows(self)
       class(sphere_curve_t), intent(in) :: self
 
@@ -133,7 +132,7 @@ contains
       call set_path(self%path, self%basis%theory, self%is_base, self%basis%lambda, ks)
    end subroutine take_values
 
-   !> See `curve_t`.
+   !> See `fit_curve_t`.
    subroutine evaluate(self, values, nuisance, slopes, is_exact, n_rows, r, j, is_valid)
       !> The curve, which keeps the indices for its next evaluation.
       class(sphere_curve_t), intent(inout) :: self
@@ -205,7 +204,7 @@ contains
       real(dp), intent(inout) :: r(:)
       !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
-      type(state_t) :: s
+      type(fit_state_t) :: s
       type(ordinate_t) :: o
       real(dp) :: prescribed, share, prescribed_l, prescribed_ks, weight, last_step
       logical :: is_beyond
@@ -294,7 +293,7 @@ contains
       real(dp), intent(inout) :: r(:)
       !> Receives their derivatives.
       real(dp), intent(inout) :: j(:, :)
-      type(state_t) :: s
+      type(fit_state_t) :: s
       type(ordinate_t) :: o
       type(foot_t) :: point
       real(dp) :: u, v, u_t, v_t, length, x_weight, y_weight
@@ -351,7 +350,7 @@ contains
       !> Receives its derivatives.
       real(dp), intent(out) :: gradient(:)
       logical, intent(out) :: is_valid
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       real(dp) :: jump
 
       call take_values(self, values, nuisance, slopes)

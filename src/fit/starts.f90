@@ -10,21 +10,18 @@ module adfric_fit_starts
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: is_set
-   use adfric_fit_curve, only: curve_t
+   use adfric_fit_curve, only: fit_curve_t
    use adfric_fit_curve_starts, only: find_curve_starts, has_curve_starts
    use adfric_fit_objective, only: objective_t, take_estimate
    use adfric_fit_problem, only: fit_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset, &
       & nuisance_friction_offset, nuisance_contact_point, nuisance_lateral_gain, nuisance_spring_stiffness
    use adfric_fit_sphere_basis, only: theory_of
-   use adfric_fit_path, only: path_t, set_path
+   use adfric_fit_path, only: sphere_path_t, set_path
    use adfric_solid_contact_modulus, only: contact_modulus_of
    use adfric_numerics_bounded_least_squares, only: squares_work_t
    use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
    use adfric_round_sphere_units, only: get_sphere_units
-   use adfric_round_sphere_variables, only: v_radius, v_contact_modulus, v_second_poisson_ratio, v_work_of_adhesion, &
-      & v_adhesion_stress, &
-      & v_adhesion_range, v_lambda, v_shear_strength, v_edge_fraction, v_load, r_contact_area, r_friction_area, r_friction_force, &
-      & r_load
+   use adfric_round_sphere_variables, only: in => sphere_input, out => sphere_output
    implicit none (type, external)
    private
    public :: get_start, get_more_starts, lambda_free, position_of_lambda
@@ -63,17 +60,17 @@ contains
       real(dp) :: length, approach, force, stress
 
       position = log(lambda)
-      if (self%frees(free)%variable == v_lambda .or. size(self%spheres) == 0) return
+      if (self%frees(free)%variable == in%lambda .or. size(self%spheres) == 0) return
       other%n_free = self%n_free
       other%frees = self%frees
       other%values = self%values
       other%nuisance = self%nuisance
       call other%set_values(v)
       associate (values => other%values)
-         call get_sphere_units(values(v_radius), contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio)), &
-            & values(v_work_of_adhesion), length, approach, force, stress)
+         call get_sphere_units(values(in%radius), contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio)), &
+            & values(in%work_of_adhesion), length, approach, force, stress)
          position = log(lambda*stress)
-         if (self%frees(free)%variable == v_adhesion_range) position = log(values(v_work_of_adhesion)/(lambda*stress))
+         if (self%frees(free)%variable == in%adhesion_range) position = log(values(in%work_of_adhesion)/(lambda*stress))
       end associate
    end function position_of_lambda
 
@@ -195,17 +192,17 @@ contains
       integer, intent(in) :: variable
 
       select case (variable)
-      case (v_radius)
+      case (in%radius)
          value = usual_radius
-      case (v_lambda)
+      case (in%lambda)
          value = usual_lambda
-      case (v_edge_fraction)
+      case (in%edge_fraction)
          value = usual_edge
-      case (v_shear_strength)
+      case (in%shear_strength)
          value = usual_strength
-      case (v_work_of_adhesion)
+      case (in%work_of_adhesion)
          value = 0.05_dp
-      case (v_adhesion_range)
+      case (in%adhesion_range)
          value = 1.0e-9_dp
       case default
          value = usual_modulus
@@ -266,21 +263,21 @@ contains
       real(dp), intent(in) :: lambda
       !> Values of the free variables; those without a start of the user's are changed.
       real(dp), intent(inout) :: v(:)
-      type(path_t) :: path
+      type(sphere_path_t) :: path
       real(dp) :: lowest, largest, deepest, work, radius
       integer :: k, theory
 
       theory = theory_of(self%values)
       call get_extremes(self, fit, lowest, largest, deepest)
-      radius = self%values(v_radius)
+      radius = self%values(in%radius)
       do k = 1, size(v)
          if (is_set(fit%frees(k)%start) .or. is_set(fit%frees(k)%prior)) cycle
-         if (fit%frees(k)%variable == v_work_of_adhesion) then
+         if (fit%frees(k)%variable == in%work_of_adhesion) then
             call set_path(path, theory, .false., lambda, 0.0_dp)
             work = largest/(10*pi*radius)
             if (lowest < 0 .and. theory /= theory_hertz) work = lowest/(path%fold%p*pi*radius)
             if (work > 0) v(k) = work
-         else if (fit%frees(k)%variable == v_contact_modulus .and. deepest > 0 .and. largest > 0) then
+         else if (fit%frees(k)%variable == in%contact_modulus .and. deepest > 0 .and. largest > 0) then
             v(k) = 0.75_dp*largest/(sqrt(radius)*deepest*sqrt(deepest))
          end if
       end do
@@ -305,7 +302,7 @@ contains
          associate (curve => self%spheres(k), nuisance => self%nuisance(:, self%spheres(k)%data_set))
             do i = 1, curve%n
                if (.not. curve%is_contact(i)) cycle
-               if (curve%is_base .and. curve%ordinate == r_load) then
+               if (curve%is_base .and. curve%ordinate == out%load) then
                   lowest = min(lowest, curve%y(i) - nuisance(nuisance_load_offset))
                   if (curve%y(i) - nuisance(nuisance_load_offset) <= largest) cycle
                   largest = curve%y(i) - nuisance(nuisance_load_offset)
@@ -340,18 +337,18 @@ contains
 
       do k = 1, size(v)
          if (is_set(fit%frees(k)%start) .or. is_set(fit%frees(k)%prior)) cycle
-         if (fit%frees(k)%variable == v_contact_modulus) then
+         if (fit%frees(k)%variable == in%contact_modulus) then
             call self%evaluate(q, work%n_rows, work%r, work%j, cost, is_valid)
-            share = share_of([r_contact_area, r_friction_area])
+            share = share_of([out%contact_area, out%friction_area])
             if (is_valid .and. share > 0) v(k) = v(k)/(share*sqrt(share))
          end if
       end do
       call take_numbers(self, v, q)
       do k = 1, size(v)
          if (is_set(fit%frees(k)%start) .or. is_set(fit%frees(k)%prior)) cycle
-         if (fit%frees(k)%variable == v_shear_strength) then
+         if (fit%frees(k)%variable == in%shear_strength) then
             call self%evaluate(q, work%n_rows, work%r, work%j, cost, is_valid)
-            share = share_of([r_friction_force])
+            share = share_of([out%friction_force])
             if (is_valid .and. share > 0) v(k) = v(k)*share
          end if
       end do

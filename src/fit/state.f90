@@ -22,10 +22,10 @@ module adfric_fit_state
    use adfric_round_sphere_dugdale_curve, only: get_disc_radius
    implicit none (type, external)
    private
-   public :: state_t, get_state, add_derivatives
+   public :: fit_state_t, get_state, add_derivatives
 
    !> A state, and its derivatives: `_t` by the position, `_l` by lambda.
-   type :: state_t
+   type :: fit_state_t
       !> The position.
       real(dp) :: t = 0
       !> Radii a and c, and their derivatives.
@@ -36,7 +36,7 @@ module adfric_fit_state
       real(dp) :: d = 0, d_t = 0, d_tt = 0, d_l = 0, d_tl = 0
       !> sin th, cos th, f, k, A, den of Maugis-Dugdale.
       real(dp) :: sine = 0, cosine = 0, f = 0, k = 0, aa = 0, den = 1
-   end type state_t
+   end type fit_state_t
 
    !> Below this angle the difference in f loses digits.
    real(dp), parameter :: narrow = 0.5_dp
@@ -50,7 +50,7 @@ contains
       !> Maugis's parameter; without meaning in the other theories.
       real(dp), intent(in) :: lambda
       real(dp), intent(in) :: t
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       real(dp), parameter :: root6 = sqrt(6.0_dp)
       real(dp) :: root
 
@@ -87,7 +87,7 @@ contains
    !> Maugis-Dugdale with contact.
    pure subroutine get_dugdale(lambda, th, s)
       real(dp), intent(in) :: lambda, th
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       real(dp) :: bb, total
 
       s%sine = sin(th)
@@ -117,7 +117,7 @@ contains
       real(dp), intent(in) :: lambda
       !> The position, between pi/2 and pi/2 + 1.
       real(dp), intent(in) :: t
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       real(dp) :: first
 
       first = get_disc_radius(lambda, 1.0_dp)
@@ -138,7 +138,7 @@ contains
       !> Maugis's parameter; without meaning in the other theories.
       real(dp), intent(in) :: lambda
       !> In: from `get_state`. Out: with all derivatives.
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       real(dp), parameter :: root6 = sqrt(6.0_dp)
       real(dp) :: root
 
@@ -167,7 +167,7 @@ contains
    pure subroutine add_dugdale(lambda, s)
       real(dp), intent(in) :: lambda
       !> In: from `get_dugdale`. Out: with all derivatives.
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       real(dp) :: total, aa_t, aa_tt, bb_t, bb_tt, aa_l, aa_tl, bb_l, bb_tl, th
 
       th = s%t
@@ -202,7 +202,7 @@ contains
    pure subroutine add_apart(lambda, s)
       real(dp), intent(in) :: lambda
       !> In: from `get_apart`. Out: with all derivatives.
-      type(state_t), intent(inout) :: s
+      type(fit_state_t), intent(inout) :: s
       real(dp), parameter :: slope = 8*(half_pi - 1)/3
       real(dp) :: first, first_l, den
 

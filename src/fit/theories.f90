@@ -7,8 +7,7 @@ module adfric_fit_theories
    use adfric_fit_problem, only: fit_t
    use adfric_fit_sphere_basis, only: theory_of
    use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
-   use adfric_round_sphere_variables, only: v_theory, v_lambda, v_adhesion_stress, v_adhesion_range, v_work_of_adhesion, v_load, &
-      & r_load
+   use adfric_round_sphere_variables, only: in => sphere_input, out => sphere_output
    implicit none (type, external)
    private
    public :: make_theory, theory_name
@@ -24,7 +23,7 @@ contains
       character(:), allocatable, intent(out) :: name
       integer :: k, first
 
-      associate (choices => fit%model%variables(v_theory)%choices)
+      associate (choices => fit%model%variables(in%theory)%choices)
          first = 1
          do k = 2, position
             first = first + index(choices(first:), ' ')
@@ -50,14 +49,14 @@ contains
       is_possible = .false.
       if (fit%model%name /= 'sphere') return
       other = fit
-      other%base(v_theory) = position
+      other%base(in%theory) = position
       theory = theory_of(other%base)
       has = .true.
       do k = 1, size(has)
          select case (fit%frees(k)%variable)
-         case (v_lambda, v_adhesion_stress, v_adhesion_range)
+         case (in%lambda, in%adhesion_stress, in%adhesion_range)
             has(k) = theory == theory_maugis_dugdale
-         case (v_work_of_adhesion)
+         case (in%work_of_adhesion)
             has(k) = theory /= theory_hertz
          end select
       end do
@@ -65,12 +64,12 @@ contains
       other%frees = fit%frees(kept)
       deallocate (other%theories)
       allocate (other%theories(0))
-      if (theory /= theory_maugis_dugdale) other%base([v_lambda, v_adhesion_stress, v_adhesion_range]) = unset
+      if (theory /= theory_maugis_dugdale) other%base([in%lambda, in%adhesion_stress, in%adhesion_range]) = unset
       is_possible = size(kept) > 0
       if (theory == theory_hertz) is_possible = is_possible .and. .not. has_negative_loads(fit)
-      if (theory == theory_maugis_dugdale) is_possible = any(is_set(fit%base([v_lambda, v_adhesion_stress, v_adhesion_range]))) &
-         & .or. any(fit%frees%variable == v_lambda .or. fit%frees%variable == v_adhesion_stress &
-         & .or. fit%frees%variable == v_adhesion_range)
+      if (theory == theory_maugis_dugdale) is_possible = any(is_set(fit%base([in%lambda, in%adhesion_stress, in%adhesion_range]))) &
+         & .or. any(fit%frees%variable == in%lambda .or. fit%frees%variable == in%adhesion_stress &
+         & .or. fit%frees%variable == in%adhesion_range)
    end subroutine make_theory
 
    !> Is a load in contact negative, or is there a pull-off?
@@ -84,9 +83,9 @@ contains
       if (allocated(fit%events)) has_negative_loads = size(fit%events) > 0
       do k = 1, size(fit%data_sets)
          associate (data => fit%data_sets(k))
-            if (data%abscissa == v_load) then
+            if (data%abscissa == in%load) then
                loads = data%x
-            else if (data%ordinate == r_load) then
+            else if (data%ordinate == out%load) then
                loads = data%y
             else
                cycle

@@ -300,7 +300,7 @@ contains
    end function get_load_slope
 
    !> Change of the integral of the pressure with the depth of the strip while the edges of adhesion stay where they are: the
-   !> largest change that this penetration and all smaller ones can have (docs/theory/wavy.md).
+   !> largest change that this penetration and all smaller ones can have (docs/theory/columns_load.md).
    !>
    !> Where the phases of release and attachment are held, the length e of the dashpot, K p = w + (beta - 1)(w - e), answers
    !> continuously to everything else: over a change of the depth of 1 it relaxes towards 1 in contact, over the phase u, and

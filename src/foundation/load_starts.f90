@@ -2,8 +2,8 @@
 !> Where the search for the state of a load begins.
 !>
 !> Two surfaces enclose the load of every state at every penetration: without adhesion it carries no less, and with adhesion in
-!> the whole gap no more. The load of both is a convex function of the penetration (docs/theory/wavy.md), so Newton's method from above
-!> finds where they carry a load, and passes nothing.
+!> the whole gap no more. The load of both is a convex function of the penetration (docs/theory/columns_load.md), so Newton's
+!> method from above finds where they carry a load, and passes nothing.
 module adfric_foundation_load_starts
    use adfric_base_kinds, only: dp
    use adfric_foundation_crosswise, only: memory_t

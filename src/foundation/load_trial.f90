@@ -4,7 +4,8 @@
 !> With a fixed pattern of what adheres and what is free the displacement is a convex function of the penetration D, and a
 !> larger pattern of adhesion lowers it. Adhesion grows with D on both branches, so of two penetrations D1 < D2
 !> $$ P(D_2) - P(D_1) \le s(D_2)\,(D_2 - D_1), \qquad 0 \le s \le l/K, $$
-!> where s is the slope of the load while the edges of adhesion stay where they are (`slope_bound`; docs/theory/wavy.md has the proof).
+!> where s is the slope of the load while the edges of adhesion stay where they are (`slope_bound`; docs/theory/columns_load.md
+!> has the proof).
 !> So a penetration that carries too much, by an excess e, is followed downwards by none that carries too little within e/s.
 module adfric_foundation_load_trial
    use adfric_base_kinds, only: dp
@@ -130,7 +131,8 @@ contains
    !>
    !> Where all adheres at the smaller penetration, and without adhesion, the load is convex and rises. Between the same regimes
    !> it is smooth, and turns at most twice: it rises with the penetration in one stretch between two where it falls
-   !> (docs/theory/wavy.md). So where it rises at the end that is further on the path it has passed no more than its largest value.
+   !> (docs/theory/columns_load.md). So where it rises at the end that is further on the path it has passed no more than its
+   !> largest value.
    pure logical function is_plain(surface, low, high, far)
       type(surface_t), intent(in) :: surface
       !> The trials at the smaller and the larger penetration.

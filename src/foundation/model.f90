@@ -20,9 +20,8 @@ module adfric_foundation_model
    use adfric_foundation_strip_description, only: derive_strips, doubt_strips
    use adfric_foundation_strip_points, only: solve_strip_block
    use adfric_foundation_surface_bounds, only: measure_heights, measure_waves
-   use adfric_foundation_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, r_penetration, v_heights, &
-      & v_kind, &
-      & v_load, v_n_x, v_n_y, v_period, v_profiles
+   use adfric_foundation_variables, only: get_wavy_profiles, get_wavy_results, get_wavy_variables, in => foundation_input, &
+      & out => foundation_output
    implicit none (type, external)
    private
    public :: wavy_model_t, new_wavy_model
@@ -102,7 +101,7 @@ contains
       type(result_t), allocatable :: results(:)
 
       results = self%results
-      if (is_set(values(v_kind))) call take_units(get_wavy_results(has_width(values)), results)
+      if (is_set(values(in%kind))) call take_units(get_wavy_results(has_width(values)), results)
    end function describe_results
 
    !> SI unit of a variable: the load of a 2-D wave is one per width.
@@ -115,7 +114,7 @@ contains
       character(:), allocatable :: unit
 
       unit = self%variables(index)%unit
-      if (index == v_load) unit = trim(merge('N  ', 'N/m', has_width(values)))
+      if (index == in%load) unit = trim(merge('N  ', 'N/m', has_width(values)))
    end function unit_of
 
    !> See `model_t`.
@@ -132,7 +131,7 @@ contains
       !> Values of one point in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      has_width = nint(values(v_kind)) == kind_3d .or. nint(values(v_kind)) == kind_map
+      has_width = nint(values(in%kind)) == kind_3d .or. nint(values(in%kind)) == kind_map
    end function has_width
 
    !> Keep the values of a list or a dataset.
@@ -147,7 +146,7 @@ contains
 
       call take_given(self%given, self%variables, index, values, problems)
       ! a map takes long, and its points are given to threads one by one
-      if (index == v_heights .and. size(values) > large_map) self%largest_block = 1
+      if (index == in%heights .and. size(values) > large_map) self%largest_block = 1
    end subroutine take_dataset
 
    !> Keep what a dataset says of itself.
@@ -191,7 +190,7 @@ contains
       !> Values of one point in the order of `self%variables`; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = values(v_profiles) > 0
+      wants_profiles = values(in%profiles) > 0
       associate (unused => self)
       end associate
    end function wants_profiles
@@ -211,8 +210,8 @@ contains
          return
       end if
       call set_coordinate(axes(1), self%profile_axes, 1, &
-         & about_crest(values(v_period), merge(nint(values(v_n_y)), 1, nint(values(v_kind)) == kind_3d)))
-      call set_coordinate(axes(2), self%profile_axes, 2, about_crest(values(v_period), nint(values(v_n_x))))
+         & about_crest(values(in%period), merge(nint(values(in%n_y)), 1, nint(values(in%kind)) == kind_3d)))
+      call set_coordinate(axes(2), self%profile_axes, 2, about_crest(values(in%period), nint(values(in%n_x))))
    end subroutine get_profile_axes
 
    !> Coordinates over one period, as far on one side of the crest as on the other, to the last digit.
@@ -266,7 +265,7 @@ contains
          if (is_stepped(values(:, 1))) then
             call solve_stepped_block(self%given, values, results, error_estimate, status)
             counts(1) = n
-            if (nint(values(v_kind, 1)) == kind_map) counts(1) = real(n, dp)*size(self%given%heights, 2)
+            if (nint(values(in%kind, 1)) == kind_map) counts(1) = real(n, dp)*size(self%given%heights, 2)
             return
          end if
       end if
@@ -291,7 +290,7 @@ contains
          return
       end if
       call resolve_case(values, point)
-      call get_profiles(point, results(r_penetration), axes(2)%coordinates, axes(1)%coordinates, profiles)
+      call get_profiles(point, results(out%penetration), axes(2)%coordinates, axes(1)%coordinates, profiles)
    end subroutine solve_profiles
 
    !> Quantities that follow from the values of a point, for `adfric check` and the results file.

@@ -19,17 +19,17 @@ module adfric_foundation_period_bounds
    use adfric_foundation_strip, only: strip_t, profile, drive_round_off
    implicit none (type, external)
    private
-   public :: probe_t, judge_between, bound_multiplier, rise_of_displacement
+   public :: bound_probe_t, judge_between, bound_multiplier, rise_of_displacement
    public :: between_clear, between_single, between_unknown
 
    !> What is known of the periods between two: none closes, one closes, or neither is sure.
    integer, parameter :: between_clear = 1, between_single = 2, between_unknown = 3
 
    !> A period that was stepped in a search.
-   type, extends(period_t) :: probe_t
+   type, extends(period_t) :: bound_probe_t
       !> By how much the period is longer (direction 1) or shorter (-1) than 2 pi [rad].
       real(dp) :: excess = 0
-   end type probe_t
+   end type bound_probe_t
 
    !> Share of a bound that is relied upon; the rest is for round-off.
    real(dp), parameter :: reliable = 0.999_dp
@@ -46,9 +46,9 @@ contains
       !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> The period where the search stands: it is closed, and its excess is positive.
-      type(probe_t), intent(in) :: near
+      type(bound_probe_t), intent(in) :: near
       !> A period that starts further on in the direction of the search.
-      type(probe_t), intent(in) :: far
+      type(bound_probe_t), intent(in) :: far
       !> Is the excess of `far` positive?
       logical, intent(in) :: is_far_open
       !> What is known of the periods between the two, one of `between_...`.
@@ -95,7 +95,7 @@ contains
    pure subroutine bound_multiplier(strip, late, early, fewest, most)
       type(strip_t), intent(in) :: strip
       !> The period that starts later (at a smaller phase), and the one that starts earlier.
-      type(probe_t), intent(in) :: late, early
+      type(bound_probe_t), intent(in) :: late, early
       !> Lower bound of the multiplier.
       real(dp), intent(out) :: fewest
       !> Upper bound of the multiplier.
@@ -121,7 +121,7 @@ contains
    pure subroutine bound_release(strip, late, early, low, high)
       type(strip_t), intent(in) :: strip
       !> The period that starts later (at a smaller phase), and the one that starts earlier.
-      type(probe_t), intent(in) :: late, early
+      type(bound_probe_t), intent(in) :: late, early
       !> Least and greatest drive where adhesion is lost [c].
       real(dp), intent(out) :: low, high
       real(dp) :: first(2), last(2)

@@ -5,7 +5,7 @@ module adfric_foundation_return_map
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_foundation_strip_stepping, only: period_t, step_period, period_closed, period_never_released
-   use adfric_foundation_period_bounds, only: probe_t, judge_between, between_clear, between_single
+   use adfric_foundation_period_bounds, only: bound_probe_t, judge_between, between_clear, between_single
    use adfric_foundation_phases, only: remaining_phases, phases_since
    use adfric_foundation_strip, only: strip_t
    implicit none (type, external)
@@ -33,7 +33,7 @@ contains
       !> The closed period, or one that shows that none closes (see its outcome).
       type(period_t), intent(out) :: period
       logical, intent(out) :: is_converged
-      type(probe_t) :: near, far
+      type(bound_probe_t) :: near, far
       real(dp) :: step, last
       integer :: k
 
@@ -86,7 +86,7 @@ contains
       !> Phase of the leading edge where the period starts [rad].
       real(dp), intent(in) :: xi
       !> In: a similar period, whose lengths are first guesses, or none. Out: this period.
-      type(probe_t), intent(inout) :: probe
+      type(bound_probe_t), intent(inout) :: probe
 
       call step_period(strip, xi, probe%period_t)
       select case (probe%outcome)
@@ -101,7 +101,7 @@ contains
 
    !> Is a period closed, but for an excess of either sign that is nothing?
    pure logical function is_closed(probe)
-      type(probe_t), intent(in) :: probe
+      type(bound_probe_t), intent(in) :: probe
 
       is_closed = probe%outcome == period_closed .and. abs(probe%excess) <= tolerance_of(probe)
    end function is_closed
@@ -110,7 +110,7 @@ contains
    !> better, as far as round-off allows.
    pure real(dp) function tolerance_of(probe) result(tolerance)
       !> A period that was stepped; its slope tells what remains of a disturbance.
-      type(probe_t), intent(in) :: probe
+      type(bound_probe_t), intent(in) :: probe
 
       tolerance = closed*min(max(1 - probe%slope, 1.0e-6_dp), 1.0_dp)
    end function tolerance_of
@@ -122,10 +122,10 @@ contains
       !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> In: the period where the search stands; its excess is positive. Out: that period, or one further on of the same kind.
-      type(probe_t), intent(inout) :: near
+      type(bound_probe_t), intent(inout) :: near
       !> In: a period further on. Out: the period that closes, if there is one; if there is none, the same as before; or one whose
       !> excess is not positive, if neither could be made out.
-      type(probe_t), intent(inout) :: far
+      type(bound_probe_t), intent(inout) :: far
       logical, intent(out) :: is_found
       real(dp) :: centre
       integer :: verdict
@@ -148,11 +148,11 @@ contains
       !> Direction of the search: 1 towards larger gaps (later leading edges), -1 towards smaller ones.
       integer, intent(in) :: direction
       !> The period where the search stands, and one further on; see `look_between`.
-      type(probe_t), intent(inout) :: near, far
+      type(bound_probe_t), intent(inout) :: near, far
       !> Where to look first, as a share of the path from `near` to `far`.
       real(dp), intent(in) :: first_centre
       logical, intent(out) :: is_found
-      type(probe_t) :: ahead(max_bisections), middle
+      type(bound_probe_t) :: ahead(max_bisections), middle
       real(dp) :: centre
       integer :: n, k, verdict
 
@@ -202,7 +202,7 @@ contains
       !> Phase of the leading edge where the near period starts [rad].
       real(dp), intent(in) :: near
       !> In: the far period. Out: the period that closes.
-      type(probe_t), intent(inout) :: far
+      type(bound_probe_t), intent(inout) :: far
       logical, intent(out) :: is_found
       real(dp) :: low, high, xi, newton
       integer :: k

@@ -14,7 +14,7 @@ module adfric_foundation_stepped_description
    use adfric_foundation_given_surface, only: given_surface_t
    use adfric_foundation_stepping_relief, only: relief_t
    use adfric_foundation_stepped_case, only: stepped_case_t, get_relief, get_spectrum, resolve_stepped, has_heights, spacing_of
-   use adfric_foundation_variables, only: v_kind, v_master_curve, v_periodise, v_shortest_wavelength, v_thickness, v_velocity
+   use adfric_foundation_variables, only: in => foundation_input
    implicit none (type, external)
    private
    public :: describe_stepped, doubt_stepped, derive_stepped
@@ -36,7 +36,7 @@ contains
 
       call get_spectrum(values, given, prony, fit)
       text = ''
-      if (is_set(values(v_master_curve))) text = describe_fit(given, fit)
+      if (is_set(values(in%master_curve))) text = describe_fit(given, fit)
       text = text//describe_arms(prony, 'stiffness', 'Pa/m')
       frequencies = get_frequencies(values, given)
       write (line, '(a, es9.2, a, es9.2, a)') 'the surface excites', frequencies(1), ' to', frequencies(2), ' rad/s'
@@ -63,8 +63,8 @@ contains
       shortest = point%period
       if (has_heights(values)) then
          shortest = 2*spacing_of(values, given)
-         if (is_set(values(v_shortest_wavelength))) shortest = max(shortest, values(v_shortest_wavelength))
-      else if (nint(values(v_kind)) == kind_cosines) then
+         if (is_set(values(in%shortest_wavelength))) shortest = max(shortest, values(in%shortest_wavelength))
+      else if (nint(values(in%kind)) == kind_cosines) then
          shortest = point%period/max(1, findloc(abs(given%amplitudes) > 0, .true., dim=1, back=.true.))
       end if
       frequencies = two_pi*point%pace*[1.0_dp, point%period/shortest]
@@ -91,19 +91,19 @@ contains
       end if
       call resolve_stepped(values, given, relief, prony, point)
       if (has_heights(values)) then
-         if (relief%seam%is_open() .and. is_set(values(v_periodise))) then
-            if (nint(values(v_periodise)) == periodise_none) then
+         if (relief%seam%is_open() .and. is_set(values(in%periodise))) then
+            if (nint(values(in%periodise)) == periodise_none) then
                write (line, '(a, es9.2, a, es9.2, a)') 'the heights do not meet where the period ends: a step of', &
                   & relief%seam%step, ' m, inside at most', relief%seam%largest, ' m (root mean square); periodise = ''blend''?'
                text = text//trim(line)//new_line('a')
             end if
          end if
       end if
-      if (is_set(values(v_master_curve))) then
+      if (is_set(values(in%master_curve))) then
          text = text//doubt_range(fit, get_frequencies(values, given))
       end if
-      if (point%edge == edge_front .and. is_set(values(v_thickness)) .and. size(prony%times) > 0 .and. point%stress > 0) then
-         if (values(v_velocity)*minval(prony%times) < values(v_thickness)) text = text//'edge = ''front'' holds while velocity ' &
+      if (point%edge == edge_front .and. is_set(values(in%thickness)) .and. size(prony%times) > 0 .and. point%stress > 0) then
+         if (values(in%velocity)*minval(prony%times) < values(in%thickness)) text = text//'edge = ''front'' holds while velocity ' &
             & //'times relaxation_times exceeds the thickness, and it does not for the shortest of them'//new_line('a')
       end if
    end function doubt_stepped

@@ -24,17 +24,14 @@ module adfric_foundation_stepped_points
    use adfric_foundation_stepping_profiles, only: get_stepping_profiles
    use adfric_foundation_stepping_relief, only: relief_t
    use adfric_foundation_stepping_solid, only: solid_t, new_solid
-   use adfric_foundation_stepping_path, only: path_t, new_path
+   use adfric_foundation_stepping_path, only: column_path_t, new_path
    use adfric_foundation_stepped_case, only: stepped_case_t, resolve_stepped, get_relief, get_spectrum, has_heights, &
       & strip_spacing_of, &
       & period_of, shape_positions, foundation_positions
    use adfric_foundation_strip, only: regime_free, regime_adhesion_only, regime_discrete, regime_saturated_adhesion, &
       & regime_adhesion_zones, regime_saturated, regime_several_contacts, regime_mixed
    use adfric_foundation_surface, only: negligible, share_of_scale
-   use adfric_foundation_variables, only: n_wavy_results, r_adhesion_area, r_adhesion_count, r_contact_area, r_contact_count, &
-      & r_contact_shift, r_contact_width, r_dissipation, r_edge_loss, r_energy_imbalance, r_friction_coefficient, &
-      & r_friction_force, r_friction_sample_error, r_load, r_penetration, r_regime, r_saturated_share, r_snap_count, v_kind, &
-      & v_load, v_mean_pressure, v_n_x, v_penetration
+   use adfric_foundation_variables, only: n_wavy_results, in => foundation_input, out => foundation_output
    implicit none (type, external)
    private
    public :: solve_stepped_block, solve_stepped_profiles, row_indices, column_indices
@@ -118,7 +115,7 @@ contains
       real(dp), allocatable :: indices(:)
       integer :: i
 
-      if (nint(values(v_kind)) == kind_map) then
+      if (nint(values(in%kind)) == kind_map) then
          indices = [(strip_spacing_of(values, given)*(i - 1), i=1, size(given%heights, 2))]
       else
          indices = [0.0_dp]
@@ -133,10 +130,10 @@ contains
       real(dp) :: period
       integer :: i, n
 
-      n = nint(values(v_n_x))
+      n = nint(values(in%n_x))
       period = period_of(values, given)
       indices = [(period*(i - 1)/(n - 1), i=1, n)]
-      if (nint(values(v_kind)) == kind_2d) indices = [(period*(real(2*i - n - 1, dp)/(2*(n - 1))), i=1, n)]
+      if (nint(values(in%kind)) == kind_2d) indices = [(period*(real(2*i - n - 1, dp)/(2*(n - 1))), i=1, n)]
    end function column_indices
 
    !> Solve one point.
@@ -240,7 +237,7 @@ contains
       type(stepping_surface_t), intent(inout) :: surface
       type(relief_t), intent(in) :: relief
       type(solid_t), intent(in) :: solid
-      type(path_t), allocatable :: rows(:)
+      type(column_path_t), allocatable :: rows(:)
       integer :: i
 
       allocate (rows(size(relief%rows)))
@@ -299,39 +296,39 @@ contains
          friction = mean(f%friction)
          ! the terms of an elastic column cancel but for round-off
          if (point%is_elastic) friction = 0
-         results(r_load) = mean(f%load)*point%load_unit
-         if (is_set(values(v_load))) results(r_load) = values(v_load)
-         if (is_set(values(v_mean_pressure))) results(r_load) = values(v_mean_pressure)*point%load_unit/point%pressure_unit
-         results(r_penetration) = equilibrium%depth*point%height
-         if (is_set(values(v_penetration))) results(r_penetration) = values(v_penetration)
-         results(r_friction_force) = friction*point%friction_unit
+         results(out%load) = mean(f%load)*point%load_unit
+         if (is_set(values(in%load))) results(out%load) = values(in%load)
+         if (is_set(values(in%mean_pressure))) results(out%load) = values(in%mean_pressure)*point%load_unit/point%pressure_unit
+         results(out%penetration) = equilibrium%depth*point%height
+         if (is_set(values(in%penetration))) results(out%penetration) = values(in%penetration)
+         results(out%friction_force) = friction*point%friction_unit
          ! a load of 0 is given, or is 0 but for round-off
-         if (abs(results(r_load)) > as_good_as_zero*mean(f%load_scale)*point%load_unit) &
-            & results(r_friction_coefficient) = results(r_friction_force)/results(r_load)
-         results(r_contact_area) = mean(f%contact)*point%area_unit
-         results(r_adhesion_area) = mean(f%adhesion)*point%area_unit
-         results(r_dissipation) = mean(f%dissipation)*point%friction_unit
-         results(r_edge_loss) = mean(f%edge_loss)*point%friction_unit
+         if (abs(results(out%load)) > as_good_as_zero*mean(f%load_scale)*point%load_unit) &
+            & results(out%friction_coefficient) = results(out%friction_force)/results(out%load)
+         results(out%contact_area) = mean(f%contact)*point%area_unit
+         results(out%adhesion_area) = mean(f%adhesion)*point%area_unit
+         results(out%dissipation) = mean(f%dissipation)*point%friction_unit
+         results(out%edge_loss) = mean(f%edge_loss)*point%friction_unit
          ! as for strips: losses that are nothing beside the load have no digits of their own
          losses = max(mean(f%friction_scale) + mean(f%dissipation) + mean(abs(f%edge_loss)), negligible*mean(f%load_scale))
-         results(r_energy_imbalance) = 0
-         if (losses > 0) results(r_energy_imbalance) = mean(f%energy_mismatch)/losses
-         if (point%is_elastic) results([r_dissipation, r_energy_imbalance]) = 0
-         results(r_contact_count) = sum(f%n_contacts)
-         results(r_adhesion_count) = sum(f%n_adhesions)
-         results(r_snap_count) = sum(f%n_snaps)
-         results(r_saturated_share) = count(regimes_of(f) == regime_saturated)/real(n, dp)
-         results(r_friction_sample_error) = merge(0.0_dp, error_of_mean(f%friction)*point%friction_unit, point%is_elastic)
-         results(r_regime) = regime_mixed
-         if (all(regimes_of(f) == regime_of(f(1)))) results(r_regime) = regime_of(f(1))
+         results(out%energy_imbalance) = 0
+         if (losses > 0) results(out%energy_imbalance) = mean(f%energy_mismatch)/losses
+         if (point%is_elastic) results([out%dissipation, out%energy_imbalance]) = 0
+         results(out%contact_count) = sum(f%n_contacts)
+         results(out%adhesion_count) = sum(f%n_adhesions)
+         results(out%snap_count) = sum(f%n_snaps)
+         results(out%saturated_share) = count(regimes_of(f) == regime_saturated)/real(n, dp)
+         results(out%friction_sample_error) = merge(0.0_dp, error_of_mean(f%friction)*point%friction_unit, point%is_elastic)
+         results(out%regime) = regime_mixed
+         if (all(regimes_of(f) == regime_of(f(1)))) results(out%regime) = regime_of(f(1))
          if (n == 1 .and. f(1)%n_contacts == 0) then
-            results([r_contact_width, r_contact_shift]) = 0
+            results([out%contact_width, out%contact_shift]) = 0
          else if (n == 1 .and. f(1)%n_contacts == 1) then
-            results(r_contact_width) = f(1)%contact_length*point%period
+            results(out%contact_width) = f(1)%contact_length*point%period
             ! the path of a column goes to smaller x
             shift = f(1)%contact_middle - crest
-            results(r_contact_shift) = -(shift - anint(shift))*point%period
-            if (regime_of(f(1)) == regime_saturated) results(r_contact_shift) = 0
+            results(out%contact_shift) = -(shift - anint(shift))*point%period
+            if (regime_of(f(1)) == regime_saturated) results(out%contact_shift) = 0
          end if
       end associate
    end subroutine store

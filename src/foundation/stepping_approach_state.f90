@@ -11,13 +11,13 @@ module adfric_foundation_stepping_approach_state
    use adfric_base_kinds, only: dp
    use adfric_numerics_obstacle, only: solve_above
    use adfric_foundation_stepping_law, only: stepping_law_t
-   use adfric_foundation_stepping_period, only: period_t
+   use adfric_foundation_stepping_period, only: stepped_period_t
    use adfric_foundation_stepping_response, only: bound_response
    use adfric_foundation_stepping_solid, only: product_of
    use adfric_foundation_stepping_steady_column, only: steady_column_t, start_from_below, take_edge_step, stepping, changes_flag, &
       & judge_step, &
       & move, get_steps, get_matrix, get_displacement_sums, most_edge_steps, most_periods
-   use adfric_foundation_stepping_path, only: path_t
+   use adfric_foundation_stepping_path, only: column_path_t
    implicit none (type, external)
    private
    public :: find_approach
@@ -32,7 +32,7 @@ contains
    pure subroutine find_approach(self, path, law, depth)
       !> In: where to start. Out: the steady state.
       type(steady_column_t), intent(inout) :: self
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       real(dp) :: steps(path%solid%n, path%solid%n + 1), sums(2)
@@ -74,8 +74,8 @@ contains
       !> In: a state above the greatest one, with its period. Out: the greatest one, if it is proved.
       type(steady_column_t), intent(inout) :: self
       !> In: the period whose response is used. Out: a better one, if there is one.
-      type(period_t), intent(inout) :: bound
-      type(path_t), intent(in) :: path
+      type(stepped_period_t), intent(inout) :: bound
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       !> In: (I - J0)^-1 of the bound. Out: that of the better one.
@@ -109,7 +109,7 @@ contains
    pure logical function goes_on(self, period, k, last_step)
       type(steady_column_t), intent(in) :: self
       !> Period of the state from which the first step was taken.
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       !> Number of steps taken.
       integer, intent(in) :: k
       !> The largest component of the step before.
@@ -126,7 +126,7 @@ contains
    pure subroutine lengthen_step(self, path, law, depth)
       !> A state above the greatest one, with its period and step; receives the longer step.
       type(steady_column_t), intent(inout) :: self
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       real(dp) :: own(path%solid%n, 2), matrix(path%solid%n, path%solid%n), step(path%solid%n), share, best
@@ -167,8 +167,8 @@ contains
       !> A state above the greatest one, with its period.
       type(steady_column_t), intent(in) :: self
       !> In: the period whose response is used. Out: a better one, if there is one.
-      type(period_t), intent(inout) :: bound
-      type(path_t), intent(in) :: path
+      type(stepped_period_t), intent(inout) :: bound
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       !> In: (I - J0)^-1 of the bound. Out: that of the better one.
@@ -193,10 +193,10 @@ contains
       !> A state above the greatest one, with its period.
       type(steady_column_t), intent(in) :: self
       !> The period of a state below the greatest one.
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       !> In: the period whose response is used. Out: the better one.
-      type(period_t), intent(inout) :: bound
-      type(path_t), intent(in) :: path
+      type(stepped_period_t), intent(inout) :: bound
+      type(column_path_t), intent(in) :: path
       !> In: (I - J0)^-1 of the bound. Out: that of the better one.
       real(dp), intent(inout) :: steps(:, :)
       real(dp) :: other(size(steps, 1), size(steps, 2))

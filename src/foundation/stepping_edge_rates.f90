@@ -2,9 +2,9 @@
 !> The rates at which gap and reach meet where a free column is attached or an attached one let go, for one state and for all between two.
 module adfric_foundation_stepping_edge_rates
    use adfric_base_kinds, only: dp
-   use adfric_foundation_stepping_period, only: period_t, zone_t, in_contact, in_adhesion
+   use adfric_foundation_stepping_period, only: stepped_period_t, zone_t, in_contact, in_adhesion
    use adfric_foundation_stepping_solid, only: product_of
-   use adfric_foundation_stepping_path, only: path_t, decay_of, height_at, steepness_at, stretches_at
+   use adfric_foundation_stepping_path, only: column_path_t, decay_of, height_at, steepness_at, stretches_at
    use adfric_foundation_stepping_zone_end, only: position_t
    implicit none (type, external)
    private
@@ -17,7 +17,7 @@ contains
 
    !> Time of a position.
    pure real(dp) function time_of(path, position) result(time)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(position_t), intent(in) :: position
 
       time = ((position%piece - 1) + position%theta)*path%step
@@ -25,8 +25,8 @@ contains
 
    !> Gap of a free column, without the penetration.
    pure real(dp) function gap_at(path, period, i, position) result(gap)
-      type(path_t), intent(in) :: path
-      type(period_t), intent(in) :: period
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> Number of the free zone.
       integer, intent(in) :: i
       type(position_t), intent(in) :: position
@@ -39,7 +39,7 @@ contains
    !> A lower bound of the rate at which m of a state and the surface meet (free) or part (else), between two positions of a zone or
    !> behind it; negative where these are too far apart for one of use.
    pure real(dp) function least_rate(path, zone, start, early, late, first, second) result(rate)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(zone_t), intent(in) :: zone
       !> What it begins with: stretches less those of endless contact, or Kelvin elements; shape `(n_arms)`.
       real(dp), intent(in) :: start(:)
@@ -70,7 +70,7 @@ contains
 
    !> Bounds of the derivative of the heights over time between two positions.
    pure subroutine bound_steepness(path, early, late, lowest, highest)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(position_t), intent(in) :: early, late
       !> Receives the bounds.
       real(dp), intent(out) :: lowest, highest
@@ -91,11 +91,11 @@ contains
 
    !> By how much the rates of states between two differ at most from the rate of one of the two, where one leaves a zone.
    pure real(dp) function rate_difference(path, lower, lower_depth, upper, upper_depth, i, last, first) result(difference)
-      type(path_t), intent(in) :: path
-      type(period_t), intent(in) :: lower
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: lower
       !> Its penetration.
       real(dp), intent(in) :: lower_depth
-      type(period_t), intent(in) :: upper
+      type(stepped_period_t), intent(in) :: upper
       !> Its penetration.
       real(dp), intent(in) :: upper_depth
       !> Number of the zone.

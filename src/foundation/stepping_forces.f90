@@ -8,9 +8,9 @@ module adfric_foundation_stepping_forces
    use adfric_base_kinds, only: dp
    use adfric_numerics_phi_functions, only: get_exponential_moments
    use adfric_foundation_stepping_law, only: stepping_law_t
-   use adfric_foundation_stepping_period, only: period_t, zone_t, in_contact, in_adhesion, in_free
+   use adfric_foundation_stepping_period, only: stepped_period_t, zone_t, in_contact, in_adhesion, in_free
    use adfric_foundation_stepping_solid, only: product_of
-   use adfric_foundation_stepping_path, only: path_t, decay_of, expm1_of, get_double_moment, stretches_at, work_of_heights
+   use adfric_foundation_stepping_path, only: column_path_t, decay_of, expm1_of, get_double_moment, stretches_at, work_of_heights
    use adfric_foundation_stepping_zone_end, only: position_t
    implicit none (type, external)
    private
@@ -41,10 +41,10 @@ contains
 
    !> Sum up a steady period.
    pure subroutine get_stepping_forces(path, law, depth, period, forces)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       type(stepping_forces_t), intent(out) :: forces
       real(dp) :: displacement
       integer :: i
@@ -70,7 +70,7 @@ contains
 
    !> Add a contact.
    pure subroutine add_contact(path, depth, zone, disturbance, forces, displacement)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       real(dp), intent(in) :: depth
       type(zone_t), intent(in) :: zone
       !> Stretches less those of endless contact where it begins; shape `(n_arms)`.
@@ -100,7 +100,7 @@ contains
 
    !> Integrals over a contact, piece by piece.
    pure subroutine integrate_contact(path, start, finish, first_disturbance, heights, work, size_of_work)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(position_t), intent(in) :: start, finish
       !> Stretches less those of endless contact where it begins; shape `(n_arms)`.
       real(dp), intent(in) :: first_disturbance(:)
@@ -176,7 +176,7 @@ contains
 
    !> Work of the pressure over a part of a piece.
    pure real(dp) function get_part_work(path, length, c, stretch) result(work)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       !> Length of the part in pieces.
       real(dp), intent(in) :: length
       !> Coefficients of the heights over the part; shape `(0:degree)`.
@@ -201,7 +201,7 @@ contains
 
    !> Add a zone of adhesion or a free one.
    pure subroutine add_open_zone(path, law, zone, elements, forces, displacement)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       type(zone_t), intent(in) :: zone
       !> Kelvin elements where it begins; shape `(n_arms)`.
@@ -226,7 +226,7 @@ contains
    !> Count zones round the period: one that its end cuts counts once.
    pure subroutine count_zones(law, period, forces)
       type(stepping_law_t), intent(in) :: law
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       type(stepping_forces_t), intent(inout) :: forces
       integer :: i
 
@@ -252,8 +252,8 @@ contains
 
    !> Middle and length of the contact, if there is one.
    pure subroutine find_single_contact(path, period, forces)
-      type(path_t), intent(in) :: path
-      type(period_t), intent(in) :: period
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> The counts; receives middle and length.
       type(stepping_forces_t), intent(inout) :: forces
       real(dp) :: first, last
@@ -280,9 +280,9 @@ contains
 
    !> Energy that edges of adhesion take.
    pure real(dp) function get_edge_loss(path, law, period) result(loss)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       real(dp) :: stretches(path%solid%n)
       integer :: i
 

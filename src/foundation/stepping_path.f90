@@ -17,7 +17,7 @@ module adfric_foundation_stepping_path
    use adfric_foundation_stepping_solid, only: solid_t
    implicit none (type, external)
    private
-   public :: path_t, new_path, height_at, steepness_at, stretches_at, pressure_since, decay_of, expm1_of, &
+   public :: column_path_t, new_path, height_at, steepness_at, stretches_at, pressure_since, decay_of, expm1_of, &
       & get_double_moment, work_of_heights, n_levels, block_length, negligible_term
 
    !> Levels of blocks: pieces, and blocks of them.
@@ -37,7 +37,7 @@ module adfric_foundation_stepping_path
    end type block_bounds_t
 
    !> A path.
-   type :: path_t
+   type :: column_path_t
       !> The column.
       type(solid_t), allocatable :: solid
       !> Number of pieces of a period, and the degree of their polynomials.
@@ -78,13 +78,13 @@ module adfric_foundation_stepping_path
       !> Stiffness of the springs that heights alone stretch, those of slow arms and the relaxed one, and what the lengths of slow
       !> dashpots take from their stress where the period begins.
       real(dp) :: elastic_stiffness = 1, elastic_offset = 0
-   end type path_t
+   end type column_path_t
 
 contains
 
    !> Prepare the path of a column.
    pure subroutine new_path(self, line, solid)
-      type(path_t), intent(out) :: self
+      type(column_path_t), intent(out) :: self
       !> Heights along the period, the highest at or near the beginning.
       type(height_line_t), intent(in) :: line
       type(solid_t), intent(in) :: solid
@@ -108,7 +108,7 @@ contains
    !> Ratios of times, and what remains of disturbances.
    pure subroutine set_rates(self)
       !> The path, whose column and number of pieces are known.
-      type(path_t), intent(inout) :: self
+      type(column_path_t), intent(inout) :: self
       real(dp) :: phi(self%degree + 1), factorial
       integer :: i, k, m
 
@@ -148,7 +148,7 @@ contains
    !> Bounds of the heights of each piece, by the coefficients of its Bernstein form.
    pure subroutine bound_heights(self)
       !> The path, whose polynomials are known.
-      type(path_t), intent(inout) :: self
+      type(column_path_t), intent(inout) :: self
       real(dp) :: bernstein(0:self%degree)
       integer :: j
 
@@ -186,7 +186,7 @@ contains
    !> Find endless contact: the periodic state, its sums, and bounds of its pressure in each piece.
    pure subroutine find_endless_contact(self)
       !> The path; receives heads, sums and bounds.
-      type(path_t), intent(inout) :: self
+      type(column_path_t), intent(inout) :: self
       real(dp) :: state(self%solid%n), first(self%solid%n), total(self%degree), work(self%degree, self%degree)
       real(dp) :: mean_of(self%solid%n), weights(self%solid%n, self%degree)
       integer :: j
@@ -231,7 +231,7 @@ contains
 
    !> One piece of endless contact: stretches of fast arms, growths of slow ones.
    pure subroutine step_arms(self, j, state)
-      type(path_t), intent(in) :: self
+      type(column_path_t), intent(in) :: self
       integer, intent(in) :: j
       !> In: the arms where the piece begins. Out: where it ends; shape `(n_arms)`.
       real(dp), intent(inout), contiguous :: state(:)
@@ -246,7 +246,7 @@ contains
    !> Weights of the integrals over a piece.
    pure subroutine set_weights(self, total, work, moments, mean_of)
       !> The path; receives the weights of stretches in the work.
-      type(path_t), intent(inout) :: self
+      type(column_path_t), intent(inout) :: self
       !> Integral over theta of all forced stretches times stiffness, by coefficient; shape `(degree)`.
       real(dp), intent(out) :: total(:)
       !> Integral over heights of forced stretches of fast arms, less that of forced growths of slow ones, by two coefficients; shape
@@ -331,7 +331,7 @@ contains
    !> Add a piece of endless contact to the sums, and bound its pressure.
    pure subroutine add_piece(self, j, state, total, work, mean_of)
       !> The path; receives sums and bound of the piece.
-      type(path_t), intent(inout) :: self
+      type(column_path_t), intent(inout) :: self
       integer, intent(in) :: j
       !> The arms where the piece begins, as `step_arms` has them; shape `(n_arms)`.
       real(dp), intent(in), contiguous :: state(:)
@@ -370,7 +370,7 @@ contains
    !> Bounds over blocks of pieces.
    pure subroutine bound_blocks(self)
       !> The path, whose bounds over pieces are known.
-      type(path_t), intent(inout) :: self
+      type(column_path_t), intent(inout) :: self
 
       integer :: k
 
@@ -408,7 +408,7 @@ contains
 
    !> Height at a position.
    pure real(dp) function height_at(self, j, theta) result(height)
-      type(path_t), intent(in) :: self
+      type(column_path_t), intent(in) :: self
       !> The piece.
       integer, intent(in) :: j
       !> Share of it that is passed, 0 to 1.
@@ -424,7 +424,7 @@ contains
    !> Integral over heights of the pressure that follows from the heights alone, without the penetration: of the relaxed spring, and
    !> of slow arms whose dashpots stay as they are where the period begins.
    pure real(dp) function work_of_heights(self, first, last, stress) result(work)
-      type(path_t), intent(in) :: self
+      type(column_path_t), intent(in) :: self
       !> Heights where the integral begins and ends.
       real(dp), intent(in) :: first, last
       !> A stress that stays and adds to the pressure.
@@ -435,7 +435,7 @@ contains
 
    !> Derivative of the height with respect to theta.
    pure real(dp) function steepness_at(self, j, theta) result(slope)
-      type(path_t), intent(in) :: self
+      type(column_path_t), intent(in) :: self
       !> The piece.
       integer, intent(in) :: j
       !> Share of it that is passed, 0 to 1.
@@ -451,7 +451,7 @@ contains
    !> Endless contact at a position: the stretches of all arms, the growths of slow ones, and the integral of the pressure over time
    !> since the piece began.
    pure subroutine stretches_at(self, j, theta, stretch, growth)
-      type(path_t), intent(in) :: self
+      type(column_path_t), intent(in) :: self
       !> The piece.
       integer, intent(in) :: j
       !> Share of it that is passed, 0 to 1.
@@ -541,7 +541,7 @@ contains
    !> Integral of the pressure of endless contact at no penetration over time, from the end of one piece to a position in another
    !> one.
    pure real(dp) function pressure_since(self, first, j, theta, stretch, growth) result(total)
-      type(path_t), intent(in) :: self
+      type(column_path_t), intent(in) :: self
       !> Number of the piece whose end the integral begins at; 0 for the beginning of the period.
       integer, intent(in) :: first
       !> The piece.

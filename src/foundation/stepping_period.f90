@@ -8,11 +8,11 @@ module adfric_foundation_stepping_period
    use adfric_base_kinds, only: dp
    use adfric_foundation_stepping_law, only: stepping_law_t
    use adfric_foundation_stepping_solid, only: product_of
-   use adfric_foundation_stepping_path, only: path_t, decay_of, expm1_of, height_at, stretches_at, pressure_since
+   use adfric_foundation_stepping_path, only: column_path_t, decay_of, expm1_of, height_at, stretches_at, pressure_since
    use adfric_foundation_stepping_zone_end, only: position_t, end_contact, end_open_zone, period_over, zone_closes
    implicit none (type, external)
    private
-   public :: column_state_t, zone_t, period_t, step_period, in_contact, in_adhesion, in_free
+   public :: column_state_t, zone_t, stepped_period_t, step_period, in_contact, in_adhesion, in_free
 
    !> Kinds of zones.
    integer, parameter :: in_contact = 1, in_adhesion = 2, in_free = 3
@@ -46,7 +46,7 @@ module adfric_foundation_stepping_period
    end type zone_t
 
    !> A period.
-   type :: period_t
+   type :: stepped_period_t
       !> Number of zones.
       integer :: n_zones = 0
       !> The zones in their order; more may be allocated.
@@ -63,19 +63,19 @@ module adfric_foundation_stepping_period
       real(dp) :: load = 0
       !> Was every zone followed to its end?
       logical :: is_complete = .false.
-   end type period_t
+   end type stepped_period_t
 
 contains
 
    !> Time stepping one period.
    pure subroutine step_period(path, law, depth, state, period)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       !> Penetration, by which all heights are higher.
       real(dp), intent(in) :: depth
       type(column_state_t), intent(in) :: state
       !> Receives the period; its memory is used again.
-      type(period_t), intent(inout) :: period
+      type(stepped_period_t), intent(inout) :: period
       real(dp) :: current(path%solid%n)
       type(position_t) :: position
       integer :: kind
@@ -107,7 +107,7 @@ contains
    !> Forget the last period.
    pure subroutine clear(period, n)
       !> The period, whose memory is kept.
-      type(period_t), intent(inout) :: period
+      type(stepped_period_t), intent(inout) :: period
       !> Number of arms.
       integer, intent(in) :: n
       integer, parameter :: first_space = 32
@@ -126,7 +126,7 @@ contains
 
    !> Zone and state where the period begins.
    pure subroutine begin(path, law, depth, state, kind, current)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       type(column_state_t), intent(in) :: state
@@ -160,7 +160,7 @@ contains
 
    !> Add a zone.
    pure subroutine add_zone(period, kind, position, is_snap)
-      type(period_t), intent(inout) :: period
+      type(stepped_period_t), intent(inout) :: period
       !> Kind of the zone.
       integer, intent(in) :: kind
       type(position_t), intent(in) :: position
@@ -183,7 +183,7 @@ contains
 
    !> Pass a contact.
    pure subroutine pass_contact(path, law, depth, zone, current, period, is_over)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       !> The zone; receives its end and load.
@@ -191,7 +191,7 @@ contains
       !> In: stretches where it begins. Out: where it ends; shape `(n_arms)`.
       real(dp), intent(inout) :: current(:)
       !> The period, whose growth is completed.
-      type(period_t), intent(inout) :: period
+      type(stepped_period_t), intent(inout) :: period
       logical, intent(out) :: is_over
       real(dp), dimension(path%solid%n) :: first, first_growth, last, last_growth, disturbance, passed, lost, grown
       logical :: is_found
@@ -223,7 +223,7 @@ contains
 
    !> Pass an open zone.
    pure subroutine pass_open_zone(path, law, depth, zone, current, period, is_over)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       !> The zone; receives its end and load.
@@ -231,7 +231,7 @@ contains
       !> In: Kelvin elements where it begins. Out: where it ends; shape `(n_arms)`.
       real(dp), intent(inout) :: current(:)
       !> The period, whose growth is completed.
-      type(period_t), intent(inout) :: period
+      type(stepped_period_t), intent(inout) :: period
       logical, intent(out) :: is_over
       real(dp) :: lost(path%solid%n), pressure, close_gap, release_gap
       logical :: is_found
@@ -256,7 +256,7 @@ contains
 
    !> The end of the period is the end of its last piece.
    pure subroutine close_period(path, zone)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       !> The zone, whose end may lie behind the last piece.
       type(zone_t), intent(inout) :: zone
 
@@ -265,7 +265,7 @@ contains
 
    !> Duration and heights of a zone.
    pure subroutine measure(path, zone)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(zone_t), intent(inout) :: zone
 
       zone%duration = (real(zone%finish%piece - zone%start%piece, dp) + (zone%finish%theta - zone%start%theta))*path%step
@@ -278,7 +278,7 @@ contains
 
    !> Cross the edge between two zones.
    pure subroutine cross_edge(path, law, depth, zone, current, kind, is_snap)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       type(zone_t), intent(in) :: zone

@@ -3,8 +3,8 @@
 module adfric_foundation_stepping_profiles
    use adfric_base_kinds, only: dp
    use adfric_foundation_stepping_law, only: stepping_law_t
-   use adfric_foundation_stepping_period, only: period_t, in_contact, in_adhesion
-   use adfric_foundation_stepping_path, only: path_t, decay_of, height_at, steepness_at, stretches_at
+   use adfric_foundation_stepping_period, only: stepped_period_t, in_contact, in_adhesion
+   use adfric_foundation_stepping_path, only: column_path_t, decay_of, height_at, steepness_at, stretches_at
    implicit none (type, external)
    private
    public :: get_stepping_profiles
@@ -14,10 +14,10 @@ contains
    !> Profiles at given positions, in the units of the time stepping; the shear stress in that of pressure times heights over the
    !> period.
    pure subroutine get_stepping_profiles(path, law, depth, period, start, positions, profiles)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       !> Where the path begins, x in periods.
       real(dp), intent(in) :: start
       !> Positions x in periods; shape `(n)`.
@@ -43,7 +43,7 @@ contains
 
    !> The zone of a position.
    pure integer function find_zone(period, piece, theta) result(zone)
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       !> The piece of the position.
       integer, intent(in) :: piece
       !> Share of the piece that is passed.
@@ -59,10 +59,10 @@ contains
 
    !> Pressure and displacement at a position.
    pure subroutine get_state(path, law, depth, period, zone, piece, theta, pressure, displacement)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       !> Number of the zone of the position.
       integer, intent(in) :: zone
       !> The piece of the position.

@@ -17,9 +17,9 @@ module adfric_foundation_stepping_response
    use adfric_base_kinds, only: dp
    use adfric_foundation_stepping_edge_rates, only: time_of, gap_at, least_rate, rate_difference
    use adfric_foundation_stepping_law, only: stepping_law_t
-   use adfric_foundation_stepping_period, only: period_t, in_contact, in_adhesion, in_free
+   use adfric_foundation_stepping_period, only: stepped_period_t, in_contact, in_adhesion, in_free
    use adfric_foundation_stepping_spans, only: span_t, get_response, solve
-   use adfric_foundation_stepping_path, only: path_t, expm1_of
+   use adfric_foundation_stepping_path, only: column_path_t, expm1_of
    use adfric_foundation_stepping_zone_end, only: position_t
    implicit none (type, external)
    private
@@ -34,9 +34,9 @@ contains
 
    !> Newton's step towards a steady state, and how that changes with the penetration, by the derivative of the period.
    pure subroutine get_edge_steps(path, law, period, step, response, load_step, load_slope, is_solved)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       !> Receives the step of the lengths e, and their change with the penetration; shape `(n_arms)`.
       real(dp), intent(out) :: step(:), response(:)
       !> Receives by how much the step changes the load, and the slope of the load over the penetration.
@@ -64,9 +64,9 @@ contains
 
    !> The span of a zone of one state.
    pure subroutine set_span(path, law, period, i, span, is_set)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       !> Number of the zone.
       integer, intent(in) :: i
       type(span_t), intent(out) :: span
@@ -89,7 +89,7 @@ contains
 
    !> Does the displacement jump where a zone ends?
    pure logical function lets_jump(period, i)
-      type(period_t), intent(in) :: period
+      type(stepped_period_t), intent(in) :: period
       !> Number of the zone.
       integer, intent(in) :: i
 
@@ -120,14 +120,14 @@ contains
    !> Look for a proof that two states have no steady one between them, at none of the penetrations between theirs, and bound the slope
    !> of the load over the penetration.
    pure subroutine bound_response(path, law, lower, lower_depth, upper, upper_depth, slope, is_proved)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       !> Period of the state with smaller lengths, at the larger penetration.
-      type(period_t), intent(in) :: lower
+      type(stepped_period_t), intent(in) :: lower
       !> This penetration.
       real(dp), intent(in) :: lower_depth
       !> Period of the state with larger lengths, at the smaller penetration.
-      type(period_t), intent(in) :: upper
+      type(stepped_period_t), intent(in) :: upper
       !> This penetration.
       real(dp), intent(in) :: upper_depth
       !> Receives a lower bound of the slope.
@@ -158,7 +158,7 @@ contains
 
    !> Have two periods the same zones?
    pure logical function have_same_zones(lower, upper) result(are_same)
-      type(period_t), intent(in) :: lower, upper
+      type(stepped_period_t), intent(in) :: lower, upper
 
       are_same = lower%n_zones == upper%n_zones .and. lower%is_complete .and. upper%is_complete .and. &
          & (lower%is_attached .eqv. upper%is_attached)
@@ -170,12 +170,12 @@ contains
 
    !> The span of a zone that two states have in common, and the edges behind it.
    pure subroutine set_common_span(path, law, lower, lower_depth, upper, upper_depth, i, last, span, is_set)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
-      type(period_t), intent(in) :: lower
+      type(stepped_period_t), intent(in) :: lower
       !> Its penetration.
       real(dp), intent(in) :: lower_depth
-      type(period_t), intent(in) :: upper
+      type(stepped_period_t), intent(in) :: upper
       !> Its penetration.
       real(dp), intent(in) :: upper_depth
       !> Number of the zone.
@@ -206,12 +206,12 @@ contains
 
    !> The jump behind a zone that two states have in common, with the least rate of all states between them.
    pure subroutine set_jump(path, law, lower, lower_depth, upper, upper_depth, i, last, first, second, span, is_set)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
-      type(period_t), intent(in) :: lower
+      type(stepped_period_t), intent(in) :: lower
       !> Its penetration.
       real(dp), intent(in) :: lower_depth
-      type(period_t), intent(in) :: upper
+      type(stepped_period_t), intent(in) :: upper
       !> Its penetration.
       real(dp), intent(in) :: upper_depth
       !> Number of the zone.
@@ -256,7 +256,7 @@ contains
 
       !> The least rate of a state that is in the zone for longer.
       pure real(dp) function longer_rate(period)
-         type(period_t), intent(in) :: period
+         type(stepped_period_t), intent(in) :: period
          real(dp) :: begin
 
          begin = time_of(path, period%zones(i)%start)

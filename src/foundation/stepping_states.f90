@@ -5,7 +5,7 @@ module adfric_foundation_stepping_states
    use adfric_foundation_stepping_approach_state, only: find_approach
    use adfric_foundation_stepping_law, only: stepping_law_t
    use adfric_foundation_stepping_steady_column, only: steady_column_t, find_adhered, start_from_below, start_from_free
-   use adfric_foundation_stepping_path, only: path_t
+   use adfric_foundation_stepping_path, only: column_path_t
    implicit none (type, external)
    private
    public :: stepping_surface_t, stepping_states_t, start, find_least, find_greatest, sum_up, shift, largest_depth, is_shared
@@ -23,7 +23,7 @@ module adfric_foundation_stepping_states
    !> A surface at one velocity.
    type :: stepping_surface_t
       !> The rows.
-      type(path_t), allocatable :: rows(:)
+      type(column_path_t), allocatable :: rows(:)
       !> The law of adhesion.
       type(stepping_law_t) :: law
       !> Is the branch the greatest state? Else it is the least.

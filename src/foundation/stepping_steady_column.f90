@@ -11,10 +11,10 @@ module adfric_foundation_stepping_steady_column
    use adfric_base_kinds, only: dp
    use adfric_numerics_lapack, only: dgesv
    use adfric_foundation_stepping_law, only: stepping_law_t
-   use adfric_foundation_stepping_period, only: column_state_t, period_t, step_period, in_contact
+   use adfric_foundation_stepping_period, only: column_state_t, stepped_period_t, step_period, in_contact
    use adfric_foundation_stepping_response, only: get_edge_steps
    use adfric_foundation_stepping_solid, only: multiply, product_of
-   use adfric_foundation_stepping_path, only: path_t, expm1_of
+   use adfric_foundation_stepping_path, only: column_path_t, expm1_of
    implicit none (type, external)
    private
    public :: steady_column_t, take_step, take_edge_step, find_adhered, start_from_below, start_from_free, stepping, changes_flag, &
@@ -40,7 +40,7 @@ module adfric_foundation_stepping_steady_column
       !> The state where the period begins.
       type(column_state_t) :: state
       !> The last period from a state.
-      type(period_t) :: period
+      type(stepped_period_t) :: period
       !> The step from that state; shape `(n_arms)`.
       real(dp), allocatable :: step(:)
       !> The largest component of the step.
@@ -65,7 +65,7 @@ contains
    !> period raises, and so is the higher one of both for each arm.
    pure subroutine start_from_below(self, path, law, depth)
       type(steady_column_t), intent(inout) :: self
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
 
@@ -78,7 +78,7 @@ contains
    !> A state above all that are steady: free.
    pure subroutine start_from_free(self, path, depth)
       type(steady_column_t), intent(inout) :: self
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       real(dp), intent(in) :: depth
 
       self%state%length = spread(max(depth, 0.0_dp) + beyond, 1, path%solid%n)
@@ -89,7 +89,7 @@ contains
    pure subroutine find_adhered(self, path, law, depth)
       !> In: where to start. Out: the steady state.
       type(steady_column_t), intent(inout) :: self
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       integer :: k
@@ -107,7 +107,7 @@ contains
    pure subroutine take_edge_step(self, path, law, depth)
       !> The state; receives period and step.
       type(steady_column_t), intent(inout) :: self
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       real(dp) :: load_step
@@ -129,7 +129,7 @@ contains
    pure subroutine take_step(self, path, law, depth)
       !> The state; receives period and step.
       type(steady_column_t), intent(inout) :: self
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
       real(dp) :: steps(path%solid%n, 2), sums(2)
@@ -153,7 +153,7 @@ contains
    pure subroutine stepping(self, path, law, depth)
       !> The state; receives period, step and load.
       type(steady_column_t), intent(inout) :: self
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(stepping_law_t), intent(in) :: law
       real(dp), intent(in) :: depth
 
@@ -203,8 +203,8 @@ contains
 
    !> Steps (I - J0)^-1 of growths, and of what a unit of penetration adds in contact.
    pure subroutine get_steps(path, period, steps, is_solved, growth)
-      type(path_t), intent(in) :: path
-      type(period_t), intent(in) :: period
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> Receives the step of the growth, or of a unit of growth of each arm, and at the end the response to the penetration; shape
       !> `(n_arms, n_steps)`.
       real(dp), intent(out) :: steps(:, :)
@@ -232,8 +232,8 @@ contains
 
    !> I - J0 of a period.
    pure subroutine get_matrix(path, period, matrix)
-      type(path_t), intent(in) :: path
-      type(period_t), intent(in) :: period
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> Receives it; shape `(n_arms, n_arms)`.
       real(dp), intent(out) :: matrix(:, :)
       real(dp) :: vectors(path%solid%n, path%solid%n + 1), grown(path%solid%n, path%solid%n + 1)
@@ -249,8 +249,8 @@ contains
 
    !> Send disturbances of the lengths through the zones of a period. The last one has a unit of penetration with it.
    pure subroutine pass_zones(path, period, vectors, grown)
-      type(path_t), intent(in) :: path
-      type(period_t), intent(in) :: period
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> In: disturbances where the period begins. Out: where it ends; shape `(n_arms, n_vectors)`.
       real(dp), intent(inout) :: vectors(:, :)
       !> Receives their growth, as a sum over zones; shape `(n_arms, n_vectors)`.
@@ -287,8 +287,8 @@ contains
    !> Integrals over the period of the displacements that two disturbances of the lengths make; the second has a unit of penetration
    !> with it.
    pure subroutine get_displacement_sums(path, period, step, response, sums)
-      type(path_t), intent(in) :: path
-      type(period_t), intent(in) :: period
+      type(column_path_t), intent(in) :: path
+      type(stepped_period_t), intent(in) :: period
       !> Disturbances where the period begins; shape `(n_arms)`.
       real(dp), intent(in) :: step(:), response(:)
       !> Receives the integrals.

@@ -3,7 +3,7 @@
 !> searched.
 module adfric_foundation_stepping_zone_end
    use adfric_base_kinds, only: dp
-   use adfric_foundation_stepping_path, only: path_t, decay_of, stretches_at, n_levels, block_length, negligible_term
+   use adfric_foundation_stepping_path, only: column_path_t, decay_of, stretches_at, n_levels, block_length, negligible_term
    use adfric_foundation_stepping_zone_curve, only: zone_curve_t, find_first_zero, highest_power
    implicit none (type, external)
    private
@@ -31,7 +31,7 @@ contains
 
    !> Follow a contact to its end.
    pure subroutine end_contact(path, depth, strength, disturbance, position, event, is_found)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       !> Penetration, by which all heights are higher.
       real(dp), intent(in) :: depth
       !> Contact ends where the pressure falls to minus this.
@@ -78,7 +78,7 @@ contains
 
    !> Follow an open zone to its end.
    pure subroutine end_open_zone(path, depth, pressure, close_gap, release_gap, elements, position, event, is_found)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       !> Penetration, by which all heights are higher.
       real(dp), intent(in) :: depth
       !> Pressure in the zone: minus the adhesion stress, or 0.
@@ -179,7 +179,7 @@ contains
 
    !> The level of the largest block that begins at a position; 1 for a piece.
    pure integer function first_level(path, position) result(level)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(position_t), intent(in) :: position
 
       level = 1
@@ -204,7 +204,7 @@ contains
 
    !> What remains of disturbances at the end of a block, or of the piece of the position.
    pure function remaining_share(path, position, ratio, decay, level) result(remaining)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       type(position_t), intent(in) :: position
       !> A piece over the times of relaxation, and what remains after pieces and blocks; shapes `(n_arms)`, `(n_arms, n_levels)`.
       real(dp), intent(in) :: ratio(:), decay(:, :)
@@ -227,7 +227,7 @@ contains
 
    !> The pressure above that at which contact ends, within a piece.
    pure subroutine set_contact_curve(path, level, excess, position, curve)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       !> Penetration, and strength of the contact.
       real(dp), intent(in) :: level
       !> Disturbance times stiffness at the position; shape `(n_arms)`.
@@ -279,7 +279,7 @@ contains
 
    !> The gap above a bound, or below it, within a piece.
    pure subroutine set_open_curve(path, base, direction, elements, position, curve)
-      type(path_t), intent(in) :: path
+      type(column_path_t), intent(in) :: path
       !> Displacement without the elements, less penetration and bound.
       real(dp), intent(in) :: base
       !> 1: the gap falls to the bound; -1: it rises to it.

@@ -59,18 +59,18 @@ module adfric_foundation_strip_stepping
 
    !> What ends a zone, as a function of the phase d passed since it began:
    !> start + amplitude decay(d/length) + x (1 - cos d) + y sin d.
-   type, extends(equation_t) :: zone_curve_t
+   type, extends(equation_t) :: strip_zone_curve_t
       !> Numbers of this formula; the length is a phase.
       real(dp) :: start = 0, amplitude = 0, length = 1, x = 0, y = 0
    contains
       procedure :: evaluate
-   end type zone_curve_t
+   end type strip_zone_curve_t
 
 contains
 
    !> Value and slope of a zone curve.
    pure subroutine evaluate(self, x, value, slope)
-      class(zone_curve_t), intent(in) :: self
+      class(strip_zone_curve_t), intent(in) :: self
       !> Phase d passed since the zone began [rad], >= 0.
       real(dp), intent(in) :: x
       !> Value of the curve.
@@ -85,7 +85,7 @@ contains
    end subroutine evaluate
 
    !> Pressure above -stress in contact.
-   pure type(zone_curve_t) function contact_curve(strip, column) result(curve)
+   pure type(strip_zone_curve_t) function contact_curve(strip, column) result(curve)
       type(strip_t), intent(in) :: strip
       type(column_t), intent(in) :: column
       real(dp) :: along
@@ -101,7 +101,7 @@ contains
    end function contact_curve
 
    !> Gap above a bound in an open zone.
-   pure type(zone_curve_t) function gap_curve(strip, column, bound) result(curve)
+   pure type(strip_zone_curve_t) function gap_curve(strip, column, bound) result(curve)
       type(strip_t), intent(in) :: strip
       !> A column in an open zone, in adhesion or free.
       type(column_t), intent(in) :: column
@@ -118,7 +118,7 @@ contains
    !> Follow a curve up to the end of the interval of the drive in which it may cross zero, and find where it did.
    pure subroutine follow(strip, curve, span, bound, below, rises, crosses, passed)
       type(strip_t), intent(in) :: strip
-      type(zone_curve_t), intent(in) :: curve
+      type(strip_zone_curve_t), intent(in) :: curve
       !> Phase to the end of the interval [rad]; negative if there is none.
       real(dp), intent(in) :: span
       !> Bound of the drive at which the interval begins and ends [c].
@@ -158,7 +158,7 @@ contains
       real(dp), intent(inout) :: passed
       !> Does the zone end within a period?
       logical, intent(out) :: has_event
-      type(zone_curve_t) :: curve
+      type(strip_zone_curve_t) :: curve
       real(dp) :: bound
 
       bound = 0
@@ -211,7 +211,7 @@ contains
       type(strip_t), intent(in) :: strip
       type(column_t), intent(in) :: column
       !> Gap less the gap at which the zone ends, as a function of the phase passed.
-      type(zone_curve_t), intent(out) :: curve
+      type(strip_zone_curve_t), intent(out) :: curve
       !> Gap at which the zone ends: 0 or that of release [c].
       real(dp), intent(out) :: bound
       !> Does the zone end within a period?

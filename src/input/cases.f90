@@ -30,14 +30,14 @@ module adfric_input_cases
    character(*), parameter :: divider = ':/'
 
    !> The table.
-   type :: source_t
+   type :: case_source_t
       !> Name of the file.
       character(:), allocatable :: file
       !> Name of the group; not allocated for a table of text.
       character(:), allocatable :: path
       !> The table of text.
       type(text_table_t) :: table
-   end type source_t
+   end type case_source_t
 
 contains
 
@@ -52,7 +52,7 @@ contains
       !> The variables and their values; not allocated if the axis cannot be used.
       type(axis_t), intent(out) :: axis
       type(problems_t), intent(inout) :: problems
-      type(source_t) :: source
+      type(case_source_t) :: source
       type(dataset_t), allocatable :: columns(:)
       character(:), allocatable :: names
       real(dp), allocatable :: values(:, :)
@@ -93,7 +93,7 @@ contains
       !> Number of `&cases` in the file, from 1.
       integer, intent(in) :: group
       !> Receives the names of file and group, or the open table.
-      type(source_t), intent(out) :: source
+      type(case_source_t), intent(out) :: source
       type(problems_t), intent(inout) :: problems
       type(error_t), allocatable :: error
       character(:), allocatable :: name
@@ -131,7 +131,7 @@ contains
       integer, intent(in) :: group
       !> The model, whose table says which variables it has.
       class(model_t), intent(in) :: model
-      type(source_t), intent(in) :: source
+      type(case_source_t), intent(in) :: source
       !> Receives the names, separated by a blank; empty if something is wrong.
       character(:), allocatable, intent(inout) :: names
       type(problems_t), intent(inout) :: problems
@@ -199,7 +199,7 @@ contains
       class(model_t), intent(in) :: model
       !> What the groups give, on which units may depend.
       type(case_t), intent(in) :: input
-      type(source_t), intent(in) :: source
+      type(case_source_t), intent(in) :: source
       !> Names of the columns, separated by a blank.
       character(*), intent(in) :: names
       !> Indices of the variables in the model's table.
@@ -232,7 +232,7 @@ contains
 
    !> Read a column as the file has it.
    subroutine load_column(source, name, column, numbers, flaw)
-      type(source_t), intent(in) :: source
+      type(case_source_t), intent(in) :: source
       !> Name of the column.
       character(*), intent(in) :: name
       !> Receives its names, its shape and its units.

@@ -20,19 +20,19 @@ module adfric_input_table_heads
    character(*), parameter :: reserved = tab//';,'
 
    !> A column.
-   type :: column_t
+   type :: head_column_t
       !> Its head without quotes.
       character(:), allocatable :: text
       !> The same in small letters, with underscores for blanks and hyphens.
       character(:), allocatable :: key
       !> Its unit in the line of units; empty where there is none.
       character(:), allocatable :: unit
-   end type column_t
+   end type head_column_t
 
    !> All columns.
    type :: heads_t
       !> The columns in their order.
-      type(column_t), allocatable :: columns(:)
+      type(head_column_t), allocatable :: columns(:)
    contains
       procedure :: n_columns
       procedure :: are_units
@@ -187,7 +187,7 @@ contains
    !> Set the head of a column.
    pure subroutine set_text(self, text)
       !> Receives the head; it has no unit from elsewhere.
-      type(column_t), intent(out) :: self
+      type(head_column_t), intent(out) :: self
       !> The head without quotes.
       character(*), intent(in) :: text
 

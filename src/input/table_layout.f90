@@ -12,13 +12,13 @@ module adfric_input_table_layout
    use adfric_input_table_numbers, only: find_decimal_mark, has_numbers_alone, is_missing, is_number_form, is_numeral
    implicit none (type, external)
    private
-   public :: layout_t, find_layout
+   public :: table_layout_t, find_layout
 
    !> What may separate columns, in the order in which they are tried; a blank stands for any number of blanks and tabs.
    character(*), parameter :: separators = tab//';, '
 
    !> A layout.
-   type :: layout_t
+   type :: table_layout_t
       !> What separates the columns; a tab where there is one column.
       character :: separator = ','
       !> Is there one column alone?
@@ -31,7 +31,7 @@ module adfric_input_table_layout
       integer :: names_at = 0, units_at = 0
       !> Position of the first line behind them.
       integer :: rows_at = 0
-   end type layout_t
+   end type table_layout_t
 
 contains
 
@@ -39,7 +39,7 @@ contains
    pure subroutine find_layout(text, layout, flaw, position)
       character(*), intent(in) :: text
       !> Receives the layout; only to be used if nothing is wrong.
-      type(layout_t), intent(out) :: layout
+      type(table_layout_t), intent(out) :: layout
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1; 0 if it is the whole of it.
       integer, intent(out) :: position
@@ -106,7 +106,7 @@ contains
       !> Do the names stand in comments, directly above?
       logical, intent(in) :: in_comments
       !> Receives the separator and the names, if there are some.
-      type(layout_t), intent(inout) :: layout
+      type(table_layout_t), intent(inout) :: layout
       logical, intent(out) :: is_found
       integer :: k, n_cells, n_filled
       logical :: is_wrong
@@ -132,7 +132,7 @@ contains
       !> Are comments searched, of which only those directly above count?
       logical, intent(in) :: in_comments
       !> In: the separator. Out: also the names, if there are some.
-      type(layout_t), intent(inout) :: layout
+      type(table_layout_t), intent(inout) :: layout
       logical, intent(out) :: is_found
       type(heads_t) :: heads
       integer :: first, last, upper
@@ -172,7 +172,7 @@ contains
       !> Is it a comment that may have them?
       logical, intent(in) :: in_comment
       !> In: the layout without units. Out: also the units, if they stand there.
-      type(layout_t), intent(inout) :: layout
+      type(table_layout_t), intent(inout) :: layout
       type(heads_t) :: units
       integer :: first, last, start, n
       logical :: is_right
@@ -237,7 +237,7 @@ contains
    !> Take the first line for the names, where every row has a text.
    pure subroutine take_first_line(text, layout, flaw, position)
       character(*), intent(in) :: text
-      type(layout_t), intent(inout) :: layout
+      type(table_layout_t), intent(inout) :: layout
       character(:), allocatable, intent(out) :: flaw
       !> Position in the text of what is wrong, from 1; 0 if it is the whole of it.
       integer, intent(out) :: position

@@ -11,7 +11,7 @@ module adfric_input_text_table
    use adfric_input_head_unit, only: head_t
    use adfric_input_table_cells, only: cell_t, count_cells, find_cell, find_next_line, is_comment
    use adfric_input_table_heads, only: set_heads
-   use adfric_input_table_layout, only: layout_t, find_layout
+   use adfric_input_table_layout, only: table_layout_t, find_layout
    use adfric_input_table_numbers, only: convert_cell
    use adfric_input_table_text, only: decode_text
    use adfric_input_unit_match, only: match_units
@@ -34,7 +34,7 @@ module adfric_input_text_table
       !> Text of the file.
       character(:), allocatable, private :: text
       !> What stands where.
-      type(layout_t), private :: layout
+      type(table_layout_t), private :: layout
       !> Position in the text of the first character of each row.
       integer, allocatable, private :: rows(:)
       !> The numbers of a table that has no text; shape `(n_rows, n_columns)`.

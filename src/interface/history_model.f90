@@ -7,10 +7,10 @@ module adfric_interface_history_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_solid_contact_modulus, only: derive_contact_modulus, has_contact_modulus, has_poisson_ratio
-   use adfric_interface_history_path, only: history_path_t, n_path_profiles, n_path_rows, p_approach, p_contact, p_friction_loss, &
-      & p_load, p_stick, p_tangential_displacement, p_tangential_force, path_approaches, path_coefficient, path_loads, &
-      & path_tangential_displacements, path_tangential_forces, r_largest_displacement, r_largest_force, r_total_loss, &
-      & set_path_profiles, set_path_rows
+   use adfric_interface_history_path, only: history_path_t, n_path_profiles, n_path_rows, p_approach, p_contact, &
+      & p_friction_loss, p_load, p_stick, p_tangential_displacement, p_tangential_force, path_approaches, &
+      & path_coefficient, path_loads, path_tangential_displacements, path_tangential_forces, set_path_profiles, &
+      & set_path_rows, out => path_output
    use adfric_interface_normal_contact, only: by_displacement, by_force, find_position, normal_contact_t, normal_state_t
    use adfric_interface_tangential_history, only: history_t, start_history
    use adfric_describe_check, only: require
@@ -251,11 +251,11 @@ contains
       allocate (found)
       call follow_path(self%path, values(self%n_bodies + 1:), contacts, units, history, found%steps, status)
       if (status /= status_solved) return
-      results(r_total_loss) = found%steps(size(found%steps, 1), p_friction_loss)
-      results(r_largest_force) = maxval(abs(found%steps(:, p_tangential_force)))
-      results(r_largest_displacement) = maxval(abs(found%steps(:, p_tangential_displacement)))
+      results(out%total_loss) = found%steps(size(found%steps, 1), p_friction_loss)
+      results(out%largest_force) = maxval(abs(found%steps(:, p_tangential_force)))
+      results(out%largest_displacement) = maxval(abs(found%steps(:, p_tangential_displacement)))
       error_estimate = 16*epsilon(1.0_dp)
-      if (results(r_total_loss) > 0) error_estimate = max(error_estimate, history%loss_error/history%loss)
+      if (results(out%total_loss) > 0) error_estimate = max(error_estimate, history%loss_error/history%loss)
       call move_alloc(found, state)
    end subroutine solve_path
 

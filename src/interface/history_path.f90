@@ -3,6 +3,7 @@
 !> displacements. Rows of such lists and of what each step leaves, and what lists may not say.
 module adfric_interface_history_path
    use adfric_base_kinds, only: dp
+   use adfric_base_counting, only: counting
    use adfric_base_problems, only: problems_t
    use adfric_base_text, only: show_count, show_number
    use adfric_base_unset, only: is_set
@@ -16,9 +17,13 @@ module adfric_interface_history_path
    integer, parameter, public :: path_coefficient = 1, path_loads = 2, path_approaches = 3, path_tangential_forces = 4, &
       & path_tangential_displacements = 5
    integer, parameter, public :: n_path_rows = path_tangential_displacements
-   !> Positions of the results.
-   integer, parameter, public :: r_total_loss = 1, r_largest_force = 2, r_largest_displacement = 3
-   integer, parameter, public :: n_path_results = r_largest_displacement
+   !> Results in the order of their rows; a component is the index of its row.
+   type :: path_output_t
+      !> Indices, which `path_output` has.
+      integer :: total_loss = 0, largest_force = 0, largest_displacement = 0
+   end type path_output_t
+   type(path_output_t), parameter, public :: path_output = transfer(counting, path_output_t())
+   integer, parameter, public :: n_path_results = path_output%largest_displacement
    !> Positions of the profiles.
    integer, parameter, public :: p_load = 1, p_approach = 2, p_tangential_force = 3, p_tangential_displacement = 4, &
       & p_contact = 5, p_stick = 6, p_friction_loss = 7
@@ -71,11 +76,11 @@ contains
       !> Receives the rows; shape `(n_path_results)`.
       type(result_t), intent(out) :: results(:)
 
-      results(r_total_loss) = result_row(name='total_friction_loss', unit='J', &
+      results(path_output%total_loss) = result_row(name='total_friction_loss', unit='J', &
          & long_name='energy that friction has taken by the last step', is_main=.true.)
-      results(r_largest_force) = result_row(name='largest_tangential_force', unit='N', &
+      results(path_output%largest_force) = result_row(name='largest_tangential_force', unit='N', &
          & long_name='largest size of the tangential force at a step', is_main=.true.)
-      results(r_largest_displacement) = result_row(name='largest_tangential_displacement', unit='m', &
+      results(path_output%largest_displacement) = result_row(name='largest_tangential_displacement', unit='m', &
          & long_name='largest size of the tangential displacement at a step', is_main=.true.)
    end subroutine set_path_results
 

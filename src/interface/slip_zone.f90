@@ -16,7 +16,7 @@ module adfric_interface_slip_zone
    public :: slip, slide
 
    !> A zone of slip, and how far the step has gone when its inner end is that of the outermost segment.
-   type :: zone_t
+   type :: slip_zone_t
       !> Sign s of the slip.
       real(dp) :: s = 1
       !> s T - P at the beginning and at the end of the step.
@@ -27,7 +27,7 @@ module adfric_interface_slip_zone
       real(dp) :: share = 0, width = 0
       !> The normal state then.
       type(normal_state_t) :: top
-   end type zone_t
+   end type slip_zone_t
 
    !> What a zone does to the outermost segment.
    type :: front_t
@@ -54,7 +54,7 @@ contains
       !> In: the step. Out: what remains of it.
       type(step_t), intent(inout) :: step
       logical, intent(out) :: has_ended
-      type(zone_t) :: zone
+      type(slip_zone_t) :: zone
       type(front_t) :: front
 
       call open_zone(self, s, step, zone)
@@ -80,7 +80,7 @@ contains
       !> Sign of the slip.
       real(dp), intent(in) :: s
       type(step_t), intent(in) :: step
-      type(zone_t), intent(out) :: zone
+      type(slip_zone_t), intent(out) :: zone
 
       zone%s = s
       zone%normal = step%normal(2) - step%normal(1)
@@ -98,7 +98,7 @@ contains
    pure subroutine meet_segment(self, step, zone, front)
       class(slip_stack_t), intent(in) :: self
       type(step_t), intent(in) :: step
-      type(zone_t), intent(in) :: zone
+      type(slip_zone_t), intent(in) :: zone
       !> Receives what it does to the segment.
       type(front_t), intent(out) :: front
       real(dp) :: h_low
@@ -121,7 +121,7 @@ contains
    pure subroutine end_overtaken(self, contact, zone, front, step)
       class(slip_stack_t), intent(inout) :: self
       class(normal_contact_t), intent(in) :: contact
-      type(zone_t), intent(in) :: zone
+      type(slip_zone_t), intent(in) :: zone
       type(front_t), intent(in) :: front
       !> In: the step. Out: what remains of it.
       type(step_t), intent(inout) :: step
@@ -147,7 +147,7 @@ contains
       type(normal_state_t), intent(in) :: next
       type(step_t), intent(in) :: step
       type(front_t), intent(in) :: front
-      type(zone_t), intent(inout) :: zone
+      type(slip_zone_t), intent(inout) :: zone
       type(normal_state_t) :: edge, top
 
       top = next
@@ -172,7 +172,7 @@ contains
       !> The normal state at the end of the step.
       type(normal_state_t), intent(in) :: next
       type(step_t), intent(in) :: step
-      type(zone_t), intent(in) :: zone
+      type(slip_zone_t), intent(in) :: zone
       logical :: is_sliding
 
       is_sliding = self%n == 0 .and. step%kind == by_displacement

@@ -107,7 +107,7 @@ module adfric_numerics_bounded_least_squares
    end type squares_outcome_t
 
    !> The problem of one step: R and Q' r of the free variables, and where the step may go.
-   type :: step_t
+   type :: squares_step_t
       !> Number of free variables, and which ones they are.
       integer :: n = 0, position(most_variables) = 0
       !> R and Q' r.
@@ -116,7 +116,7 @@ module adfric_numerics_bounded_least_squares
       real(dp) :: scale(most_variables) = 0, low(most_variables) = 0, high(most_variables) = 0, s(most_variables) = 0
       !> Square of the length of the undamped step, in units of the residuals.
       real(dp) :: length2 = 0
-   end type step_t
+   end type squares_step_t
 
 contains
 
@@ -149,7 +149,7 @@ contains
       real(dp), intent(inout) :: q(:)
       !> Receives how it ended.
       type(squares_outcome_t), intent(out) :: outcome
-      type(step_t) :: step
+      type(squares_step_t) :: step
       real(dp) :: scale(size(q)), damping, raise, before
       integer :: idle
       logical :: is_valid, is_better
@@ -196,7 +196,7 @@ contains
       !> The largest lengths that the columns have had; 0 at the beginning.
       real(dp), intent(inout) :: scale(:)
       !> Receives the problem of the step.
-      type(step_t), intent(out) :: step
+      type(squares_step_t), intent(out) :: step
       real(dp) :: gradient, length(size(q))
       integer :: k, n, m
 
@@ -229,7 +229,7 @@ contains
 
    !> Is the undamped step so short that the search has come to its end?
    pure logical function is_at_end(step, limits, cost, idle)
-      type(step_t), intent(in) :: step
+      type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits
       !> Cost at the position.
       real(dp), intent(in) :: cost
@@ -242,7 +242,7 @@ contains
 
    !> Is the undamped step shorter than the tolerance in standard errors, or round-off?
    pure logical function has_short_step(step, limits, cost)
-      type(step_t), intent(in) :: step
+      type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits
       !> Cost at the position.
       real(dp), intent(in) :: cost
@@ -258,7 +258,7 @@ contains
 
    !> Is the undamped step so short that a difference of two sums cannot judge it?
    pure logical function is_below_judgement(step, limits, cost)
-      type(step_t), intent(in) :: step
+      type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits
       !> Cost at the position.
       real(dp), intent(in) :: cost
@@ -272,7 +272,7 @@ contains
 
    !> Is the undamped step so long that its place is no minimum of a smooth sum?
    pure logical function is_far_from_level(step, limits, cost)
-      type(step_t), intent(in) :: step
+      type(squares_step_t), intent(in) :: step
       type(squares_limits_t), intent(in) :: limits
       !> Cost at the position.
       real(dp), intent(in) :: cost
@@ -287,7 +287,7 @@ contains
    subroutine try_steps(squares, limits, step, work, q, damping, raise, outcome, is_better)
       class(least_squares_t), intent(inout) :: squares
       type(squares_limits_t), intent(in) :: limits
-      type(step_t), intent(inout) :: step
+      type(squares_step_t), intent(inout) :: step
       !> In: residuals and derivatives at the position. Out: those of the new position.
       type(squares_work_t), intent(inout) :: work
       !> In: the position. Out: the new position.
@@ -343,7 +343,7 @@ contains
    !> The damped step within the bounds. What would cross a bound ends on it, and the rest is found again.
    pure subroutine solve_step(step, damping)
       !> The problem of the step; it receives the step.
-      type(step_t), intent(inout) :: step
+      type(squares_step_t), intent(inout) :: step
       !> mu.
       real(dp), intent(in) :: damping
       real(dp) :: a(2*most_variables, most_variables), b(2*most_variables), s(most_variables)
@@ -381,7 +381,7 @@ contains
 
    !> The decrease of the sum if the residuals were linear: -2 s' R' w - |R s|^2.
    pure real(dp) function foreseen_decrease(step)
-      type(step_t), intent(in) :: step
+      type(squares_step_t), intent(in) :: step
       real(dp) :: change(step%n)
 
       change = matmul(step%r(:step%n, :step%n), step%s(:step%n))

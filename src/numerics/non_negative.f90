@@ -19,7 +19,7 @@ module adfric_numerics_non_negative
    integer, parameter :: steps_per_unknown = 20
 
    !> A problem with columns of length 1 or 0, and its state.
-   type :: problem_t
+   type :: non_negative_problem_t
       !> The triangle of the columns; shape `(n_rows, n)`.
       real(dp), allocatable :: a(:, :)
       !> Right-hand side, of length 1; shape `(n_rows)`.
@@ -30,7 +30,7 @@ module adfric_numerics_non_negative
       integer, allocatable :: free(:)
       !> Number of free unknowns.
       integer :: n_free = 0
-   end type problem_t
+   end type non_negative_problem_t
 
 contains
 
@@ -45,7 +45,7 @@ contains
       !> Is the solution proved by its gradient, to round-off? If not, x is a point x >= 0 that fits the better the later the search
       !> came to its end.
       logical, intent(out) :: is_solved
-      type(problem_t) :: problem
+      type(non_negative_problem_t) :: problem
       real(dp) :: column_lengths(size(a, 2)), right_length
 
       if (has_asserts) call assert(size(b) == size(a, 1) .and. size(x) == size(a, 2), 'solve_non_negative: shapes')
@@ -63,7 +63,7 @@ contains
 
    !> A problem in which no unknown is free.
    pure subroutine new_problem(self, a, b)
-      type(problem_t), intent(out) :: self
+      type(non_negative_problem_t), intent(out) :: self
       !> The matrix; shape `(m, n)`.
       real(dp), intent(in) :: a(:, :)
       !> Right-hand side; shape `(m)`.
@@ -99,7 +99,7 @@ contains
 
    !> Free one unknown after the other until none is left that would lessen the residual.
    pure subroutine search(self)
-      type(problem_t), intent(inout) :: self
+      type(non_negative_problem_t), intent(inout) :: self
       logical :: is_tried(size(self%x)), is_free_now
       real(dp) :: gradient(size(self%x))
       integer :: k, entry
@@ -123,7 +123,7 @@ contains
 
    !> How fast the residual falls with each unknown.
    pure function gradient_of(self) result(gradient)
-      type(problem_t), intent(in) :: self
+      type(non_negative_problem_t), intent(in) :: self
       !> Products of the columns and the residual; shape `(n)`.
       real(dp) :: gradient(size(self%x))
 
@@ -132,14 +132,14 @@ contains
 
    !> What rounding leaves of a gradient that vanishes, for columns and a right-hand side of length 1.
    pure real(dp) function round_off(self)
-      type(problem_t), intent(in) :: self
+      type(non_negative_problem_t), intent(in) :: self
 
       round_off = 10*size(self%x)*epsilon(1.0_dp)
    end function round_off
 
    !> Let an unknown become free, and go to the least squares of the free ones as far as all remain positive.
    pure subroutine free_unknown(self, entry, is_free)
-      type(problem_t), intent(inout) :: self
+      type(non_negative_problem_t), intent(inout) :: self
       !> The unknown.
       integer, intent(in) :: entry
       !> Did it become free? It does not where its column is one of the others to round-off.
@@ -167,7 +167,7 @@ contains
    !> Go from the free unknowns towards others until the first one is 0.
    pure subroutine go_towards(self, best)
       !> The problem; its free unknowns are positive, but for a new one that rises.
-      type(problem_t), intent(inout) :: self
+      type(non_negative_problem_t), intent(inout) :: self
       !> Where to go, which is not positive in at least one position.
       real(dp), intent(in) :: best(:)
       real(dp) :: shares(self%n_free), share
@@ -193,7 +193,7 @@ contains
 
    !> Unknowns that became 0 are no longer free.
    pure subroutine drop_zeros(self)
-      type(problem_t), intent(inout) :: self
+      type(non_negative_problem_t), intent(inout) :: self
       integer :: k, n
 
       n = 0
@@ -208,7 +208,7 @@ contains
 
    !> Least squares of the free unknowns, of any sign.
    pure subroutine get_least_squares(self, best, is_regular)
-      type(problem_t), intent(in) :: self
+      type(non_negative_problem_t), intent(in) :: self
       !> Receives the values of the free unknowns, in their order; the first `n_free` positions.
       real(dp), intent(out) :: best(:)
       !> Can the last column be told from the others?
@@ -232,7 +232,7 @@ contains
 
    !> Is the state a solution, to round-off?
    pure logical function is_proved(self)
-      type(problem_t), intent(in) :: self
+      type(non_negative_problem_t), intent(in) :: self
       real(dp) :: gradient(size(self%x))
 
       gradient = gradient_of(self)

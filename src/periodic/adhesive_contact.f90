@@ -3,7 +3,9 @@
 !>
 !> With the shares t of the cells within the range of adhesion (`adfric_periodic_cohesion`) the contact has one solution G(t)
 !> (`adfric_periodic_contact`), and a state is a gap g = T(g) = G(t(g)). A smaller gap has larger shares; where the stiffness A has no
-!> positive entries off its diagonal (lines: exact; maps: up to 2 % of it) larger shares make a smaller gap. So T is monotone, and:
+!> positive entries off its diagonal larger shares make a smaller gap. On lines that is exact. On maps the largest positive entry is
+!> 2.1 % of the diagonal and all of them add up to 15.6 %, so there it is not proved (`docs/theory/periodic_adhesion.md`). Where it
+!> holds T is monotone, and:
 !>
 !> - From shares that are not below those of a state, shares found anew again and again fall to the **most adhered** state below them; from
 !>   shares that are not above, they rise to the **least adhered** one. No path is followed, and no state in between is passed.

@@ -15,10 +15,10 @@ module adfric_periodic_adhesive_pull_off
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, contact_solved, contact_out_of_range
    implicit none (type, external)
    private
-   public :: pull_off_t, find_pull_off
+   public :: periodic_pull_off_t, find_pull_off
 
    !> Pull-off.
-   type :: pull_off_t
+   type :: periodic_pull_off_t
       !> Mean pressure [E*], at most 0.
       real(dp) :: mean_pressure = 0
       !> Penetration of the state there.
@@ -27,7 +27,7 @@ module adfric_periodic_adhesive_pull_off
       real(dp) :: n_pairs = 0
       !> Has it been found?
       logical :: is_found = .false.
-   end type pull_off_t
+   end type periodic_pull_off_t
 
    !> Relative error that is small enough, and by how much more a tension is that must have no state.
    real(dp), parameter :: wanted_error = 1.0e-5_dp, beyond = 1.0e-2_dp
@@ -41,12 +41,12 @@ module adfric_periodic_adhesive_pull_off
    real(dp), parameter :: first_step = 2.0e-3_dp, growth = 1.6_dp, least_step = 1.0e-7_dp
 
    !> The last three states on the way down.
-   type :: path_t
+   type :: pull_off_path_t
       !> How many there are.
       integer :: n = 0
       !> Mean gaps and loads [E*].
       real(dp) :: gaps(3) = 0, loads(3) = 0
-   end type path_t
+   end type pull_off_path_t
 
 contains
 
@@ -58,7 +58,7 @@ contains
       !> The law; the branch is the adhered one, or the one after the turn.
       type(periodic_adhesion_t), intent(in) :: adhesion
       real(dp), intent(in) :: tolerance
-      type(pull_off_t), intent(out) :: pull_off
+      type(periodic_pull_off_t), intent(out) :: pull_off
       type(error_t), allocatable, intent(out) :: error
       type(periodic_adhesion_t) :: branch
       type(periodic_solution_t) :: solution
@@ -111,9 +111,9 @@ contains
       type(contact_state_t), intent(inout) :: state
       real(dp), intent(in) :: tolerance
       !> Receives the lowest load; keeps what it has where there is none.
-      type(pull_off_t), intent(inout) :: pull_off
+      type(periodic_pull_off_t), intent(inout) :: pull_off
       type(contact_state_t) :: next
-      type(path_t) :: path
+      type(pull_off_path_t) :: path
       real(dp) :: step, shortest, gap
       logical :: has_found
       integer :: k, n_before
@@ -154,7 +154,7 @@ contains
    !> Keep three states: the lowest load and those beside it, or the last ones.
    pure subroutine add(path, gap, load)
       !> States that have been found, by rising gap.
-      type(path_t), intent(inout) :: path
+      type(pull_off_path_t), intent(inout) :: path
       !> Mean gap and load of one more [E*].
       real(dp), intent(in) :: gap, load
       real(dp) :: gaps(4), loads(4)
@@ -175,7 +175,7 @@ contains
 
    !> Is the middle one of three states the lowest?
    pure logical function has_bracket(path)
-      type(path_t), intent(in) :: path
+      type(pull_off_path_t), intent(in) :: path
 
       has_bracket = path%n == 3 .and. minloc(path%loads, 1) == 2
    end function has_bracket
@@ -183,7 +183,7 @@ contains
    !> Mean gap at the lowest point of the parabola through three states, between the outer ones and apart from the middle one.
    pure real(dp) function lowest_position(path) result(gap)
       !> States of which the middle one is the lowest.
-      type(path_t), intent(in) :: path
+      type(pull_off_path_t), intent(in) :: path
       real(dp) :: slopes(2), least
 
       slopes = (path%loads(2:) - path%loads(:2))/(path%gaps(2:) - path%gaps(:2))
@@ -195,7 +195,7 @@ contains
 
    !> Is the parabola through three states nowhere lower than the lowest of them, but for the wanted error?
    pure logical function is_lowest(path)
-      type(path_t), intent(in) :: path
+      type(pull_off_path_t), intent(in) :: path
       real(dp) :: slopes(2), curvature, slope
 
       is_lowest = .false.

@@ -8,7 +8,7 @@
 !>
 !> A the stiffness, |k|/2 of an elastic half-space (`adfric_periodic_operator`), q the mean pressure; delta = mean(g0) - mean(g). Given the load
 !> this is a linear complementarity problem without a constraint, and close to full contact nothing cancels: the few gaps are what
-!> is solved for. Off its diagonal A is negative (1-D) or nearly so (2-D), a discrete fractional Laplacian. For such matrices the
+!> is solved for. Off its diagonal A is negative (1-D) or mostly so (2-D), a discrete fractional Laplacian. For such matrices the
 !> primal-dual active-set method, which is Newton's, converges from any start (M. Hintermueller, K. Ito, K. Kunisch, SIAM J.
 !> Optim. 13, 2002, 865): solve for the gap over the open region (`adfric_periodic_gap_solver`), close the cells whose gap is
 !> negative, open those that pull, each time as soon as it is clear which these are (`adfric_periodic_region_search`, which sees to it

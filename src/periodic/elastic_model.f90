@@ -25,7 +25,9 @@ module adfric_periodic_elastic_model
    use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t
    use adfric_periodic_chords, only: chord_fraction
-   use adfric_periodic_variables
+   use adfric_periodic_variables, only: get_elastic_results, n_elastic_solid, pull_off_row, regime_adhesion_only, &
+      & regime_adhesion_zones, regime_full, regime_none, regime_partial, regime_saturated_adhesion, in => periodic_input, &
+      & out => periodic_output
    implicit none (type, external)
    private
    public :: elastic_model_t
@@ -128,7 +130,7 @@ contains
             & has_coulomb(coulomb_values(self, values)))
          call check_adhesion(self%variables(last + 1:last + n_adhesion_rows), values(last + 1:last + n_adhesion_rows), problems)
          if (.not. has_adhesion(values(last + 1:last + n_adhesion_rows))) then
-            if (values(prescribed + v_mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
+            if (values(prescribed + in%mean_pressure) < 0) call problems%add('operating', 'mean_pressure', &
                & 'is below 0, but nothing pulls without &adhesion')
             if (wants_pull_off(values(self%last_of_solid))) &
                & call problems%add('output', 'pull_off', 'has no meaning without &adhesion')
@@ -287,26 +289,26 @@ contains
       law = self%adhesion_of(values)
       error_estimate = relative_error_of(solution%area)
       associate (modulus => surface%solid%modulus, cells => real(size(solution%gap), dp))
-         results(r_elastic_energy) = modulus*solution%elastic_energy
-         results(r_adhesion_energy) = modulus*solution%adhesion_energy
-         results(r_adhesion_fraction) = 0
+         results(out%elastic_energy) = modulus*solution%elastic_energy
+         results(out%adhesion_energy) = modulus*solution%adhesion_energy
+         results(out%adhesion_fraction) = 0
          if (allocated(solution%share)) &
-            & results(r_adhesion_fraction) = max(sum(solution%share)/cells - solution%area%corrected, 0.0_dp)
-         results(r_regime) = regime_of(solution)
-         results(r_smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
+            & results(out%adhesion_fraction) = max(sum(solution%share)/cells - solution%area%corrected, 0.0_dp)
+         results(out%regime) = regime_of(solution)
+         results(out%smooth_fraction) = chord_fraction(solution%pressure, solution%gap, surface%cell_sizes(), surface%is_quarter)
          associate (first => self%last_of_solid - n_shear_rows, last => self%last_of_solid - 1)
-            call get_friction_of_area(values(first:last), results(r_contact_fraction), results(r_mean_pressure), &
-               & law%stress*results(r_adhesion_fraction), results(r_friction_stress), results(r_friction_coefficient))
-            call get_friction_of_area(values(first:last), results(r_smooth_fraction), results(r_mean_pressure), &
-               & law%stress*results(r_adhesion_fraction), results(r_smooth_friction), unused)
+            call get_friction_of_area(values(first:last), results(out%contact_fraction), results(out%mean_pressure), &
+               & law%stress*results(out%adhesion_fraction), results(out%friction_stress), results(out%friction_coefficient))
+            call get_friction_of_area(values(first:last), results(out%smooth_fraction), results(out%mean_pressure), &
+               & law%stress*results(out%adhesion_fraction), results(out%smooth_friction), unused)
          end associate
-         if (surface%n_cells(2) > 1) results(r_friction_force) = results(r_friction_stress)*product(surface%period)
+         if (surface%n_cells(2) > 1) results(out%friction_force) = results(out%friction_stress)*product(surface%period)
          if (.not. law%stress > 0) return
-         results(r_cells_per_zone) = cells_per_zone(law, surface)
-         if (solution%pull_off < huge(1.0_dp) .and. results(r_cells_per_zone) >= least_cells) &
-            & results(r_pull_off_pressure) = modulus*solution%pull_off
+         results(out%cells_per_zone) = cells_per_zone(law, surface)
+         if (solution%pull_off < huge(1.0_dp) .and. results(out%cells_per_zone) >= least_cells) &
+            & results(out%pull_off_pressure) = modulus*solution%pull_off
          if (any(solution%share > 0) .and. any(solution%share < 1)) &
-            & error_estimate = max(error_estimate, error_of_edge(results(r_cells_per_zone)))
+            & error_estimate = max(error_estimate, error_of_edge(results(out%cells_per_zone)))
       end associate
    end subroutine finish_point
 
@@ -321,13 +323,14 @@ contains
       !> In: with the results of the contact. Out: with all; shape `(n_results)`.
       real(dp), intent(inout) :: results(:)
 
-      results(r_stick_fraction) = 0
-      if (results(r_contact_fraction) > 0) results(r_stick_fraction) = min(slip%stick%corrected/results(r_contact_fraction), 1.0_dp)
-      results(r_tangential_displacement) = slip%displacement
-      results(r_cycle_energy) = surface%solid%modulus*slip%cycle_energy
-      if (slip%compliance < 0) results(r_tangential_stiffness) = 0
-      if (slip%compliance > 0) results(r_tangential_stiffness) = surface%solid%modulus/slip%compliance
-      if (.not. slip%poisson_defect < 0) results(r_poisson_defect) = slip%poisson_defect
+      results(out%stick_fraction) = 0
+      if (results(out%contact_fraction) > 0) results(out%stick_fraction) = &
+         & min(slip%stick%corrected/results(out%contact_fraction), 1.0_dp)
+      results(out%tangential_displacement) = slip%displacement
+      results(out%cycle_energy) = surface%solid%modulus*slip%cycle_energy
+      if (slip%compliance < 0) results(out%tangential_stiffness) = 0
+      if (slip%compliance > 0) results(out%tangential_stiffness) = surface%solid%modulus/slip%compliance
+      if (.not. slip%poisson_defect < 0) results(out%poisson_defect) = slip%poisson_defect
       associate (unused => self, unused_values => values)
       end associate
    end subroutine store_slip

@@ -57,7 +57,7 @@ module adfric_periodic_lighter_load
    end type lighter_load_t
 
    !> The search for it; arrays have the shape of the cells.
-   type :: search_t
+   type :: lighter_search_t
       !> h in open cells, g + h in closed ones, where it comes to be 0.
       real(dp), allocatable :: gap(:, :)
       !> p - r in open cells, where it comes to be 0, -r in closed ones [E*].
@@ -70,7 +70,7 @@ module adfric_periodic_lighter_load
       type(verdict_t) :: verdict
       !> Does the last change of the region leave gaps in closed cells?
       logical :: has_remains = .false.
-   end type search_t
+   end type lighter_search_t
 
    !> Largest values over the cells, 0 where there is none above 0.
    type :: largest_t
@@ -96,7 +96,7 @@ contains
       !> By how much the mean pressure is less, D [E*]: above 0, and less than the mean of `pressure`.
       real(dp), intent(in) :: relief
       real(dp), intent(in) :: tolerance
-      type(search_t) :: search
+      type(lighter_search_t) :: search
 
       call begin(self, search, operator, pressure, relief)
       if (.not. any(self%is_open)) then
@@ -113,7 +113,7 @@ contains
    !> Begin with the cells open that are so under the heavier load, or bear less than the relief.
    subroutine begin(self, search, operator, pressure, relief)
       type(lighter_load_t), intent(inout) :: self
-      type(search_t), intent(inout) :: search
+      type(lighter_search_t), intent(inout) :: search
       type(periodic_operator_t), intent(in) :: operator
       !> Pressure under the heavier load [E*].
       real(dp), intent(in), contiguous :: pressure(:, :)
@@ -133,7 +133,7 @@ contains
       !> In: open cells to begin from. Out: those that were found, and how well.
       type(lighter_load_t), intent(inout) :: self
       !> In: gap and pressure to begin from. Out: those that were found.
-      type(search_t), intent(inout) :: search
+      type(lighter_search_t), intent(inout) :: search
       !> Operator of the cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
@@ -190,7 +190,7 @@ contains
 
    !> Find what is wrong by more than the tolerance, and the scales.
    subroutine judge(search, is_open, pressure, gap, tolerance)
-      type(search_t), intent(inout) :: search
+      type(lighter_search_t), intent(inout) :: search
       logical, intent(in), contiguous :: is_open(:, :)
       !> Pressure [E*] and gap under the heavier load.
       real(dp), intent(in), contiguous :: pressure(:, :), gap(:, :)
@@ -241,7 +241,7 @@ contains
    !> Close open cells that overlap, and open closed ones that pull.
    subroutine change_region(search, is_open, pressure, gap, tolerance, region)
       !> In: gap and pressure of the old region. Out: of the new one.
-      type(search_t), intent(inout) :: search
+      type(lighter_search_t), intent(inout) :: search
       !> Is the cell open? It is changed.
       logical, intent(inout), contiguous :: is_open(:, :)
       !> Pressure [E*] and gap under the heavier load.
@@ -275,7 +275,7 @@ contains
    !> Find the pressure of the present gap anew.
    subroutine update_pressure(search, operator, is_open, pressure, gap, relief)
       !> The search, whose pressure is set from its gap.
-      type(search_t), intent(inout) :: search
+      type(lighter_search_t), intent(inout) :: search
       !> Operator of the cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       logical, intent(in), contiguous :: is_open(:, :)
@@ -294,7 +294,7 @@ contains
       !> In: with the open cells. Out: with the compliance; not converged if that was not found.
       type(lighter_load_t), intent(inout) :: self
       !> The search at its end; its gap and pressure are kept.
-      type(search_t), intent(in) :: search
+      type(lighter_search_t), intent(in) :: search
       !> Operator of the cells, which counts how often it is applied.
       type(periodic_operator_t), intent(inout) :: operator
       type(gap_solver_t), intent(inout) :: gap_solver
@@ -327,7 +327,7 @@ contains
    subroutine set_changes(self, search, pressure, gap, relief)
       !> In: with the open cells. Out: with `rise` and `fall`.
       type(lighter_load_t), intent(inout) :: self
-      type(search_t), intent(inout) :: search
+      type(lighter_search_t), intent(inout) :: search
       !> Pressure [E*] and gap under the heavier load.
       real(dp), intent(in), contiguous :: pressure(:, :), gap(:, :)
       !> By how much the mean pressure is less [E*].

@@ -17,7 +17,8 @@ module adfric_periodic_model
       & solve_periodic, find_full_pressure
    use adfric_periodic_slip, only: periodic_slip_t
    use adfric_periodic_solver, only: periodic_solution_t, contact_solved, contact_out_of_range
-   use adfric_periodic_variables
+   use adfric_periodic_variables, only: get_periodic_results, n_prescribed, set_prescribed_rows, tolerance_row, &
+      & in => periodic_input, out => periodic_output
    implicit none (type, external)
    private
    public :: periodic_model_t
@@ -207,7 +208,7 @@ contains
 
       call self%check_surface(values, is_swept, problems)
       call self%check_solid(values, is_swept, problems)
-      call require_one(self%variables, values, self%before_prescribed + [v_mean_pressure, v_penetration], .true., problems)
+      call require_one(self%variables, values, self%before_prescribed + [in%mean_pressure, in%penetration], .true., problems)
    end subroutine check_values
 
    !> See `model_t`.
@@ -216,7 +217,7 @@ contains
       class(periodic_model_t), intent(in) :: self
       real(dp), intent(in) :: values(:)
 
-      wants_profiles = values(self%before_prescribed + v_profiles) > 0
+      wants_profiles = values(self%before_prescribed + in%profiles) > 0
    end function wants_profiles
 
    !> See `model_t`: the middles of the cells.
@@ -245,9 +246,9 @@ contains
 
       goal%tolerance = values(self%v_tolerance)
       associate (v => values(self%before_prescribed + 1:))
-         goal%is_pressure = is_set(v(v_mean_pressure))
-         if (goal%is_pressure) goal%value = v(v_mean_pressure)/modulus
-         if (.not. goal%is_pressure) goal%value = v(v_penetration)
+         goal%is_pressure = is_set(v(in%mean_pressure))
+         if (goal%is_pressure) goal%value = v(in%mean_pressure)/modulus
+         if (.not. goal%is_pressure) goal%value = v(in%penetration)
       end associate
    end function get_goal
 
@@ -340,17 +341,17 @@ contains
       real(dp), intent(inout) :: results(:)
 
       associate (s => solution, v => values(self%before_prescribed + 1:))
-         results(r_mean_pressure) = s%mean_pressure*solid%modulus
-         results(r_penetration) = s%penetration
+         results(out%mean_pressure) = s%mean_pressure*solid%modulus
+         results(out%penetration) = s%penetration
          ! what was given comes back to the last digit
-         if (is_set(v(v_mean_pressure))) results(r_mean_pressure) = v(v_mean_pressure)
-         if (is_set(v(v_penetration))) results(r_penetration) = v(v_penetration)
-         results(r_contact_fraction) = s%area%corrected
-         results(r_contact_fraction_error) = s%area%error
-         results(r_peak_pressure) = solid%modulus*self%get_peak_pressure(values, s%pressure)
-         results(r_mean_gap) = sum(s%gap)/size(s%gap)
-         results(r_full_contact_pressure) = self%get_full_pressure(values, solid, s%full_pressure)
-         results(r_contact_violation) = s%residual
+         if (is_set(v(in%mean_pressure))) results(out%mean_pressure) = v(in%mean_pressure)
+         if (is_set(v(in%penetration))) results(out%penetration) = v(in%penetration)
+         results(out%contact_fraction) = s%area%corrected
+         results(out%contact_fraction_error) = s%area%error
+         results(out%peak_pressure) = solid%modulus*self%get_peak_pressure(values, s%pressure)
+         results(out%mean_gap) = sum(s%gap)/size(s%gap)
+         results(out%full_contact_pressure) = self%get_full_pressure(values, solid, s%full_pressure)
+         results(out%contact_violation) = s%residual
       end associate
    end subroutine store
 

@@ -8,7 +8,7 @@ module adfric_periodic_point
    use adfric_interface_coulomb_rows, only: coulomb_t
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
-   use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
+   use adfric_periodic_adhesive_pull_off, only: periodic_pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
@@ -146,7 +146,7 @@ contains
       type(periodic_solution_t), intent(out) :: solution
       type(error_t), allocatable, intent(out) :: error
       type(periodic_adhesion_t) :: adhesion
-      type(pull_off_t) :: pull_off
+      type(periodic_pull_off_t) :: pull_off
       real(dp), allocatable :: shape_in_periods(:, :)
 
       adhesion = goal%adhesion

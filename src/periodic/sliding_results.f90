@@ -5,9 +5,10 @@ module adfric_periodic_sliding_results
    use adfric_base_not_a_number, only: not_a_number
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_contact_centre, only: contact_centre
-   use adfric_periodic_sliding_variables
+   use adfric_periodic_sliding_variables, only: kind_heights, kind_wave_2d, regime_full, regime_none, &
+      & regime_partial, in => sliding_input, sliding_output
    use adfric_periodic_solver, only: periodic_solution_t
-   use adfric_periodic_variables, only: r_mean_pressure, r_full_contact_pressure
+   use adfric_periodic_variables, only: periodic_output
    use adfric_periodic_viscoelastic_solid, only: viscoelastic_solid_t
    use adfric_periodic_wave_contact, only: wave_friction_of_full_contact
    implicit none (type, external)
@@ -29,24 +30,26 @@ contains
       real(dp) :: loss, direct
       logical :: is_wave
 
-      is_wave = nint(values(v_kind)) /= kind_heights
+      is_wave = nint(values(in%kind)) /= kind_heights
       loss = solid%forward(solution%friction%loss)
       direct = solid%forward(solution%friction%direct)
-      results([r_friction_stress, r_dissipation]) = loss*solid%modulus
-      results(r_friction_coefficient) = not_a_number()
-      if (results(r_mean_pressure) > 0) results(r_friction_coefficient) = results(r_friction_stress)/results(r_mean_pressure)
-      results(r_lateral_stress) = solid%leftward(solution%friction%loss)*solid%modulus
-      results(r_full_contact_friction) = solid%forward(solution%full_friction)*solid%modulus
-      if (is_wave) results(r_full_contact_friction) = solid%modulus*wave_friction_of_full_contact(solid, &
-         & values(v_amplitude)/values(v_period), nint(values(v_kind)) == kind_wave_2d)
-      results(r_contact_shift) = not_a_number()
-      if (is_wave) results(r_contact_shift) = values(v_period)*shift_of(solution%pressure, solid)
-      results(r_energy_imbalance) = 0
-      if (max(abs(direct), abs(loss)) > 0) results(r_energy_imbalance) = (direct - loss)/max(abs(direct), abs(loss))
-      results(r_regime) = regime_of(solution)
+      results([sliding_output%friction_stress, sliding_output%dissipation]) = loss*solid%modulus
+      results(sliding_output%friction_coefficient) = not_a_number()
+      if (results(periodic_output%mean_pressure) > 0) results(sliding_output%friction_coefficient) = &
+         & results(sliding_output%friction_stress)/results(periodic_output%mean_pressure)
+      results(sliding_output%lateral_stress) = solid%leftward(solution%friction%loss)*solid%modulus
+      results(sliding_output%full_contact_friction) = solid%forward(solution%full_friction)*solid%modulus
+      if (is_wave) results(sliding_output%full_contact_friction) = solid%modulus*wave_friction_of_full_contact(solid, &
+         & values(in%amplitude)/values(in%period), nint(values(in%kind)) == kind_wave_2d)
+      results(sliding_output%contact_shift) = not_a_number()
+      if (is_wave) results(sliding_output%contact_shift) = values(in%period)*shift_of(solution%pressure, solid)
+      results(sliding_output%energy_imbalance) = 0
+      if (max(abs(direct), abs(loss)) > 0) results(sliding_output%energy_imbalance) = (direct - loss)/max(abs(direct), abs(loss))
+      results(sliding_output%regime) = regime_of(solution)
       error_estimate = error_of(solid, solution)
       ! in closed form
-      if (is_wave .and. results(r_mean_pressure) >= results(r_full_contact_pressure)) error_estimate = 4*epsilon(1.0_dp)
+      if (is_wave .and. results(periodic_output%mean_pressure) >= results(periodic_output%full_contact_pressure)) error_estimate &
+         & = 4*epsilon(1.0_dp)
    end subroutine set_sliding_results
 
    !> Which regime is it?

@@ -3,6 +3,7 @@
 !> half-space, without friction, with or without adhesion.
 module adfric_periodic_surface_model
    use adfric_base_kinds, only: dp
+   use adfric_base_counting, only: counting
    use adfric_base_problems, only: problems_t
    use adfric_describe_check, only: refuse_swept
    use adfric_describe_doubt, only: doubt_slope_too_steep
@@ -14,8 +15,12 @@ module adfric_periodic_surface_model
    private
    public :: surface_model_t, new_surface_model
 
-   !> Indices of the surface's own variables; those that all models of a periodic surface share follow.
-   integer, parameter, public :: v_heights = 1, v_length_x = 2, v_length_y = 3, v_rms_height = 4
+   !> Variables in the order of their rows; a component is the index of its row.
+   type :: surface_input_t
+      !> Indices, which `surface_input` has.
+      integer :: heights = 0, length_x = 0, length_y = 0, rms_height = 0
+   end type surface_input_t
+   type(surface_input_t), parameter, public :: surface_input = transfer(counting, surface_input_t())
 
    !> The model `surface_elastic`.
    type, extends(elastic_model_t) :: surface_model_t
@@ -73,8 +78,10 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call self%given%check(self%variables(v_heights:v_rms_height), values(v_heights:v_rms_height), problems)
-      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [v_length_x, v_length_y], problems)
+      call self%given%check(self%variables(surface_input%heights:surface_input%rms_height), &
+         & values(surface_input%heights:surface_input%rms_height), problems)
+      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [surface_input%length_x, &
+         & surface_input%length_y], problems)
    end subroutine check_surface
 
    !> See `periodic_model_t`.
@@ -85,7 +92,7 @@ contains
       !> Receives the periods and the cells of the heights.
       type(periodic_surface_t), intent(inout) :: surface
 
-      call self%given%get_cells(values(v_heights:v_rms_height), surface)
+      call self%given%get_cells(values(surface_input%heights:surface_input%rms_height), surface)
    end subroutine get_cells
 
    !> See `periodic_model_t`.
@@ -96,7 +103,7 @@ contains
       !> Receives the depths below the highest summit, unless it has them already [m].
       real(dp), allocatable, intent(inout) :: shape(:, :)
 
-      call self%given%get_shape(values(v_heights:v_rms_height), shape)
+      call self%given%get_shape(values(surface_input%heights:surface_input%rms_height), shape)
    end subroutine get_shape
 
    !> See `elastic_model_t`.
@@ -105,7 +112,7 @@ contains
       !> Values of the variables, in the order of the table; shape `(n_variables)`.
       real(dp), intent(in) :: values(:)
 
-      height_of = self%given%factor_of(values(v_heights:v_rms_height))*maxval(self%given%depths)
+      height_of = self%given%factor_of(values(surface_input%heights:surface_input%rms_height))*maxval(self%given%depths)
    end function height_of
 
    !> See `periodic_model_t`: that of the cells as they are.
@@ -164,7 +171,7 @@ contains
       !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
       real(dp), intent(inout) :: measures(:)
 
-      measures(doubt_slope_too_steep) = self%given%slope(values(v_heights:v_rms_height))
+      measures(doubt_slope_too_steep) = self%given%slope(values(surface_input%heights:surface_input%rms_height))
       associate (unused => results)
       end associate
    end subroutine measure

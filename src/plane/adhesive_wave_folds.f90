@@ -59,14 +59,14 @@ module adfric_plane_adhesive_wave_folds
    end type turn_equation_t
 
    !> ln of the range along one of both lines of folds, which rises with ln T or ln L.
-   type, extends(rising_equation_t) :: fold_equation_t
+   type, extends(rising_equation_t) :: wave_fold_equation_t
       !> sigma and the range eta.
       real(dp) :: sigma = 1, range = 1
       !> Is it the line of maxima?
       logical :: is_largest = .false.
    contains
       procedure :: evaluate => evaluate_fold
-   end type fold_equation_t
+   end type wave_fold_equation_t
 
    !> ln F - ln(sigma/2) as a function of L.
    type, extends(equation_t) :: log_ratio_equation_t
@@ -109,7 +109,7 @@ contains
       real(dp), intent(in) :: first_position
       type(zones_t), intent(out) :: zones
       logical, intent(out) :: is_converged
-      type(fold_equation_t) :: equation
+      type(wave_fold_equation_t) :: equation
       real(dp) :: x
 
       equation%sigma = sigma
@@ -130,10 +130,10 @@ contains
       type(fold_turn_t), intent(in) :: turn
       type(zones_t), intent(out) :: zones
       logical, intent(out) :: is_converged
-      type(fold_equation_t) :: equation
+      type(wave_fold_equation_t) :: equation
       real(dp) :: x, low, step, value
 
-      equation = fold_equation_t(sigma, range, .true.)
+      equation = wave_fold_equation_t(sigma, range, .true.)
       step = 2
       low = turn%log_log_ratio - step
       do
@@ -206,9 +206,9 @@ contains
       value = self%logarithm + x + log1p(square) - (log(square) + log(-expm1(-2*l)) - log1p(r2*square))/2
    end subroutine evaluate_turn
 
-   !> See `fold_equation_t`.
+   !> See `wave_fold_equation_t`.
    pure subroutine evaluate_fold(self, x, value)
-      class(fold_equation_t), intent(in) :: self
+      class(wave_fold_equation_t), intent(in) :: self
       !> ln T of a minimum, ln L of a maximum.
       real(dp), intent(in) :: x
       !> ln of the range over the one that is wanted.

@@ -39,14 +39,14 @@ module adfric_plane_adhesive_wave_penetration
    end type open_equation_t
 
    !> delta in contact as a function of x, minus the wanted one.
-   type, extends(rising_equation_t) :: contact_equation_t
+   type, extends(rising_equation_t) :: penetration_contact_equation_t
       !> The wave.
       type(adhesive_wave_t) :: wave
       !> The wanted penetration.
       real(dp) :: penetration = 0
    contains
       procedure :: evaluate => evaluate_contact
-   end type contact_equation_t
+   end type penetration_contact_equation_t
 
 contains
 
@@ -104,7 +104,7 @@ contains
       type(wave_adhesion_t), intent(inout) :: state
       logical, intent(out) :: is_converged
       type(open_equation_t) :: open
-      type(contact_equation_t) :: contact
+      type(penetration_contact_equation_t) :: contact
       type(zones_t) :: zones
       real(dp) :: x, low, high, ends(2)
 
@@ -121,7 +121,7 @@ contains
          call get_zones_of_position(x, guess_y(wave, x), zones)
          call approach_contact(wave, penetration, low, high, zones, is_converged)
          if (.not. is_converged) then
-            contact = contact_equation_t(wave, penetration)
+            contact = penetration_contact_equation_t(wave, penetration)
             call find_rising_root(contact, low, high, wave%largest_penetration - wave%least_penetration, round_off, x, is_converged)
             zones%y = 0
             if (is_converged) call find_contact(wave, x, zones, is_converged)
@@ -200,9 +200,9 @@ contains
       slope = twice*(twice + self%wave%sigma*log(2*twice))
    end subroutine evaluate_open
 
-   !> See `contact_equation_t`.
+   !> See `penetration_contact_equation_t`.
    pure subroutine evaluate_contact(self, x, value)
-      class(contact_equation_t), intent(in) :: self
+      class(penetration_contact_equation_t), intent(in) :: self
       real(dp), intent(in) :: x
       !> delta minus the wanted one.
       real(dp), intent(out) :: value

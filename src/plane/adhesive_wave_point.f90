@@ -11,11 +11,8 @@ module adfric_plane_adhesive_wave_point
       & curve_no_contact => regime_no_contact, curve_zones => regime_zones, curve_saturated => regime_saturated
    use adfric_plane_adhesive_wave_units, only: wave_adhesion_case_t, wave_adhesion_state_t, new_wave_adhesion
    use adfric_plane_jkr_wave, only: find_jkr_pull_off
-   use adfric_plane_wave_variables, only: v_adhesion, v_amplitude, v_contact_modulus, v_mean_pressure, v_penetration, &
-      & v_period, v_second_poisson_ratio, v_turning_pressure, r_adhesion_energy, r_adhesion_fraction, r_contact_fraction, &
-      & r_contact_width, r_elastic_energy, r_full_contact_pressure, r_hysteresis_loss, r_jump_off_penetration, r_largest_gap, &
-      & r_mean_gap, r_mean_pressure, r_peak_pressure, r_penetration, r_pull_off_penetration, r_pull_off_pressure, r_regime, &
-      & r_violation, regime_adhesion_only, regime_adhesion_zones, regime_full, regime_none, regime_saturated_adhesion
+   use adfric_plane_wave_variables, only: regime_adhesion_only, regime_adhesion_zones, regime_full, regime_none, &
+      & regime_saturated_adhesion, in => wave_input, out => wave_output
    use adfric_plane_westergaard, only: wave_mean_gap
    use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names, branch_adhered, resolve_adhesion
    use adfric_solid_contact_modulus, only: contact_modulus_of, modulus_names
@@ -26,7 +23,7 @@ module adfric_plane_adhesive_wave_point
    private
    public :: adhesive_point_t, is_possible_adhesion, derive_adhesion, solve_adhesion, get_adhesive_profiles
 
-   !> What the closed forms leave of the digits (docs/theory/halfspace.md).
+   !> What the closed forms leave of the digits (docs/theory/adhesive_wave.md).
    real(dp), parameter :: closed_form = 1.0e-13_dp
    !> Positions in the contact where the pressure is compared with the adhesion stress.
    integer, parameter :: n_positions = 4
@@ -59,7 +56,7 @@ contains
       type(adhesive_point_t), intent(inout) :: point
       real(dp) :: sizes(5)
 
-      sizes = [values(v_period), values(v_amplitude), contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio)), &
+      sizes = [values(in%period), values(in%amplitude), contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio)), &
          & law%stress, law%range]
       if (all(sizes >= point%sizes .and. sizes <= point%sizes)) return
       point%sizes = sizes
@@ -92,7 +89,7 @@ contains
       type(adhesion_law_t) :: law
       type(adhesive_point_t) :: point
 
-      call resolve_adhesion(values(v_adhesion:v_turning_pressure), law)
+      call resolve_adhesion(values(in%adhesion:in%turning_pressure), law)
       call resolve_wave(values, law, point)
       is_possible = point%is_possible
    end function is_possible_adhesion
@@ -107,10 +104,10 @@ contains
       real(dp) :: half_width, load
       logical :: has_fold
 
-      call resolve_adhesion(values(v_adhesion:v_turning_pressure), law)
+      call resolve_adhesion(values(in%adhesion:in%turning_pressure), law)
       call resolve_wave(values, law, point)
       if (.not. point%is_possible) return
-      if (is_set(values(v_adhesion + 2))) then
+      if (is_set(values(in%adhesion + 2))) then
          call add_derived(list, 'surface_energy', 'J/m^2', 'stress times range', law%stress*law%range, adhesion_names)
       else
          call add_derived(list, 'range', 'm', 'largest gap with adhesion', law%range, adhesion_names)
@@ -145,19 +142,19 @@ contains
 
       error_estimate = closed_form
       status = status_not_converged
-      call resolve_adhesion(values(v_adhesion:v_turning_pressure), law)
+      call resolve_adhesion(values(in%adhesion:in%turning_pressure), law)
       call resolve_wave(values, law, point)
       if (.not. (point%is_possible .and. point%is_converged)) return
       call resolve_ends(law, point)
       if (.not. point%has_ends) return
       branch = merge(curve_adhered, curve_approach, law%branch == branch_adhered)
-      if (is_set(values(v_mean_pressure))) then
-         call point%wave%solve_pressure(values(v_mean_pressure), branch, point%state, is_solved, law%turning_pressure)
+      if (is_set(values(in%mean_pressure))) then
+         call point%wave%solve_pressure(values(in%mean_pressure), branch, point%state, is_solved, law%turning_pressure)
       else
-         call point%wave%solve_penetration(values(v_penetration), branch, point%state, is_solved, law%turning_pressure)
+         call point%wave%solve_penetration(values(in%penetration), branch, point%state, is_solved, law%turning_pressure)
       end if
       if (is_solved) status = merge(status_no_equilibrium, status_solved, point%state%regime == curve_none)
-      results(r_full_contact_pressure) = point%wave%pressure_unit
+      results(out%full_contact_pressure) = point%wave%pressure_unit
       call store_ends(point, results)
       if (status /= status_solved) return
       call store_state(values, point, results)
@@ -171,9 +168,9 @@ contains
       real(dp), intent(inout) :: results(:)
 
       associate (ends => point%ends, p => point%wave%pressure_unit, d => point%wave%amplitude)
-         results(r_pull_off_pressure) = p*ends%pull_off_load
-         results([r_pull_off_penetration, r_jump_off_penetration]) = d*[ends%pull_off_penetration, ends%jump_off_penetration]
-         results(r_hysteresis_loss) = p*d*ends%loss
+         results(out%pull_off_pressure) = p*ends%pull_off_load
+         results([out%pull_off_penetration, out%jump_off_penetration]) = d*[ends%pull_off_penetration, ends%jump_off_penetration]
+         results(out%hysteresis_loss) = p*d*ends%loss
       end associate
    end subroutine store_ends
 
@@ -185,21 +182,21 @@ contains
       real(dp), intent(inout) :: results(:)
 
       associate (state => point%state)
-         results([r_mean_pressure, r_penetration]) = [state%mean_pressure, state%penetration]
+         results([out%mean_pressure, out%penetration]) = [state%mean_pressure, state%penetration]
          ! what is given keeps its bits
-         if (is_set(values(v_mean_pressure))) results(r_mean_pressure) = values(v_mean_pressure)
-         if (is_set(values(v_penetration))) results(r_penetration) = values(v_penetration)
-         results(r_contact_fraction) = state%contact_fraction
-         results(r_contact_width) = state%contact_fraction*values(v_period)
-         results(r_adhesion_fraction) = max(0.0_dp, state%label_fraction - state%contact_fraction)
-         results(r_peak_pressure) = state%crest_pressure
-         results([r_mean_gap, r_largest_gap]) = [state%mean_gap, state%valley_gap]
-         if (state%regime >= curve_saturated .and. state%contact_fraction > 0) results(r_mean_gap) = &
+         if (is_set(values(in%mean_pressure))) results(out%mean_pressure) = values(in%mean_pressure)
+         if (is_set(values(in%penetration))) results(out%penetration) = values(in%penetration)
+         results(out%contact_fraction) = state%contact_fraction
+         results(out%contact_width) = state%contact_fraction*values(in%period)
+         results(out%adhesion_fraction) = max(0.0_dp, state%label_fraction - state%contact_fraction)
+         results(out%peak_pressure) = state%crest_pressure
+         results([out%mean_gap, out%largest_gap]) = [state%mean_gap, state%valley_gap]
+         if (state%regime >= curve_saturated .and. state%contact_fraction > 0) results(out%mean_gap) = &
             & point%wave%amplitude*wave_mean_gap(state%state%square)
-         results([r_elastic_energy, r_adhesion_energy]) = [state%elastic_energy, state%adhesion_energy]
-         results(r_regime) = regime_of(state)
+         results([out%elastic_energy, out%adhesion_energy]) = [state%elastic_energy, state%adhesion_energy]
+         results(out%regime) = regime_of(state)
       end associate
-      results(r_violation) = violation_of(point)
+      results(out%violation) = violation_of(point)
    end subroutine store_state
 
    !> The regime in the words of the table.
@@ -253,7 +250,7 @@ contains
          if (state%regime /= curve_zones) return
          slope = abs(load_slope(wave%sigma, state%zones))
          scale = abs(2*penetration_slope(wave%sigma, state%zones))
-         if (is_set(values(v_penetration))) then
+         if (is_set(values(in%penetration))) then
             ! d P/d delta, where the penetration is the given number
             error = closed_form*max(1.0_dp, slope/max(scale, tiny(scale)))
          else

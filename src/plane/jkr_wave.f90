@@ -26,12 +26,12 @@ module adfric_plane_jkr_wave
    real(dp), parameter :: turn = log(0.6_dp)/2
 
    !> ln f - ln alpha as a function of ln T.
-   type, extends(equation_t) :: fold_equation_t
+   type, extends(equation_t) :: jkr_fold_equation_t
       !> ln alpha.
       real(dp) :: logarithm = 0
    contains
       procedure :: evaluate
-   end type fold_equation_t
+   end type jkr_fold_equation_t
 
 contains
 
@@ -89,7 +89,7 @@ contains
       !> The least load [p*].
       real(dp), intent(out) :: load
       logical, intent(out) :: has_fold
-      type(fold_equation_t) :: equation
+      type(jkr_fold_equation_t) :: equation
       real(dp) :: x, value, slope
 
       half_width = 0
@@ -107,9 +107,9 @@ contains
       load = jkr_wave_load(alpha, half_width)
    end subroutine find_jkr_pull_off
 
-   !> See `fold_equation_t`.
+   !> See `jkr_fold_equation_t`.
    pure subroutine evaluate(self, x, value, slope)
-      class(fold_equation_t), intent(in) :: self
+      class(jkr_fold_equation_t), intent(in) :: self
       real(dp), intent(in) :: x
       !> ln f - ln alpha.
       real(dp), intent(out) :: value

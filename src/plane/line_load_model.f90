@@ -2,11 +2,12 @@
 !> The model `line_load`: a line load on an elastic half-plane, plane strain (Flamant).
 module adfric_plane_line_load_model
    use adfric_base_kinds, only: dp
+   use adfric_base_counting, only: counting
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_plane_field_model, only: set_plane_stresses, set_displacements, maps_of
    use adfric_plane_flamant, only: line_stress, line_displacement
-   use adfric_plane_plane_load, only: plane_load_model_t, set_plane_variables, set_stress, v_young_modulus, v_poisson_ratio
+   use adfric_plane_plane_load, only: plane_load_model_t, set_plane_variables, set_stress, plane_load_input
    use adfric_describe_check, only: require
    use adfric_describe_rows, only: positive, number
    use adfric_describe_table, only: result_t, variable_t
@@ -14,9 +15,19 @@ module adfric_plane_line_load_model
    private
    public :: line_load_model_t, new_line_load_model
 
-   !> Indices of the line load's own variables and results; those of `adfric_plane_plane_load` are the first.
-   integer, parameter, public :: v_normal = 5, v_tangential = 6, v_datum = 7
-   integer, parameter, public :: r_displacement_x = 5, r_displacement_y = 6
+   !> Variables in the order of their rows; a component is the index of its row.
+   type :: line_load_input_t
+      !> Indices, which `line_load_input` has.
+      integer :: normal = 0, tangential = 0, datum = 0
+   end type line_load_input_t
+   type(line_load_input_t), parameter, public :: line_load_input = transfer(counting(plane_load_input%y + 1:), line_load_input_t())
+   !> Results in the order of their rows; a component is the index of its row.
+   type :: line_load_output_t
+      !> Indices, which `line_load_output` has.
+      integer :: displacement_x = 0, displacement_y = 0
+   end type line_load_output_t
+   type(line_load_output_t), parameter, public :: line_load_output = transfer(counting(plane_load_output%shear + 1:), &
+      & line_load_output_t())
 
    !> A line load on a half-plane.
    type, extends(plane_load_model_t) :: line_load_model_t
@@ -35,14 +46,16 @@ contains
       type(result_t) :: r(6)
 
       call set_plane_variables(v)
-      v(v_normal) = number(group='operating', name='normal_load', unit='N/m', meaning='N per length, into the solid', &
+      v(line_load_input%normal) = number(group='operating', name='normal_load', unit='N/m', &
+         & meaning='N per length, into the solid', &
          & default=0.0_dp)
-      v(v_tangential) = number(group='operating', name='tangential_load', unit='N/m', meaning='T per length, along x', &
+      v(line_load_input%tangential) = number(group='operating', name='tangential_load', unit='N/m', &
+         & meaning='T per length, along x', &
          & default=0.0_dp)
-      v(v_datum) = positive(group='operating', name='datum', unit='m', &
+      v(line_load_input%datum) = positive(group='operating', name='datum', unit='m', &
          & meaning='distance that fixes the rigid motion of the displacements', default=1.0_dp)
       call set_plane_stresses(r)
-      call set_displacements('x y', r(r_displacement_x:))
+      call set_displacements('x y', r(line_load_output%displacement_x:))
       call self%set_tables(name='line_load', summary='a line load on an elastic half-plane (Flamant): stresses and displacements', &
          & variables=v, results=r, profiles=maps_of(r), axes='y x', is_depth=.true.)
    end subroutine new_line_load_model
@@ -55,7 +68,7 @@ contains
       !> Receives what is wrong with the input; nothing is removed.
       type(problems_t), intent(inout) :: problems
 
-      call require(self%variables, values, [v_young_modulus, v_poisson_ratio], problems)
+      call require(self%variables, values, [plane_load_input%young_modulus, plane_load_input%poisson_ratio], problems)
    end subroutine check_case
 
    !> See `field_model_t`.
@@ -70,9 +83,12 @@ contains
 
       field = not_a_number()
       if (.not. maxval(abs(position)) > 0) return
-      call set_stress(line_stress(values(v_normal), values(v_tangential), position(1), position(2)), field)
-      field(r_displacement_x:r_displacement_y) = line_displacement(values(v_normal), values(v_tangential), &
-         & values(v_young_modulus), values(v_poisson_ratio), values(v_datum), position(1), position(2))
+      call set_stress(line_stress(values(line_load_input%normal), values(line_load_input%tangential), position(1), position(2)), &
+         & field)
+      field(line_load_output%displacement_x:line_load_output%displacement_y) = line_displacement(values(line_load_input%normal), &
+         & values(line_load_input%tangential), &
+         & values(plane_load_input%young_modulus), values(plane_load_input%poisson_ratio), values(line_load_input%datum), &
+         & position(1), position(2))
       associate (unused => self)
       end associate
    end subroutine get_field

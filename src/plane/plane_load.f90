@@ -2,6 +2,7 @@
 !> What the models of given tractions on a half-plane share: the solid, the position of the results, and the stresses there.
 module adfric_plane_plane_load
    use adfric_base_kinds, only: dp
+   use adfric_base_counting, only: counting
    use adfric_plane_field_model, only: field_model_t
    use adfric_describe_rows, only: positive, number, poisson_ratio
    use adfric_describe_table, only: variable_t
@@ -9,10 +10,18 @@ module adfric_plane_plane_load
    private
    public :: plane_load_model_t, set_plane_variables, set_stress
 
-   !> Positions of the variables that these models share; their own follow.
-   integer, parameter, public :: v_young_modulus = 1, v_poisson_ratio = 2, v_x = 3, v_y = 4
-   !> Positions of the results that these models share; their own follow.
-   integer, parameter, public :: r_stress_xx = 1, r_stress_xy = 3, r_shear = 4
+   !> Variables in the order of their rows; a component is the index of its row.
+   type :: plane_load_input_t
+      !> Indices, which `plane_load_input` has.
+      integer :: young_modulus = 0, poisson_ratio = 0, x = 0, y = 0
+   end type plane_load_input_t
+   type(plane_load_input_t), parameter, public :: plane_load_input = transfer(counting, plane_load_input_t())
+   !> Results in the order of their rows; a component is the index of its row.
+   type :: plane_load_output_t
+      !> Indices, which `plane_load_output` has.
+      integer :: stress_xx = 0, stress_yy = 0, stress_xy = 0, shear = 0
+   end type plane_load_output_t
+   type(plane_load_output_t), parameter, public :: plane_load_output = transfer(counting, plane_load_output_t())
 
    !> Given tractions on a half-plane.
    type, abstract, extends(field_model_t) :: plane_load_model_t
@@ -27,11 +36,13 @@ contains
       !> Table of variables; its first four rows are set.
       type(variable_t), intent(inout) :: v(:)
 
-      v(v_young_modulus) = positive(group='solid', name='young_modulus', unit='Pa', meaning='Young''s modulus')
-      v(v_poisson_ratio) = poisson_ratio(group='solid', name='poisson_ratio', meaning='Poisson''s ratio')
-      v(v_x) = number(group='position', name='position_x', unit='m', meaning='where the results are, along the surface', &
+      v(plane_load_input%young_modulus) = positive(group='solid', name='young_modulus', unit='Pa', meaning='Young''s modulus')
+      v(plane_load_input%poisson_ratio) = poisson_ratio(group='solid', name='poisson_ratio', meaning='Poisson''s ratio')
+      v(plane_load_input%x) = number(group='position', name='position_x', unit='m', &
+         & meaning='where the results are, along the surface', &
          & default=0.0_dp)
-      v(v_y) = number(group='position', name='position_y', unit='m', meaning='where the results are, depth', default=0.0_dp, &
+      v(plane_load_input%y) = number(group='position', name='position_y', unit='m', meaning='where the results are, depth', &
+         & default=0.0_dp, &
          & lower=0.0_dp)
    end subroutine set_plane_variables
 
@@ -43,7 +54,7 @@ contains
       real(dp), intent(in), optional :: slow, fast
       real(dp) :: position(3)
 
-      position = [values(v_x), values(v_y), 0.0_dp]
+      position = [values(plane_load_input%x), values(plane_load_input%y), 0.0_dp]
       if (present(fast)) position(1) = fast
       if (present(slow)) position(2) = slow
       associate (unused => self)
@@ -57,8 +68,8 @@ contains
       !> Results at the position; stresses and largest shear stress are set.
       real(dp), intent(inout) :: field(:)
 
-      field(r_stress_xx:r_stress_xy) = stress
-      field(r_shear) = hypot((stress(1) - stress(2))/2, stress(3))
+      field(plane_load_output%stress_xx:plane_load_output%stress_xy) = stress
+      field(plane_load_output%shear) = hypot((stress(1) - stress(2))/2, stress(3))
    end subroutine set_stress
 
 end module adfric_plane_plane_load

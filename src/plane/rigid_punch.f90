@@ -56,7 +56,7 @@ module adfric_plane_rigid_punch
    end type punch_contact_t
 
    !> P(a) = load for x = a.
-   type, extends(equation_t) :: load_equation_t
+   type, extends(equation_t) :: punch_load_equation_t
       !> Shape of the punch.
       class(punch_profile_t), allocatable :: profile
       !> E* [Pa], and the load that is given [N/m].
@@ -65,7 +65,7 @@ module adfric_plane_rigid_punch
       real(dp), allocatable :: nodes(:)
    contains
       procedure :: evaluate
-   end type load_equation_t
+   end type punch_load_equation_t
 
 contains
 
@@ -82,7 +82,7 @@ contains
       integer, intent(in) :: n
       !> The contact; `is_converged` tells whether it was found.
       type(punch_contact_t), intent(out) :: self
-      type(load_equation_t) :: equation
+      type(punch_load_equation_t) :: equation
       real(dp) :: bounded, nodes(n)
 
       self%load = load
@@ -160,7 +160,7 @@ contains
 
    !> See `equation_t`.
    pure subroutine evaluate(self, x, value, slope)
-      class(load_equation_t), intent(in) :: self
+      class(punch_load_equation_t), intent(in) :: self
       !> Half-width of contact [m], > 0.
       real(dp), intent(in) :: x
       !> Load of the bounded solution less the load that is given [N/m]; 0 at the root.

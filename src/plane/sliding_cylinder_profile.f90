@@ -32,7 +32,7 @@ module adfric_plane_sliding_cylinder_profile
    real(dp), parameter :: long_path = 45
 
    !> What a relaxation length adds to the pressure at a position in the contact.
-   type, extends(integrand_t) :: contact_integrand_t
+   type, extends(integrand_t) :: cylinder_contact_integrand_t
       !> Way from the trailing edge to the position, 1 + y.
       real(dp) :: from_trailing = 0
       !> What remains from the end of the range to the leading edge.
@@ -41,10 +41,10 @@ module adfric_plane_sliding_cylinder_profile
       real(dp) :: length = 1, factor = 0, deficit = 0
    contains
       procedure :: evaluate => contact_term
-   end type contact_integrand_t
+   end type cylinder_contact_integrand_t
 
    !> What a retardation length adds to the gap at a position.
-   type, extends(integrand_t) :: gap_integrand_t
+   type, extends(integrand_t) :: cylinder_gap_integrand_t
       !> Way from the leading edge to the position, or from the position to the trailing edge.
       real(dp) :: path = 0
       !> 1 ahead of the contact, -1 behind it.
@@ -57,7 +57,7 @@ module adfric_plane_sliding_cylinder_profile
       real(dp) :: length = 1, factor = 0
    contains
       procedure :: evaluate => gap_term
-   end type gap_integrand_t
+   end type cylinder_gap_integrand_t
 
 contains
 
@@ -80,7 +80,7 @@ contains
       type(cylinder_contact_t), intent(in) :: contact
       !> Distances of the position from the edges [w], both > 0; their sum is 2, and the smaller one has all its digits.
       real(dp), intent(in) :: from_trailing, to_leading
-      type(contact_integrand_t) :: integrand
+      type(cylinder_contact_integrand_t) :: integrand
       real(dp) :: part, range, amplitude
       integer :: i
       logical :: is_converged
@@ -103,7 +103,7 @@ contains
 
    !> The integrand of the pressure, see `integrand_t`.
    pure real(dp) function contact_term(self, from_left, from_right) result(term)
-      class(contact_integrand_t), intent(in) :: self
+      class(cylinder_contact_integrand_t), intent(in) :: self
       !> Distance from the position.
       real(dp), intent(in) :: from_left
       !> Distance from the end of the range.
@@ -138,7 +138,7 @@ contains
       real(dp), intent(in) :: path
       !> 1 for a position ahead of the contact, -1 for one behind it.
       real(dp), intent(in) :: side
-      type(gap_integrand_t) :: integrand
+      type(cylinder_gap_integrand_t) :: integrand
       real(dp) :: v, part, range
       integer :: j
       logical :: is_converged
@@ -163,7 +163,7 @@ contains
 
    !> The integrand of the gap, see `integrand_t`.
    pure real(dp) function gap_term(self, from_left, from_right) result(term)
-      class(gap_integrand_t), intent(in) :: self
+      class(cylinder_gap_integrand_t), intent(in) :: self
       !> Distance from the position.
       real(dp), intent(in) :: from_left
       !> Distance from the end of the range.

@@ -43,12 +43,12 @@ module adfric_plane_sliding_cylinder_survey
    end type cylinder_survey_t
 
    !> The pressure in the contact, along the path from its trailing edge.
-   type, extends(integrand_t) :: position_t
+   type, extends(integrand_t) :: cylinder_position_t
       !> The contact.
       type(cylinder_contact_t) :: contact
    contains
       procedure :: evaluate
-   end type position_t
+   end type cylinder_position_t
 
 contains
 
@@ -59,7 +59,7 @@ contains
       type(cylinder_survey_t), intent(out) :: survey
       !> Width of the contact [w].
       real(dp), parameter :: width = 2
-      type(position_t) :: position
+      type(cylinder_position_t) :: position
       real(dp) :: load, moment
 
       ! no load makes no contact
@@ -114,7 +114,7 @@ contains
 
    !> See `integrand_t`.
    pure real(dp) function evaluate(self, from_left, from_right) result(value)
-      class(position_t), intent(in) :: self
+      class(cylinder_position_t), intent(in) :: self
       !> Distances from the trailing and the leading edge.
       real(dp), intent(in) :: from_left, from_right
 

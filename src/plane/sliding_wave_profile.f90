@@ -32,7 +32,7 @@ module adfric_plane_sliding_wave_profile
    real(dp), parameter :: long_path = 45
 
    !> What a relaxation length adds to the pressure at a position in the contact.
-   type, extends(integrand_t) :: contact_integrand_t
+   type, extends(integrand_t) :: wave_contact_integrand_t
       !> Half-widths w of the contact and pi - w of the gap, and the position y.
       real(dp) :: half_width = 0, half_gap = 0, position = 0
       !> Relaxation length a, and the mean rho.
@@ -45,10 +45,10 @@ module adfric_plane_sliding_wave_profile
       logical :: is_long = .false.
    contains
       procedure :: evaluate => contact_term
-   end type contact_integrand_t
+   end type wave_contact_integrand_t
 
    !> What a retardation length adds to the gap at a position.
-   type, extends(integrand_t) :: gap_integrand_t
+   type, extends(integrand_t) :: wave_gap_integrand_t
       !> Half-widths w of the contact and pi - w of the gap, s = sin(w/2), and the path from the leading edge to the position, y -
       !> w.
       real(dp) :: half_width = 0, half_gap = 0, sine = 0, path = 0
@@ -60,7 +60,7 @@ module adfric_plane_sliding_wave_profile
       real(dp) :: open_part = 1
    contains
       procedure :: evaluate => gap_term
-   end type gap_integrand_t
+   end type wave_gap_integrand_t
 
 contains
 
@@ -84,7 +84,7 @@ contains
       !> Position along the wave, from a crest [1/k].
       real(dp), intent(in) :: x
       real(dp) :: y, root, factor, part, range, amplitude, round_off
-      type(contact_integrand_t) :: integrand
+      type(wave_contact_integrand_t) :: integrand
       integer :: i
       logical :: is_converged
 
@@ -123,7 +123,7 @@ contains
       type(wave_contact_t), intent(in) :: contact
       !> Number of the arm.
       integer, intent(in) :: i
-      type(contact_integrand_t), intent(inout) :: integrand
+      type(wave_contact_integrand_t), intent(inout) :: integrand
       !> A_i.
       real(dp), intent(out) :: part
       real(dp) :: long_part
@@ -140,7 +140,7 @@ contains
 
    !> The integrand of the pressure, see `integrand_t`.
    pure real(dp) function contact_term(self, from_left, from_right) result(term)
-      class(contact_integrand_t), intent(in) :: self
+      class(wave_contact_integrand_t), intent(in) :: self
       !> Distance from the position.
       real(dp), intent(in) :: from_left
       !> Distance from the end of the range.
@@ -188,7 +188,7 @@ contains
       !> Position along the wave, from a crest [1/k].
       real(dp), intent(in) :: x
       real(dp) :: y, path, root, part, range, round_off
-      type(gap_integrand_t) :: integrand
+      type(wave_gap_integrand_t) :: integrand
       integer :: j
       logical :: is_converged
 
@@ -198,7 +198,7 @@ contains
       if (.not. contact%half_width > 0) g = 2*sin(y/2)**2 - contact%penetration
       if (contact%is_full .or. abs(y) <= contact%half_width .or. .not. contact%half_width > 0) return
       if (y < 0) y = y + two_pi
-      integrand = gap_integrand_t(contact%half_width, half_gap(contact), contact%sine, y - contact%half_width, &
+      integrand = wave_gap_integrand_t(contact%half_width, half_gap(contact), contact%sine, y - contact%half_width, &
          & open_part=contact%cosine**2)
       path = 2*integrand%half_gap - integrand%path
       root = gap_root(integrand, min(path, integrand%path))
@@ -230,7 +230,7 @@ contains
 
    !> R at a position in the gap.
    pure real(dp) function gap_root(integrand, near)
-      class(gap_integrand_t), intent(in) :: integrand
+      class(wave_gap_integrand_t), intent(in) :: integrand
       !> Way to the nearer edge, 0 to pi - w.
       real(dp), intent(in) :: near
 
@@ -257,7 +257,7 @@ contains
 
    !> The integrand of the gap, see `integrand_t`.
    pure real(dp) function gap_term(self, from_left, from_right) result(term)
-      class(gap_integrand_t), intent(in) :: self
+      class(wave_gap_integrand_t), intent(in) :: self
       !> Distance from the position.
       real(dp), intent(in) :: from_left
       !> Distance from the end of the range.

@@ -41,7 +41,7 @@ module adfric_plane_sliding_wave_survey
    end type wave_survey_t
 
    !> The pressure in the contact, along the path from its trailing edge; the gap beyond it, from its leading edge.
-   type, extends(integrand_t) :: position_t
+   type, extends(integrand_t) :: wave_position_t
       !> The solid.
       type(sliding_solid_t) :: solid
       !> The contact.
@@ -52,7 +52,7 @@ module adfric_plane_sliding_wave_survey
       logical :: is_gap = .false.
    contains
       procedure :: evaluate
-   end type position_t
+   end type wave_position_t
 
 contains
 
@@ -63,7 +63,7 @@ contains
       type(wave_contact_t), intent(in) :: contact
       !> What is found; NaN where a profile is not.
       type(wave_survey_t), intent(out) :: survey
-      type(position_t) :: position
+      type(wave_position_t) :: position
       real(dp) :: width
 
       if (contact%is_full) then
@@ -76,11 +76,11 @@ contains
          return
       end if
       width = 2*contact%half_width
-      position = position_t(solid, contact, contact%shift%shift - contact%half_width)
+      position = wave_position_t(solid, contact, contact%shift%shift - contact%half_width)
       call find_largest_value(position, width, survey%peak_pressure)
       call add_violations(position, width, survey%violation)
       survey%friction = work_of_pressure(solid, contact, width)
-      position = position_t(solid, contact, contact%shift%shift + contact%half_width, is_gap=.true.)
+      position = wave_position_t(solid, contact, contact%shift%shift + contact%half_width, is_gap=.true.)
       width = 4*atan2(contact%cosine, contact%sine)
       call find_largest_value(position, width, survey%largest_gap)
       call add_violations(position, width, survey%violation)
@@ -112,7 +112,7 @@ contains
 
    !> Take violations of the conditions of contact into account. The gap in the contact and the pressure beside it are 0.
    pure subroutine add_violations(position, length, violation)
-      type(position_t), intent(in) :: position
+      type(wave_position_t), intent(in) :: position
       !> Width of the contact, or of the gap.
       real(dp), intent(in) :: length
       !> The largest violation so far.
@@ -128,7 +128,7 @@ contains
 
    !> See `integrand_t`.
    pure real(dp) function evaluate(self, from_left, from_right) result(value)
-      class(position_t), intent(in) :: self
+      class(wave_position_t), intent(in) :: self
       !> Way from the edge where it begins.
       real(dp), intent(in) :: from_left
       !> Way to the other edge.

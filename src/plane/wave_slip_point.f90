@@ -3,9 +3,7 @@
 module adfric_plane_wave_slip_point
    use adfric_base_kinds, only: dp
    use adfric_plane_wave_slip, only: find_wave_slip, wave_shear, wave_slip_t
-   use adfric_plane_wave_variables, only: r_cycle_energy, r_full_contact_pressure, r_mean_pressure, r_stick_fraction, &
-      & r_tangential_displacement, r_tangential_stiffness, v_amplitude, v_coefficient, v_contact_modulus, v_period, &
-      & v_second_poisson_ratio, v_tangential_stress
+   use adfric_plane_wave_variables, only: in => wave_input, out => wave_output
    use adfric_interface_coulomb_rows, only: coulomb_t, resolve_coulomb
    implicit none (type, external)
    private
@@ -23,20 +21,21 @@ contains
       type(wave_slip_t) :: slip
       real(dp) :: tau, unit, stress
 
-      call resolve_coulomb(values(v_tangential_stress:v_coefficient), values(v_contact_modulus:v_second_poisson_ratio), .true., &
+      call resolve_coulomb(values(in%tangential_stress:in%coefficient), values(in%contact_modulus:in%second_poisson_ratio), &
+         & .true., &
          & friction)
-      call friction%get_share(results(r_mean_pressure), tau, is_sustained)
-      if (.not. (is_sustained .and. results(r_mean_pressure) > 0)) return
-      stress = results(r_full_contact_pressure)
-      call find_wave_slip(results(r_mean_pressure)/stress, tau, slip)
-      associate (mu => friction%coefficient, ratio => friction%compliance_ratio(.true.), d => values(v_amplitude))
+      call friction%get_share(results(out%mean_pressure), tau, is_sustained)
+      if (.not. (is_sustained .and. results(out%mean_pressure) > 0)) return
+      stress = results(out%full_contact_pressure)
+      call find_wave_slip(results(out%mean_pressure)/stress, tau, slip)
+      associate (mu => friction%coefficient, ratio => friction%compliance_ratio(.true.), d => values(in%amplitude))
          unit = mu*ratio*d
-         results(r_stick_fraction) = slip%stick
-         results(r_tangential_displacement) = sign(unit*slip%displacement, friction%stress)
-         results(r_cycle_energy) = mu*stress*unit*slip%energy
-         if (slip%compliance > 0) results(r_tangential_stiffness) = stress/(ratio*d*slip%compliance)
+         results(out%stick_fraction) = slip%stick
+         results(out%tangential_displacement) = sign(unit*slip%displacement, friction%stress)
+         results(out%cycle_energy) = mu*stress*unit*slip%energy
+         if (slip%compliance > 0) results(out%tangential_stiffness) = stress/(ratio*d*slip%compliance)
          ! at the end the contact that sticks is a point
-         if (.not. slip%stick_pressure > 0) results(r_tangential_stiffness) = 0
+         if (.not. slip%stick_pressure > 0) results(out%tangential_stiffness) = 0
       end associate
    end subroutine add_slip
 
@@ -51,14 +50,15 @@ contains
       type(coulomb_t) :: friction
       logical :: is_sustained
 
-      call resolve_coulomb(values(v_tangential_stress:v_coefficient), values(v_contact_modulus:v_second_poisson_ratio), .true., &
+      call resolve_coulomb(values(in%tangential_stress:in%coefficient), values(in%contact_modulus:in%second_poisson_ratio), &
+         & .true., &
          & friction)
-      call friction%get_share(results(r_mean_pressure), tau, is_sustained)
+      call friction%get_share(results(out%mean_pressure), tau, is_sustained)
       tractions = 0
-      if (.not. results(r_mean_pressure) > 0) return
-      associate (stress => results(r_full_contact_pressure))
+      if (.not. results(out%mean_pressure) > 0) return
+      associate (stress => results(out%full_contact_pressure))
          tractions = sign(friction%coefficient*stress, friction%stress) &
-            & *wave_shear(results(r_mean_pressure)/stress, tau, x/values(v_period))
+            & *wave_shear(results(out%mean_pressure)/stress, tau, x/values(in%period))
       end associate
    end function slip_tractions
 

@@ -13,7 +13,7 @@ module adfric_round_axis_stress
    use adfric_base_constants, only: pi
    use adfric_round_contact_state, only: contact_t
    use adfric_round_shape, only: shape_t, spot_t
-   use adfric_numerics_panels, only: integrand_t, integrate
+   use adfric_numerics_panels, only: panel_integrand_t, integrate
    implicit none (type, external)
    private
    public :: get_axis_stress
@@ -22,7 +22,7 @@ module adfric_round_axis_stress
    real(dp), parameter :: decayed = 40.0_dp
 
    !> One of the two functions of x, times dg/dt along u = high exp(-t).
-   type, extends(integrand_t) :: profile_integrand_t
+   type, extends(panel_integrand_t) :: profile_integrand_t
       !> The shape.
       class(shape_t), allocatable :: shape
       !> Do the positions lie beyond the corner?
@@ -36,14 +36,14 @@ module adfric_round_axis_stress
    end type profile_integrand_t
 
    !> The same times 2 S x/sqrt(c^2 - x^2) dx/dt along x = c sin(y), y = high exp(-t).
-   type, extends(integrand_t) :: zone_integrand_t
+   type, extends(panel_integrand_t) :: axis_zone_integrand_t
       !> arcsin(a/c), c, and the depth z.
       real(dp) :: high = 1, radius = 1, depth = 1
       !> Is it x/(x^2 + z^2)?
       logical :: is_simple = .true.
    contains
       procedure :: value_at => zone_value
-   end type zone_integrand_t
+   end type axis_zone_integrand_t
 
 contains
 
@@ -116,7 +116,7 @@ contains
       total = total + integrate(integrand, 0.0_dp, decayed/2)
    end function profile_integral
 
-   !> See `integrand_t`.
+   !> See `panel_integrand_t`.
    pure real(dp) function profile_value(self, position)
       class(profile_integrand_t), intent(in) :: self
       !> t > 0.
@@ -136,7 +136,7 @@ contains
       real(dp), intent(in) :: depth
       !> Which of the two functions.
       logical, intent(in) :: is_simple
-      type(zone_integrand_t) :: integrand
+      type(axis_zone_integrand_t) :: integrand
 
       total = 0
       if (.not. (contact%stress > 0 .and. contact%spot%radius > 0)) return
@@ -147,9 +147,9 @@ contains
       total = 2*contact%stress*integrate(integrand, 0.0_dp, decayed/2)
    end function zone_integral
 
-   !> See `integrand_t`.
+   !> See `panel_integrand_t`.
    pure real(dp) function zone_value(self, position)
-      class(zone_integrand_t), intent(in) :: self
+      class(axis_zone_integrand_t), intent(in) :: self
       !> t > 0.
       real(dp), intent(in) :: position
       real(dp) :: angle, x

@@ -16,7 +16,9 @@ module adfric_round_case
    use adfric_round_edge_slope, only: slope_of
    use adfric_round_power_shape, only: power_shape_t, new_power_shape, depth_factor
    use adfric_round_sphere_shape, only: sphere_shape_t, new_sphere_shape
-   use adfric_round_variables
+   use adfric_round_variables, only: choose_auto, choose_none, kind_cone, kind_flat_cone, kind_flat_paraboloid, &
+      & kind_paraboloid, kind_polynomial, kind_power, kind_rounded_cone, kind_rounded_punch, kind_sphere, theory_dmt, &
+      & theory_jkr, theory_maugis_dugdale, theory_none, in => indenter_input
    use adfric_solid_contact_modulus, only: contact_modulus_of, poisson_compliance_of
    implicit none (type, external)
    private
@@ -80,23 +82,23 @@ contains
          deallocate (self%curve)
          allocate (dugdale_curve_t :: self%curve)
       end if
-      self%modulus = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+      self%modulus = contact_modulus_of(values(in%contact_modulus:in%second_poisson_ratio))
       work = 0
-      if (self%theory /= theory_none) work = values(v_work_of_adhesion)
-      self%branch = nint(values(v_branch))
+      if (self%theory /= theory_none) work = values(in%work_of_adhesion)
+      self%branch = nint(values(in%branch))
       self%control = control_radius
-      if (is_set(values(v_load))) self%control = control_load
-      if (is_set(values(v_approach))) self%control = control_approach
-      if (is_set(values(v_base_approach))) self%control = control_spring
-      select case (nint(values(v_kind)))
+      if (is_set(values(in%load))) self%control = control_load
+      if (is_set(values(in%approach))) self%control = control_approach
+      if (is_set(values(in%base_approach))) self%control = control_spring
+      select case (nint(values(in%kind)))
       case (kind_cone, kind_paraboloid, kind_power, kind_polynomial)
          call resolve_powers(values, work/self%modulus, self)
       case (kind_sphere)
          allocate (sphere)
          call new_sphere_shape(sphere)
          call move_alloc(sphere, self%curve%shape)
-         self%length_unit = values(v_radius)
-         self%height_unit = values(v_radius)
+         self%length_unit = values(in%radius)
+         self%height_unit = values(in%radius)
       case default
          call resolve_corner(values, self)
       end select
@@ -106,8 +108,8 @@ contains
       call resolve_adhesion(values, work, self%theory, self%modulus*(self%height_unit/self%length_unit), self%height_unit, &
          & self%curve)
       call resolve_given(values, self)
-      if (is_set(values(v_lateral_stiffness))) self%lateral_stiffness = values(v_lateral_stiffness)/self%stiffness_unit()
-      if (is_set(values(v_base_displacement))) self%base_displacement = values(v_base_displacement)/self%height_unit
+      if (is_set(values(in%lateral_stiffness))) self%lateral_stiffness = values(in%lateral_stiffness)/self%stiffness_unit()
+      if (is_set(values(in%base_displacement))) self%base_displacement = values(in%base_displacement)/self%height_unit
    end subroutine resolve_case
 
    !> The theory of a case: without adhesion none, and without a range JKR.
@@ -115,13 +117,13 @@ contains
       real(dp), intent(in) :: values(:)
 
       theory = theory_none
-      if (.not. is_set(values(v_work_of_adhesion))) return
-      if (.not. values(v_work_of_adhesion) > 0 .or. nint(values(v_theory)) == choose_none) return
+      if (.not. is_set(values(in%work_of_adhesion))) return
+      if (.not. values(in%work_of_adhesion) > 0 .or. nint(values(in%theory)) == choose_none) return
       theory = theory_jkr
-      if (nint(values(v_theory)) == choose_auto) then
-         if (any(is_set(values(v_adhesion_stress:v_lambda)))) theory = theory_maugis_dugdale
+      if (nint(values(in%theory)) == choose_auto) then
+         if (any(is_set(values(in%adhesion_stress:in%lambda)))) theory = theory_maugis_dugdale
       else
-         theory = nint(values(v_theory)) - choose_none
+         theory = nint(values(in%theory)) - choose_none
       end if
    end function theory_of
 
@@ -145,17 +147,17 @@ contains
       end if
       select type (curve)
       type is (dugdale_curve_t)
-         if (is_set(values(v_adhesion_stress))) then
-            curve%stress = values(v_adhesion_stress)/stress_unit
-         else if (is_set(values(v_adhesion_range))) then
-            curve%stress = work/(values(v_adhesion_range)/height_unit)
+         if (is_set(values(in%adhesion_stress))) then
+            curve%stress = values(in%adhesion_stress)/stress_unit
+         else if (is_set(values(in%adhesion_range))) then
+            curve%stress = work/(values(in%adhesion_range)/height_unit)
          else
             ! lambda = (3/2) sigma0 a0/(E* D), D = a0^n in these units, 2 pi W a0 = (8/3) D^2
             exponent = 2
-            if (nint(values(v_kind)) == kind_cone) exponent = 1
-            if (nint(values(v_kind)) == kind_power) exponent = values(v_exponent)
+            if (nint(values(in%kind)) == kind_cone) exponent = 1
+            if (nint(values(in%kind)) == kind_power) exponent = values(in%exponent)
             n = (0.75_dp*pi*work)**((exponent - 1)/(2*exponent - 1))
-            curve%stress = 2*values(v_lambda)/3*n
+            curve%stress = 2*values(in%lambda)/3*n
          end if
          curve%range = work/curve%stress
       end select
@@ -169,21 +171,21 @@ contains
       real(dp) :: b
       integer :: kind
 
-      b = values(v_face_radius)
+      b = values(in%face_radius)
       allocate (shape)
-      select case (nint(values(v_kind)))
+      select case (nint(values(in%kind)))
       case (kind_flat_cone)
          kind = flat_cone
          self%height_unit = slope_of(values)*b
       case (kind_flat_paraboloid)
          kind = flat_paraboloid
-         self%height_unit = b*(b/values(v_radius))
+         self%height_unit = b*(b/values(in%radius))
       case (kind_rounded_punch)
          kind = rounded_punch
-         self%height_unit = b*(b/values(v_radius))
+         self%height_unit = b*(b/values(in%radius))
       case (kind_rounded_cone)
          kind = rounded_cone
-         b = slope_of(values)*values(v_radius)
+         b = slope_of(values)*values(in%radius)
          self%height_unit = slope_of(values)*b
       case default
          kind = flat_face
@@ -232,19 +234,19 @@ contains
       real(dp), allocatable, intent(out) :: logarithms(:)
       integer :: k
 
-      select case (nint(values(v_kind)))
+      select case (nint(values(in%kind)))
       case (kind_cone)
          exponents = [1.0_dp]
          logarithms = [log(half_pi*slope_of(values))]
       case (kind_paraboloid)
          exponents = [2.0_dp]
-         logarithms = [-log(values(v_radius))]
+         logarithms = [-log(values(in%radius))]
       case (kind_power)
-         exponents = [values(v_exponent)]
-         logarithms = [log(depth_factor(values(v_exponent))) + log(values(v_coefficient))]
+         exponents = [values(in%exponent)]
+         logarithms = [log(depth_factor(values(in%exponent))) + log(values(in%coefficient))]
       case default
-         exponents = pack([(real(k, dp), k=1, 8)], values(v_coefficient_1:v_coefficient_8) > 0)
-         logarithms = log(pack(values(v_coefficient_1:v_coefficient_8), values(v_coefficient_1:v_coefficient_8) > 0))
+         exponents = pack([(real(k, dp), k=1, 8)], values(in%coefficient_1:in%coefficient_8) > 0)
+         logarithms = log(pack(values(in%coefficient_1:in%coefficient_8), values(in%coefficient_1:in%coefficient_8) > 0))
          logarithms = logarithms + log(depth_factor(exponents))
       end select
    end subroutine get_terms
@@ -259,17 +261,17 @@ contains
       real(dp) :: radius(size(exponents))
 
       radius = -logarithms/exponents
-      if (is_set(values(v_load))) then
-         if (values(v_load) > 0) radius = (log(values(v_load)/(2*modulus)) + log(1 + 1/exponents) - logarithms)/(exponents + 1)
-      else if (is_set(values(v_approach))) then
-         if (values(v_approach) > 0) radius = (log(values(v_approach)) - logarithms)/exponents
-      else if (is_set(values(v_base_approach))) then
+      if (is_set(values(in%load))) then
+         if (values(in%load) > 0) radius = (log(values(in%load)/(2*modulus)) + log(1 + 1/exponents) - logarithms)/(exponents + 1)
+      else if (is_set(values(in%approach))) then
+         if (values(in%approach) > 0) radius = (log(values(in%approach)) - logarithms)/exponents
+      else if (is_set(values(in%base_approach))) then
          ! delta and P/k are each at most their sum
-         if (values(v_base_approach) > 0) radius = min((log(values(v_base_approach)) - logarithms)/exponents, &
-            & (log(values(v_base_approach)) + log(values(v_machine_stiffness)/modulus/2) + log(1 + 1/exponents) &
+         if (values(in%base_approach) > 0) radius = min((log(values(in%base_approach)) - logarithms)/exponents, &
+            & (log(values(in%base_approach)) + log(values(in%machine_stiffness)/modulus/2) + log(1 + 1/exponents) &
             & - logarithms)/(exponents + 1))
       else
-         radius = log(values(v_contact_radius))
+         radius = log(values(in%contact_radius))
       end if
    end function radius_logarithm
 
@@ -280,16 +282,16 @@ contains
       type(indenter_case_t), intent(inout) :: self
 
       if (self%control == control_load) then
-         self%given = values(v_load)/self%force_unit()
+         self%given = values(in%load)/self%force_unit()
       else if (self%control == control_approach) then
-         self%given = values(v_approach)/self%height_unit
+         self%given = values(in%approach)/self%height_unit
       else if (self%control == control_spring) then
-         self%given = values(v_base_approach)/self%height_unit
-         self%curve%compliance = self%modulus*self%length_unit/values(v_machine_stiffness)
-      else if (is_set(values(v_face_angle))) then
-         self%given = tan(values(v_face_angle))
+         self%given = values(in%base_approach)/self%height_unit
+         self%curve%compliance = self%modulus*self%length_unit/values(in%machine_stiffness)
+      else if (is_set(values(in%face_angle))) then
+         self%given = tan(values(in%face_angle))
       else
-         self%radius = values(v_contact_radius)/self%length_unit
+         self%radius = values(in%contact_radius)/self%length_unit
          self%is_beyond = self%radius >= self%curve%shape%corner
          self%given = self%radius
          if (is_inside(self, self%radius)) self%given = self%curve%shape%unknown_of(self%radius)
@@ -357,9 +359,9 @@ contains
             is_possible = curve%has_space(merge(self%given, 0.0_dp, self%radius > 0), self%is_beyond)
          end if
       end select
-      if (is_set(values(v_lateral_stiffness))) is_possible = is_possible .and. has_plain_spring(self) &
+      if (is_set(values(in%lateral_stiffness))) is_possible = is_possible .and. has_plain_spring(self) &
          & .and. has_plain_base(self)
-      if (.not. is_possible .or. .not. is_set(values(v_contact_radius))) return
+      if (.not. is_possible .or. .not. is_set(values(in%contact_radius))) return
       is_possible = has_depth(self) .and. is_inside(self, self%radius) &
          & .and. (self%is_beyond .or. .not. self%curve%shape%has_face &
          & .or. self%theory /= theory_none)
@@ -370,7 +372,7 @@ contains
       real(dp), intent(in) :: values(:)
       type(indenter_case_t), intent(in) :: case
 
-      ratio = 1 + case%modulus*poisson_compliance_of(values(v_contact_modulus:v_second_poisson_ratio))/4
+      ratio = 1 + case%modulus*poisson_compliance_of(values(in%contact_modulus:in%second_poisson_ratio))/4
    end function tangential_compliance
 
 end module adfric_round_case

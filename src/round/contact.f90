@@ -3,7 +3,7 @@
 module adfric_round_contact
    use adfric_base_kinds, only: dp
    use adfric_round_contact_state, only: contact_t, set_contact, set_disc, terms_of, prescribed_of
-   use adfric_round_curve, only: curve_t, state_t, interval_t, disc_range_t, control_load, control_approach, &
+   use adfric_round_curve, only: curve_t, state_t, curve_interval_t, disc_range_t, control_load, control_approach, &
       & control_spring, control_radius
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_face_contact, only: find_face_contact
@@ -95,7 +95,7 @@ contains
       class(curve_t), intent(in) :: curve
       integer, intent(in) :: control
       real(dp), intent(in) :: given
-      type(interval_t), intent(in) :: interval
+      type(curve_interval_t), intent(in) :: interval
       !> Receives the contact, with `is_found`.
       type(contact_t), intent(inout) :: contact
       real(dp) :: u

@@ -12,7 +12,7 @@ module adfric_round_corner_energy
    use adfric_base_kinds, only: dp
    use adfric_round_corner_kinds, only: flat_face, flat_cone, flat_paraboloid, rounded_punch, rounded_cone, depth_beyond
    use adfric_numerics_gauss, only: gauss_nodes_10, gauss_weights_10
-   use adfric_numerics_panels, only: integrand_t, integrate
+   use adfric_numerics_panels, only: panel_integrand_t, integrate
    implicit none (type, external)
    private
    public :: corner_energy
@@ -21,14 +21,14 @@ module adfric_round_corner_energy
    real(dp), parameter :: least_closed = 0.7_dp
 
    !> [g(a) - g(x)]^2 dx/dt, v = sinh(t).
-   type, extends(integrand_t) :: energy_integrand_t
+   type, extends(panel_integrand_t) :: corner_energy_integrand_t
       !> The kind of the shape.
       integer :: kind = flat_cone
       !> g(a).
       real(dp) :: depth = 0
    contains
       procedure :: value_at
-   end type energy_integrand_t
+   end type corner_energy_integrand_t
 
 contains
 
@@ -58,7 +58,7 @@ contains
       integer, intent(in) :: kind
       !> v, >= 0.
       real(dp), intent(in) :: v
-      type(energy_integrand_t) :: integrand
+      type(corner_energy_integrand_t) :: integrand
 
       integrand%kind = kind
       integrand%depth = depth_beyond(kind, v, sqrt(1 + v*v))
@@ -73,7 +73,7 @@ contains
 
    !> What lies beyond the corner as an integral over v. Its singularities are at v = i, so 10 nodes do.
    pure real(dp) function short_energy(integrand, v) result(energy)
-      type(energy_integrand_t), intent(in) :: integrand
+      type(corner_energy_integrand_t), intent(in) :: integrand
       !> v of the contact, < `least_closed`.
       real(dp), intent(in) :: v
       real(dp) :: position, x
@@ -88,9 +88,9 @@ contains
       energy = energy*v/2
    end function short_energy
 
-   !> See `integrand_t`.
+   !> See `panel_integrand_t`.
    pure real(dp) function value_at(self, position)
-      class(energy_integrand_t), intent(in) :: self
+      class(corner_energy_integrand_t), intent(in) :: self
       !> t > 0 of a radius inside the contact.
       real(dp), intent(in) :: position
       real(dp) :: v

@@ -18,7 +18,7 @@ module adfric_round_curve
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
-   public :: curve_t, state_t, interval_t, stability_control, get_stability_factor
+   public :: curve_t, state_t, curve_interval_t, stability_control, get_stability_factor
    public :: control_load, control_approach, control_spring, control_radius, most_intervals, endless, at_corner, disc_range_t, &
       & most_disc_ranges
 
@@ -81,7 +81,7 @@ module adfric_round_curve
    end type disc_range_t
 
    !> A part of the curve where all states are stable, or all are unstable. Along it what is prescribed rises, or falls.
-   type :: interval_t
+   type :: curve_interval_t
       !> Does it lie beyond the corner?
       logical :: is_beyond = .true.
       !> Are its states stable?
@@ -92,7 +92,7 @@ module adfric_round_curve
       real(dp) :: low = 0, high = endless
       !> What is prescribed at the ends, see `adfric_round_prescribed`.
       real(dp) :: first = 0, last = 0
-   end type interval_t
+   end type curve_interval_t
 
    !> sqrt(a) g_u - q sqrt(2 pi W) a_u = 0.
    type, extends(equation_t) :: fold_equation_t
@@ -269,7 +269,7 @@ contains
    pure subroutine find_intervals(self, control, intervals, n, is_converged)
       class(curve_t), intent(in) :: self
       integer, intent(in) :: control
-      type(interval_t), intent(out) :: intervals(most_intervals)
+      type(curve_interval_t), intent(out) :: intervals(most_intervals)
       !> Receives their number.
       integer, intent(out) :: n
       !> Have all folds been found to round-off?
@@ -282,7 +282,7 @@ contains
       ! within a flat face g' = 0, and what adhesion holds falls with the contact
       if (self%shape%has_face .and. self%tension > 0) then
          n = 1
-         intervals(n) = interval_t(.false., .false., .false., .false., 0.0_dp, at_corner)
+         intervals(n) = curve_interval_t(.false., .false., .false., .false., 0.0_dp, at_corner)
       end if
       n_pieces = self%shape%n_pieces
       if (n_pieces == 0) return
@@ -299,7 +299,7 @@ contains
       integer, intent(in) :: control
       type(piece_t), intent(in) :: piece
       !> The intervals; those of the piece are added.
-      type(interval_t), intent(inout) :: intervals(:)
+      type(curve_interval_t), intent(inout) :: intervals(:)
       !> Number of intervals.
       integer, intent(inout) :: n
       !> Becomes false if a fold is not found to round-off.
@@ -317,7 +317,7 @@ contains
          ends_stable = is_stable_at(curve, spot, control)
       end if
       n = n + 1
-      intervals(n) = interval_t(piece%is_beyond, is_stable, .false., .false., piece%low, piece%high)
+      intervals(n) = curve_interval_t(piece%is_beyond, is_stable, .false., .false., piece%low, piece%high)
       if (is_stable .eqv. ends_stable) return
       largest = merge(0.5_dp, 1.5_dp, control == control_approach)
       if (.not. high < endless) high = max(2*piece%low, curve%shape%get_end(largest*curve%tension))
@@ -326,7 +326,7 @@ contains
       intervals(n)%high = fold
       intervals(n)%ends_at_fold = .true.
       n = n + 1
-      intervals(n) = interval_t(piece%is_beyond, ends_stable, .true., .false., fold, piece%high)
+      intervals(n) = curve_interval_t(piece%is_beyond, ends_stable, .true., .false., fold, piece%high)
    end subroutine split_piece
 
    !> The fold between two indices of a piece.

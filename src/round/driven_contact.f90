@@ -7,7 +7,7 @@
 !> certain.
 module adfric_round_driven_contact
    use adfric_base_kinds, only: dp
-   use adfric_round_pulled_contact, only: extension_at, first_reach, pulled_contact_t, pulled_curve_t, spot_t
+   use adfric_round_pulled_contact, only: extension_at, first_reach, pulled_contact_t, pulled_curve_t, pulled_spot_t
    use adfric_round_stick_slip, only: stick_slip_t
    use adfric_numerics_secant_root, only: find_rising_root, rising_equation_t
    implicit none (type, external)
@@ -49,7 +49,7 @@ contains
       !> Receives the position in it, 0 to 1.
       real(dp), intent(out) :: position
       logical, intent(out) :: is_reached
-      type(spot_t) :: spot
+      type(pulled_spot_t) :: spot
       real(dp) :: extension
 
       piece = 1
@@ -59,10 +59,11 @@ contains
          if (base > jump%base_displacement) extension = jump%base_displacement - jump%period &
             & + modulo(base - jump%base_displacement, jump%period)
       end if
-      spot = spot_t(1, -1.0_dp)
+      spot = pulled_spot_t(1, -1.0_dp)
       is_reached = .true.
       ! the largest h itself is reached
-      if (extension > 0) call first_reach(curve, 1.0_dp, 1/stiffness, extension*(1 - 8*epsilon(extension)), spot_t(1, -1.0_dp), &
+      if (extension > 0) call first_reach(curve, 1.0_dp, 1/stiffness, extension*(1 - 8*epsilon(extension)), pulled_spot_t(1, &
+         & -1.0_dp), &
          & spot, is_reached)
       if (is_reached) call settle(contact, curve, stiffness, extension, spot, piece, position)
    end subroutine find_driven_position
@@ -95,7 +96,7 @@ contains
       type(pulled_curve_t), intent(in) :: curve
       !> Stiffness of the spring, and h.
       real(dp), intent(in) :: stiffness, extension
-      type(spot_t), intent(in) :: spot
+      type(pulled_spot_t), intent(in) :: spot
       !> Receives the piece.
       integer, intent(out) :: piece
       !> Receives the position in it.
@@ -158,7 +159,8 @@ contains
             if (is_between .or. .not. position < panel%high) return
             ! beyond what the polynomials leave open there would be another position
             within = 2*(position - panel%low)/(panel%high - panel%low) - 1
-            if (extension_at(curve, 1.0_dp, 1/equation%stiffness, spot_t(number, within)) > equation%extension + margin) return
+            if (extension_at(curve, 1.0_dp, 1/equation%stiffness, pulled_spot_t(number, &
+               & within)) > equation%extension + margin) return
             width = wider*width
          end do
       end associate

@@ -18,7 +18,7 @@ module adfric_round_dugdale_curve
    use adfric_base_constants, only: pi, half_pi
    use adfric_base_not_a_number, only: not_a_number
    use adfric_round_annulus, only: get_annulus
-   use adfric_round_curve, only: curve_t, state_t, interval_t, disc_range_t, most_intervals, most_disc_ranges, control_load, &
+   use adfric_round_curve, only: curve_t, state_t, curve_interval_t, disc_range_t, most_intervals, most_disc_ranges, control_load, &
       & control_approach, control_spring, control_radius, stability_control
    use adfric_round_dugdale_discs, only: find_stable_discs
    use adfric_round_dugdale_folds, only: find_stable_parts
@@ -217,7 +217,7 @@ contains
    pure subroutine find_intervals(self, control, intervals, n, is_converged)
       class(dugdale_curve_t), intent(in) :: self
       integer, intent(in) :: control
-      type(interval_t), intent(out) :: intervals(most_intervals)
+      type(curve_interval_t), intent(out) :: intervals(most_intervals)
       !> Receives their number, at least 1.
       integer, intent(out) :: n
       !> Have all folds been found to round-off?

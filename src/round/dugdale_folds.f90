@@ -45,7 +45,7 @@
 module adfric_round_dugdale_folds
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
-   use adfric_round_curve, only: at_corner, interval_t, endless
+   use adfric_round_curve, only: at_corner, curve_interval_t, endless
    use adfric_round_dugdale_stretch, only: margins_t, stretch_t, get_logarithm, divide_stretch, last_turn
    use adfric_round_shape, only: shape_t, within_edge
    implicit none (type, external)
@@ -60,7 +60,7 @@ contains
       class(shape_t), intent(in) :: shape
       !> Stress and range of adhesion, reduced.
       real(dp), intent(in) :: stress, range
-      type(interval_t), intent(out) :: intervals(:)
+      type(curve_interval_t), intent(out) :: intervals(:)
       !> Receives their number.
       integer, intent(out) :: n
       logical, intent(out) :: is_converged
@@ -73,7 +73,7 @@ contains
       if (shape%has_face) edge = contact_at_edge(stress, range)
       if (edge > 0) then
          n = 1
-         intervals(n) = interval_t(.false., .false., .false., .false., 0.0_dp, edge)
+         intervals(n) = curve_interval_t(.false., .false., .false., .false., 0.0_dp, edge)
       end if
       if (shape%n_pieces == 0) return
       call lay_outer(margins, shape, stress, range, outer, is_converged)

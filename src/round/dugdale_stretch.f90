@@ -3,7 +3,7 @@
 !> once at most, and its folds: the signs of the logarithm at its ends tell of one fold, and its least or largest value of two.
 module adfric_round_dugdale_stretch
    use adfric_base_kinds, only: dp
-   use adfric_round_curve, only: interval_t, endless, control_load
+   use adfric_round_curve, only: curve_interval_t, endless, control_load
    implicit none (type, external)
    private
    public :: margins_t, stretch_t, get_logarithm, divide_stretch, last_turn
@@ -77,7 +77,7 @@ contains
       !> Radius of the corner.
       real(dp), intent(in) :: corner
       !> The intervals; those of the stretch are added.
-      type(interval_t), intent(inout) :: intervals(:)
+      type(curve_interval_t), intent(inout) :: intervals(:)
       !> Their number.
       integer, intent(inout) :: n
       !> Becomes false if a state is not found.
@@ -85,7 +85,7 @@ contains
       real(dp) :: turn, at_turn
 
       n = n + 1
-      intervals(n) = interval_t(stretch%is_beyond, stretch%at_low > 0, .false., .false., stretch%low, stretch%last)
+      intervals(n) = curve_interval_t(stretch%is_beyond, stretch%at_low > 0, .false., .false., stretch%low, stretch%last)
       if ((stretch%at_low > 0) .neqv. (stretch%at_high > 0)) then
          call add_fold(margins, stretch, [stretch%low, stretch%high], [stretch%at_low, stretch%at_high], stretch%guess, intervals, &
             & n, is_converged)
@@ -228,7 +228,7 @@ contains
       !> A distance from the first end of the stretch where it is sought first.
       real(dp), intent(in) :: guess
       !> The intervals; the last one is divided.
-      type(interval_t), intent(inout) :: intervals(:)
+      type(curve_interval_t), intent(inout) :: intervals(:)
       !> Their number, which grows by 1.
       integer, intent(inout) :: n
       !> Becomes false if a state is not found.
@@ -239,7 +239,7 @@ contains
       at_ends = values
       call close_in(margins, stretch, guess, ends, at_ends, is_converged)
       call find_root_between(margins, stretch, ends, at_ends, fold, is_converged)
-      intervals(n + 1) = interval_t(stretch%is_beyond, values(2) > 0, .true., .false., fold, intervals(n)%high)
+      intervals(n + 1) = curve_interval_t(stretch%is_beyond, values(2) > 0, .true., .false., fold, intervals(n)%high)
       intervals(n)%high = fold
       intervals(n)%ends_at_fold = .true.
       n = n + 1

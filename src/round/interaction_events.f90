@@ -10,7 +10,7 @@ module adfric_round_interaction_events
    use adfric_round_contact_state, only: contact_t
    use adfric_round_survey, only: survey_curve, survey_t
    use adfric_round_curve, only: curve_t
-   use adfric_round_interaction_path, only: complete_waypoint, get_waypoint, path_t, waypoint_t
+   use adfric_round_interaction_path, only: complete_waypoint, get_waypoint, interaction_path_t, waypoint_t
    use adfric_round_interaction_search, only: end_capped, end_no_adhesion, end_sliding, end_snap_off, &
       & find_end, find_peak
    use adfric_round_weak_path, only: weaken
@@ -54,7 +54,7 @@ contains
 
    !> The events of a path.
    pure subroutine find_peeling_events(path, stiffness, events)
-      type(path_t), intent(inout) :: path
+      type(interaction_path_t), intent(inout) :: path
       !> Stiffness of a lateral spring, reduced; 0 without one.
       real(dp), intent(in) :: stiffness
       type(peeling_events_t), intent(out) :: events
@@ -89,7 +89,7 @@ contains
 
    !> Add what happens on a lateral spring.
    pure subroutine add_jump(path, finish, ending, stiffness, events)
-      type(path_t), intent(in) :: path
+      type(interaction_path_t), intent(in) :: path
       !> The end of its part where the contact changes.
       type(waypoint_t), intent(in) :: finish
       !> One of `end_...`: how it ends.
@@ -118,7 +118,7 @@ contains
 
    !> Is there a smaller contact where the one of a path has been lost?
    pure logical function has_smaller(path, finish)
-      type(path_t), intent(in) :: path
+      type(interaction_path_t), intent(in) :: path
       type(waypoint_t), intent(in) :: finish
       ! share of X that is beyond the last state for certain
       real(dp), parameter :: beyond = 1.0e-8_dp
@@ -135,7 +135,7 @@ contains
 
    !> The state of sliding, g = g0: that of the path, or, where its contact has been lost, the largest stable one that remains.
    pure subroutine slide(path, sliding, is_found)
-      type(path_t), intent(inout) :: path
+      type(interaction_path_t), intent(inout) :: path
       type(waypoint_t), intent(out) :: sliding
       logical, intent(out) :: is_found
       class(curve_t), allocatable :: curve

@@ -22,7 +22,7 @@ module adfric_round_interaction_path
    use adfric_round_slip_annulus, only: angle_of_slip, largest_slip_core, slip_of_angle
    implicit none (type, external)
    private
-   public :: friction_law_t, path_t, waypoint_t, new_path, get_waypoint, get_known_waypoint, complete_waypoint
+   public :: friction_law_t, interaction_path_t, waypoint_t, new_path, get_waypoint, get_known_waypoint, complete_waypoint
    public :: slip_of, largest_slip_of, get_rates, work_of
 
    !> The law of friction.
@@ -44,7 +44,7 @@ module adfric_round_interaction_path
    end type waypoint_t
 
    !> A path.
-   type, extends(shrinking_path_t) :: path_t
+   type, extends(shrinking_path_t) :: interaction_path_t
       !> States of contact as X falls.
       type(weak_path_t) :: retreat
       !> Law of friction.
@@ -53,7 +53,7 @@ module adfric_round_interaction_path
       type(waypoint_t) :: start
    contains
       procedure :: get_state
-   end type path_t
+   end type interaction_path_t
 
    !> A slope where b has fallen to nothing, and next to a fold.
    real(dp), parameter :: steepest = 1.0e30_dp
@@ -63,7 +63,7 @@ contains
    !> A path from a contact at rest.
    pure subroutine new_path(self, curve, law, control, given, contact)
       !> Receives the path; its start is not found without contact.
-      type(path_t), intent(out) :: self
+      type(interaction_path_t), intent(out) :: self
       class(curve_t), intent(in) :: curve
       type(friction_law_t), intent(in) :: law
       integer, intent(in) :: control
@@ -98,7 +98,7 @@ contains
 
    !> The state of a slip energy.
    pure subroutine get_waypoint(self, slip_energy, waypoint)
-      class(path_t), intent(inout) :: self
+      class(interaction_path_t), intent(inout) :: self
       !> g, from 0 to the limit of the path.
       real(dp), intent(in) :: slip_energy
       !> Receives the state; not found where the contact has been lost.
@@ -111,7 +111,7 @@ contains
 
    !> See `shrinking_path_t`.
    pure subroutine get_state(self, slip_energy, state, rate)
-      class(path_t), intent(inout) :: self
+      class(interaction_path_t), intent(inout) :: self
       !> g, from 0 to the limit of the path.
       real(dp), intent(in) :: slip_energy
       !> Receives the state; not found where the contact has been lost.
@@ -130,7 +130,7 @@ contains
 
    !> The state of a slip energy up to which the path is known.
    pure subroutine get_known_waypoint(self, slip_energy, waypoint)
-      class(path_t), intent(in) :: self
+      class(interaction_path_t), intent(in) :: self
       !> g, from 0 to the largest one that has been looked at.
       real(dp), intent(in) :: slip_energy
       !> Receives the state; not found where the contact has been lost.
@@ -148,7 +148,7 @@ contains
 
    !> b, slip core and angle of a contact and its g.
    pure subroutine complete_waypoint(self, waypoint)
-      class(path_t), intent(in) :: self
+      class(interaction_path_t), intent(in) :: self
       !> In: with its contact and g. Out: with b, slip core and angle, too.
       type(waypoint_t), intent(inout) :: waypoint
 
@@ -190,7 +190,7 @@ contains
 
    !> d ln T/d ln g and d ln u/d ln g, the slip core's differential being th cos(th) dth.
    pure subroutine get_rates(self, waypoint, force_rate, displacement_rate, shrinkage)
-      class(path_t), intent(in) :: self
+      class(interaction_path_t), intent(in) :: self
       !> A state of the path, not an end of slip.
       type(waypoint_t), intent(in) :: waypoint
       !> Receive the rates.
@@ -211,7 +211,7 @@ contains
 
    !> d ln b/d ln g, at most 0.
    pure real(dp) function radius_rate(self, waypoint) result(rate)
-      class(path_t), intent(in) :: self
+      class(interaction_path_t), intent(in) :: self
       type(waypoint_t), intent(in) :: waypoint
       real(dp) :: ratio, ratio_slope, by_u(2), by_ratio(2), radius_by_u, radius_by_ratio, shares(2), slope
 
@@ -244,10 +244,10 @@ contains
 
    !> The same of a flat face, from a difference; a contact that is the whole face does not change.
    pure real(dp) function face_rate(self, waypoint) result(rate)
-      class(path_t), intent(in) :: self
+      class(interaction_path_t), intent(in) :: self
       type(waypoint_t), intent(in) :: waypoint
       real(dp), parameter :: step = 1.0e-6_dp
-      type(path_t) :: copy
+      type(interaction_path_t) :: copy
       type(waypoint_t) :: before
 
       rate = 0

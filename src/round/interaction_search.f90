@@ -4,7 +4,7 @@
 module adfric_round_interaction_search
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
-   use adfric_round_interaction_path, only: complete_waypoint, get_waypoint, path_t, waypoint_t
+   use adfric_round_interaction_path, only: complete_waypoint, get_waypoint, interaction_path_t, waypoint_t
    use adfric_round_weak_contact, only: find_last
    use adfric_interface_interaction, only: slip_energy_of_ratio
    use adfric_round_largest_force, only: find_largest_force
@@ -25,7 +25,7 @@ contains
    !> The first state that bears a force; not found if the force is not reached before sliding.
    pure subroutine find_force(path, force, waypoint, is_converged)
       !> The path; its start is found.
-      type(path_t), intent(inout) :: path
+      type(interaction_path_t), intent(inout) :: path
       !> T >= 0.
       real(dp), intent(in) :: force
       type(waypoint_t), intent(out) :: waypoint
@@ -42,7 +42,7 @@ contains
 
    !> The waypoint of a state that a search has found.
    pure subroutine take_state(path, state, waypoint)
-      type(path_t), intent(inout) :: path
+      type(interaction_path_t), intent(inout) :: path
       type(slip_state_t), intent(in) :: state
       !> Receives the waypoint, not found where the state is not.
       type(waypoint_t), intent(out) :: waypoint
@@ -54,7 +54,7 @@ contains
    !> Where the part of the path ends in which the contact changes, and how.
    pure subroutine find_end(path, finish, ending, is_converged)
       !> The path; its start is found.
-      type(path_t), intent(inout) :: path
+      type(interaction_path_t), intent(inout) :: path
       type(waypoint_t), intent(out) :: finish
       !> Receives one of `end_...`.
       integer, intent(out) :: ending
@@ -88,7 +88,7 @@ contains
 
    !> The state where the centre begins to slip: K b (pi/2 - 1) = g, of which the left side falls with g.
    pure subroutine find_sliding_onset(path, finish, is_converged)
-      type(path_t), intent(inout) :: path
+      type(interaction_path_t), intent(inout) :: path
       !> In: a state at or beyond it. Out: the state.
       type(waypoint_t), intent(inout) :: finish
       logical, intent(inout) :: is_converged
@@ -132,7 +132,7 @@ contains
 
    !> The largest force before the contact is constant, if it is larger than a given one.
    pure subroutine find_peak(path, finish, peak, is_found)
-      type(path_t), intent(inout) :: path
+      type(interaction_path_t), intent(inout) :: path
       !> The end of its part where the contact changes.
       type(waypoint_t), intent(in) :: finish
       !> In: the state of the largest force so far. Out: that of a larger one, if there is one.

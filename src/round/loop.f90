@@ -13,7 +13,7 @@ module adfric_round_loop
    use adfric_round_contact, only: find_contact, try_interval, try_disc_range, branch_stable
    use adfric_round_contact_state, only: contact_t, prescribed_by, set_contact, set_disc
    use adfric_round_survey, only: survey_t
-   use adfric_round_curve, only: curve_t, disc_range_t, interval_t, control_spring, most_disc_ranges, most_intervals
+   use adfric_round_curve, only: curve_t, disc_range_t, curve_interval_t, control_spring, most_disc_ranges, most_intervals
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_energy, only: adhesive_energy
    implicit none (type, external)
@@ -33,19 +33,19 @@ module adfric_round_loop
    end type loop_t
 
    !> A piece of the curve whose states are stable.
-   type :: stretch_t
+   type :: loop_stretch_t
       !> Is it of discs without touch?
       logical :: is_disc = .false.
       !> The discs.
       type(disc_range_t) :: disc
       !> The contacts.
-      type(interval_t) :: interval
+      type(curve_interval_t) :: interval
       !> Is the next stretch, or the one before, its continuation? Of the largest one there is none needed.
       logical :: goes_on = .false., goes_back = .false.
-   end type stretch_t
+   end type loop_stretch_t
 
    !> The stable stretches of a curve.
-   type :: path_t
+   type :: loop_path_t
       !> What is prescribed, `control_approach` or `control_spring`.
       integer :: control = control_spring
       !> What is prescribed where bodies that are apart come into the reach of adhesion.
@@ -53,8 +53,8 @@ module adfric_round_loop
       !> Number of stretches.
       integer :: n = 0
       !> The stretches, from the smallest contacts to the largest.
-      type(stretch_t) :: stretches(most_intervals + most_disc_ranges)
-   end type path_t
+      type(loop_stretch_t) :: stretches(most_intervals + most_disc_ranges)
+   end type loop_path_t
 
 contains
 
@@ -65,7 +65,7 @@ contains
       !> `control_approach` or `control_spring`.
       integer, intent(in) :: control
       type(loop_t), intent(out) :: loop
-      type(path_t) :: path
+      type(loop_path_t) :: path
 
       path%control = control
       loop%is_converged = survey%ends%is_converged
@@ -91,7 +91,7 @@ contains
    pure subroutine follow_face(curve, survey, path, loop)
       class(curve_t), intent(in) :: curve
       type(survey_t), intent(in) :: survey
-      type(path_t), intent(in) :: path
+      type(loop_path_t), intent(in) :: path
       type(loop_t), intent(inout) :: loop
       type(contact_t) :: contact
 
@@ -108,7 +108,7 @@ contains
    !> The stable stretches of a curve, from the smallest contacts to the largest.
    pure subroutine list_stretches(survey, path)
       type(survey_t), intent(in) :: survey
-      type(path_t), intent(inout) :: path
+      type(loop_path_t), intent(inout) :: path
       integer :: k
 
       do k = 1, survey%n_discs
@@ -137,7 +137,7 @@ contains
    !> From bodies that are apart to the largest contact.
    pure subroutine approach(curve, path, loop)
       class(curve_t), intent(in) :: curve
-      type(path_t), intent(in) :: path
+      type(loop_path_t), intent(in) :: path
       type(loop_t), intent(inout) :: loop
       type(contact_t) :: before, after
       real(dp) :: prescribed, loss, largest
@@ -179,7 +179,7 @@ contains
    !> From the largest contact to bodies that are apart.
    pure subroutine retract(curve, path, loop)
       class(curve_t), intent(in) :: curve
-      type(path_t), intent(in) :: path
+      type(loop_path_t), intent(in) :: path
       !> Receives the energy of the jumps.
       type(loop_t), intent(inout) :: loop
       type(contact_t) :: before, after
@@ -208,8 +208,8 @@ contains
    !> The state at an end of a stretch.
    pure subroutine get_end(curve, path, stretch, is_largest, contact)
       class(curve_t), intent(in) :: curve
-      type(path_t), intent(in) :: path
-      type(stretch_t), intent(in) :: stretch
+      type(loop_path_t), intent(in) :: path
+      type(loop_stretch_t), intent(in) :: stretch
       !> Its largest state, or its smallest one?
       logical, intent(in) :: is_largest
       type(contact_t), intent(out) :: contact
@@ -225,8 +225,8 @@ contains
    !> The state of a stretch with what is prescribed, if there is one.
    pure subroutine find_in(curve, path, stretch, prescribed, contact)
       class(curve_t), intent(in) :: curve
-      type(path_t), intent(in) :: path
-      type(stretch_t), intent(in) :: stretch
+      type(loop_path_t), intent(in) :: path
+      type(loop_stretch_t), intent(in) :: stretch
       real(dp), intent(in) :: prescribed
       !> Receives the state, with `is_found`.
       type(contact_t), intent(out) :: contact

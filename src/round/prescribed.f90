@@ -2,7 +2,7 @@
 !> The state of a part of a curve where a load, an approach, or the approach of the base of a spring is prescribed.
 module adfric_round_prescribed
    use adfric_base_kinds, only: dp
-   use adfric_round_curve, only: curve_t, interval_t, control_load, endless
+   use adfric_round_curve, only: curve_t, curve_interval_t, control_load, endless
    use adfric_numerics_scalar_root, only: equation_t, find_root
    implicit none (type, external)
    private
@@ -17,7 +17,7 @@ module adfric_round_prescribed
       !> The curve.
       class(curve_t), allocatable :: curve
       !> The interval.
-      type(interval_t) :: interval
+      type(curve_interval_t) :: interval
       !> What is prescribed; not `control_radius`.
       integer :: control = control_load
       !> What is given, and the value at the beginning of the interval.
@@ -34,7 +34,7 @@ contains
    pure subroutine measure_interval(curve, control, interval)
       class(curve_t), intent(in) :: curve
       integer, intent(in) :: control
-      type(interval_t), intent(inout) :: interval
+      type(curve_interval_t), intent(inout) :: interval
       real(dp) :: slope
 
       call curve%get_prescribed(control, interval%low, interval%is_beyond, interval%first, slope)
@@ -46,7 +46,7 @@ contains
    pure subroutine find_prescribed(curve, control, interval, given, u, is_found, is_converged)
       class(curve_t), intent(in) :: curve
       integer, intent(in) :: control
-      type(interval_t), intent(in) :: interval
+      type(curve_interval_t), intent(in) :: interval
       real(dp), intent(in) :: given
       !> Receives the unknown of the state.
       real(dp), intent(out) :: u

@@ -17,7 +17,7 @@ module adfric_round_profiles
    use adfric_round_power_shape, only: power_shape_t
    use adfric_round_shape, only: shape_t
    use adfric_round_sphere_shape, only: sphere_shape_t
-   use adfric_numerics_panels, only: integrand_t, integrate
+   use adfric_numerics_panels, only: panel_integrand_t, integrate
    implicit none (type, external)
    private
    public :: pressure_at, gap_at
@@ -30,7 +30,7 @@ module adfric_round_profiles
    integer, parameter :: along_cosh = 1, along_sinh = 2, along_decay = 3
 
    !> dg/dv along t.
-   type, extends(integrand_t) :: pressure_integrand_t
+   type, extends(panel_integrand_t) :: pressure_integrand_t
       !> The shape.
       class(shape_t), allocatable :: shape
       !> One of `along_...`: v = scale*cosh(t), scale*sinh(t) or scale*exp(-t).
@@ -42,7 +42,7 @@ module adfric_round_profiles
    end type pressure_integrand_t
 
    !> dg/dv arccos(x/r) dv/dt for v = V sin(t), or v = V/cosh(t).
-   type, extends(integrand_t) :: gap_integrand_t
+   type, extends(panel_integrand_t) :: gap_integrand_t
       !> The shape.
       class(shape_t), allocatable :: shape
       !> Is v = V sin(t)?
@@ -54,7 +54,7 @@ module adfric_round_profiles
    end type gap_integrand_t
 
    !> x arccos(x/r) dx/dt for x = r sin(t).
-   type, extends(integrand_t) :: inner_integrand_t
+   type, extends(panel_integrand_t) :: inner_integrand_t
    contains
       procedure :: value_at => inner_value
    end type inner_integrand_t
@@ -114,7 +114,7 @@ contains
       end associate
    end function outer_pressure
 
-   !> See `integrand_t`.
+   !> See `panel_integrand_t`.
    pure real(dp) function pressure_value(self, position)
       class(pressure_integrand_t), intent(in) :: self
       !> t > 0.
@@ -207,7 +207,7 @@ contains
       end associate
    end function outer_opening
 
-   !> See `integrand_t`.
+   !> See `panel_integrand_t`.
    pure real(dp) function gap_value(self, position)
       class(gap_integrand_t), intent(in) :: self
       !> t, > 0.
@@ -228,7 +228,7 @@ contains
       end associate
    end function gap_value
 
-   !> See `integrand_t`.
+   !> See `panel_integrand_t`.
    pure real(dp) function inner_value(self, position)
       class(inner_integrand_t), intent(in) :: self
       !> t, between 0 and pi/2.

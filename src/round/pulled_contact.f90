@@ -9,7 +9,7 @@ module adfric_round_pulled_contact
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    implicit none (type, external)
    private
-   public :: pulled_contact_t, pulled_curve_t, panel_t, spot_t, take_curve
+   public :: pulled_contact_t, pulled_curve_t, force_panel_t, pulled_spot_t, take_curve
    public :: force_at, displacement_at, extension_at, work_between, first_fall, first_reach
 
    !> Panels of each piece to begin with; most of them; how often one is halved.
@@ -55,19 +55,19 @@ module adfric_round_pulled_contact
    end interface
 
    !> A panel of the path.
-   type :: panel_t
+   type :: force_panel_t
       !> Piece, and the range of positions in it.
       integer :: piece = 1
       !> Ends of the range.
       real(dp) :: low = 0, high = 1
       !> Coefficients of D and T.
       real(dp) :: displacement(0:degree) = 0, force(0:degree) = 0
-   end type panel_t
+   end type force_panel_t
 
    !> The path of a contact.
    type :: pulled_curve_t
       !> The panels.
-      type(panel_t), allocatable :: panels(:)
+      type(force_panel_t), allocatable :: panels(:)
       !> See `pulled_contact_t`.
       logical :: slides = .true.
       !> Force of sliding; 0 where contact is lost.
@@ -79,12 +79,12 @@ module adfric_round_pulled_contact
    end type pulled_curve_t
 
    !> A position of a curve: the panel, and x from -1 to 1 in it.
-   type :: spot_t
+   type :: pulled_spot_t
       !> Number of the panel; 0: none.
       integer :: panel = 0
       !> Position in it.
       real(dp) :: x = -1
-   end type spot_t
+   end type pulled_spot_t
 
 contains
 
@@ -92,7 +92,7 @@ contains
    pure subroutine take_curve(contact, curve)
       class(pulled_contact_t), intent(in) :: contact
       type(pulled_curve_t), intent(out) :: curve
-      type(panel_t) :: panels(most_panels)
+      type(force_panel_t) :: panels(most_panels)
       real(dp) :: largest(2)
       integer :: n, piece, k
 
@@ -138,12 +138,12 @@ contains
       !> The largest D and T.
       real(dp), intent(in) :: largest(2)
       !> The panels, of which `n` are there.
-      type(panel_t), intent(inout) :: panels(most_panels)
+      type(force_panel_t), intent(inout) :: panels(most_panels)
       !> Their number, which grows.
       integer, intent(inout) :: n
       !> Becomes false where a panel stays too coarse.
       logical, intent(inout) :: is_converged
-      type(panel_t) :: panel
+      type(force_panel_t) :: panel
       real(dp) :: low, width, tail
       integer :: halvings
 
@@ -177,7 +177,7 @@ contains
       real(dp), intent(in) :: low, high
       !> The largest D and T.
       real(dp), intent(in) :: largest(2)
-      type(panel_t), intent(out) :: panel
+      type(force_panel_t), intent(out) :: panel
       !> Receives the last two coefficients of D and T over the largest values, if they are not round-off; huge where there is no state.
       real(dp), intent(out) :: tail
       real(dp) :: x(0:degree), displacement(0:degree), force(0:degree)
@@ -199,7 +199,7 @@ contains
 
    !> The largest of some coefficients of D and T, over the largest values.
    pure real(dp) function size_of(panel, first, last, largest)
-      type(panel_t), intent(in) :: panel
+      type(force_panel_t), intent(in) :: panel
       !> The first and the last coefficient.
       integer, intent(in) :: first, last
       !> The largest D and T.
@@ -211,7 +211,7 @@ contains
    !> T at a position.
    pure real(dp) function force_at(curve, spot) result(force)
       type(pulled_curve_t), intent(in) :: curve
-      type(spot_t), intent(in) :: spot
+      type(pulled_spot_t), intent(in) :: spot
 
       force = value_of(curve%panels(spot%panel)%force, spot%x)
    end function force_at
@@ -219,7 +219,7 @@ contains
    !> D at a position.
    pure real(dp) function displacement_at(curve, spot) result(displacement)
       type(pulled_curve_t), intent(in) :: curve
-      type(spot_t), intent(in) :: spot
+      type(pulled_spot_t), intent(in) :: spot
 
       displacement = value_of(curve%panels(spot%panel)%displacement, spot%x)
    end function displacement_at
@@ -229,7 +229,7 @@ contains
       type(pulled_curve_t), intent(in) :: curve
       !> Weights.
       real(dp), intent(in) :: p, q
-      type(spot_t), intent(in) :: spot
+      type(pulled_spot_t), intent(in) :: spot
 
       associate (panel => curve%panels(spot%panel))
          extension = value_of(p*panel%displacement + q*panel%force, spot%x)
@@ -241,7 +241,7 @@ contains
       type(pulled_curve_t), intent(in) :: curve
       !> What D and T are taken from, and their weights.
       real(dp), intent(in) :: prescribed, p, q
-      type(spot_t), intent(in) :: from, to
+      type(pulled_spot_t), intent(in) :: from, to
       real(dp) :: low, high, x
       integer :: k, node
 
@@ -253,7 +253,7 @@ contains
          if (k == to%panel) high = to%x
          do node = 1, size(gauss_nodes)
             x = low + (high - low)*(1 + gauss_nodes(node))/2
-            work = work + gauss_weights(node)*(high - low)/2*(prescribed - extension_at(curve, p, q, spot_t(k, x))) &
+            work = work + gauss_weights(node)*(high - low)/2*(prescribed - extension_at(curve, p, q, pulled_spot_t(k, x))) &
                & *slope_of(curve%panels(k)%displacement, x)
          end do
       end do
@@ -264,8 +264,8 @@ contains
       type(pulled_curve_t), intent(in) :: curve
       !> Weights.
       real(dp), intent(in) :: p, q
-      type(spot_t), intent(in) :: from
-      type(spot_t), intent(out) :: spot
+      type(pulled_spot_t), intent(in) :: from
+      type(pulled_spot_t), intent(out) :: spot
       logical, intent(out) :: falls
       real(dp) :: c(0:degree), low, x, before
       integer :: k, mark
@@ -281,14 +281,14 @@ contains
             ! at the end of a path the slope may be 0
             if (mark == n_marks) x = 1 - near_end*(1 - low)
             if (slope_of(c, x) < -level*sum(abs(c))) then
-               spot = spot_t(k, before)
+               spot = pulled_spot_t(k, before)
                if (x > before) spot%x = turn_between(c, before, x)
                return
             end if
             before = x
          end do
       end do
-      spot = spot_t(size(curve%panels), 1.0_dp)
+      spot = pulled_spot_t(size(curve%panels), 1.0_dp)
       falls = .false.
    end subroutine first_fall
 
@@ -313,8 +313,8 @@ contains
       type(pulled_curve_t), intent(in) :: curve
       !> Weights, and the value.
       real(dp), intent(in) :: p, q, value
-      type(spot_t), intent(in) :: from
-      type(spot_t), intent(out) :: spot
+      type(pulled_spot_t), intent(in) :: from
+      type(pulled_spot_t), intent(out) :: spot
       logical, intent(out) :: is_reached
       real(dp) :: c(0:degree), low, x, ends(2)
       integer :: k, mark, j
@@ -338,7 +338,7 @@ contains
                   x = ends(1) + (ends(2) - ends(1))/2
                   ends(merge(2, 1, value_of(c, x) > value)) = x
                end do
-               spot = spot_t(k, x)
+               spot = pulled_spot_t(k, x)
                return
             end if
             ends(1) = x

@@ -9,7 +9,7 @@ module adfric_round_pulled_indenter
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_round_contact_state, only: contact_t
-   use adfric_round_interaction_path, only: get_known_waypoint, path_t, waypoint_t
+   use adfric_round_interaction_path, only: get_known_waypoint, interaction_path_t, waypoint_t
    use adfric_round_pulled_contact, only: pulled_contact_t, pulled_curve_t, take_curve
    use adfric_round_shrinking_path, only: displacement_of, force_of, turn
    implicit none (type, external)
@@ -24,7 +24,7 @@ module adfric_round_pulled_indenter
    !> The contact.
    type, extends(pulled_contact_t) :: pulled_indenter_t
       !> Its path, known up to its end.
-      type(path_t) :: path
+      type(interaction_path_t) :: path
       !> The end of the part where the contact changes.
       type(waypoint_t) :: finish
       !> Does slip take no more from there on?
@@ -42,7 +42,7 @@ contains
    !> Take the path of an indenter.
    pure subroutine take_indenter_curve(path, finish, is_capped, sliding_force, curve, contact)
       !> The path from rest, whose end has been found.
-      type(path_t), intent(in) :: path
+      type(interaction_path_t), intent(in) :: path
       !> The end of the part where the contact changes.
       type(waypoint_t), intent(in) :: finish
       !> Does slip take no more from there on?

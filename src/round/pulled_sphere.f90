@@ -8,7 +8,8 @@ module adfric_round_pulled_sphere
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_round_pulled_contact, only: pulled_contact_t, pulled_curve_t, take_curve
-   use adfric_round_sphere_peeling_path, only: path_t, waypoint_t, get_waypoint, quantity_of, force_along, displacement_along, &
+   use adfric_round_sphere_peeling_path, only: peeling_path_t, peeling_waypoint_t, get_waypoint, quantity_of, force_along, &
+      & displacement_along, &
       & end_capped
    use adfric_round_sphere_peeling_search, only: get_capped
    implicit none (type, external)
@@ -18,7 +19,7 @@ module adfric_round_pulled_sphere
    !> The contact.
    type, extends(pulled_contact_t) :: pulled_sphere_t
       !> Its path, whose end is known.
-      type(path_t) :: path
+      type(peeling_path_t) :: path
    contains
       procedure :: get_state
    end type pulled_sphere_t
@@ -28,7 +29,7 @@ contains
    !> Take the path of a sphere.
    pure subroutine take_sphere_curve(path, sliding_force, curve, contact)
       !> The path from rest to sliding, whose end is known.
-      type(path_t), intent(in) :: path
+      type(peeling_path_t), intent(in) :: path
       !> Force of sliding; below 0 where contact is lost.
       real(dp), intent(in) :: sliding_force
       type(pulled_curve_t), intent(out) :: curve
@@ -50,7 +51,7 @@ contains
       real(dp), intent(in) :: position
       !> Receive D and T.
       real(dp), intent(out) :: displacement, force
-      type(waypoint_t) :: waypoint
+      type(peeling_waypoint_t) :: waypoint
 
       displacement = 0
       force = 0
@@ -62,11 +63,11 @@ contains
 
    !> The state at a position of a piece.
    pure subroutine get_waypoint_of(path, piece, position, waypoint)
-      type(path_t), intent(in) :: path
+      type(peeling_path_t), intent(in) :: path
       integer, intent(in) :: piece
       !> Position in the piece, 0 to 1.
       real(dp), intent(in) :: position
-      type(waypoint_t), intent(out) :: waypoint
+      type(peeling_waypoint_t), intent(out) :: waypoint
       real(dp) :: z
 
       if (piece == 2) then

@@ -16,7 +16,8 @@ module adfric_round_shear
    use adfric_round_profiles, only: pressure_at
    use adfric_round_shape, only: shape_t
    use adfric_round_shear_energy, only: energy_of
-   use adfric_round_sheared_contact, only: get_position, new_sheared, position_t, range_length, resistance_t, set_resistance, &
+   use adfric_round_sheared_contact, only: get_position, new_sheared, sheared_position_t, range_length, resistance_t, &
+      & set_resistance, &
       & sheared_t, short
    use adfric_round_shear_sums, only: shear_sums_t, sliding_force, stress_in_stick
    use adfric_numerics_scalar_root, only: equation_t, find_root
@@ -82,7 +83,7 @@ contains
       type(shear_slip_t), intent(out) :: slip
       logical, intent(out) :: is_converged
       type(sheared_t) :: sheared
-      type(position_t) :: position
+      type(sheared_position_t) :: position
       real(dp) :: x
       integer :: number
 
@@ -125,7 +126,7 @@ contains
       !> Receives the path in the range.
       real(dp), intent(out) :: x
       logical, intent(out) :: is_converged
-      type(position_t) :: last, first
+      type(sheared_position_t) :: last, first
       real(dp) :: total, end_of_range
       logical :: is_found
 
@@ -167,7 +168,7 @@ contains
       ! logarithm of the smallest part of a range
       real(dp), parameter :: smallest = -200.0_dp
       type(force_equation_t) :: equation
-      type(position_t) :: middle
+      type(sheared_position_t) :: middle
       real(dp) :: guess, high
 
       high = range_length(self, number)
@@ -203,7 +204,7 @@ contains
       real(dp), intent(out) :: value
       !> Derivative of the value by x.
       real(dp), intent(out) :: slope
-      type(position_t) :: position
+      type(sheared_position_t) :: position
       real(dp) :: size
 
       size = exp(x)

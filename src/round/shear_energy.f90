@@ -4,7 +4,7 @@
 !>     W = 8 m int v(s) [v(e) - v(s)] ds,  e < s < b
 module adfric_round_shear_energy
    use adfric_base_kinds, only: dp
-   use adfric_round_sheared_contact, only: get_position, position_t, range_length, sheared_t
+   use adfric_round_sheared_contact, only: get_position, sheared_position_t, range_length, sheared_t
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    implicit none (type, external)
    private
@@ -23,7 +23,7 @@ contains
       !> Number of the range where the stick zone ends, and the path in it.
       integer, intent(in) :: number
       real(dp), intent(in) :: x
-      type(position_t), intent(in) :: stick
+      type(sheared_position_t), intent(in) :: stick
       integer :: k
 
       energy = 0
@@ -152,7 +152,7 @@ contains
       real(dp), intent(in) :: x
       !> v(e).
       real(dp), intent(in) :: total
-      type(position_t) :: position
+      type(sheared_position_t) :: position
 
       call get_position(self, number, x, position)
       loss = position%e_slope*position%displacement*(total - position%displacement)

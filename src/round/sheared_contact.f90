@@ -10,7 +10,7 @@ module adfric_round_sheared_contact
    use adfric_numerics_libm, only: expm1
    implicit none (type, external)
    private
-   public :: resistance_t, sheared_t, position_t, set_resistance, new_sheared, get_position, range_length
+   public :: resistance_t, sheared_t, sheared_position_t, set_resistance, new_sheared, get_position, range_length
 
    !> Below this share of u a path along the profile is an integral, not a difference.
    real(dp), parameter, public :: short = 0.1_dp
@@ -28,7 +28,7 @@ module adfric_round_sheared_contact
    end type resistance_t
 
    !> A range of radii of the stick zone, from the largest to the smallest.
-   type :: range_t
+   type :: sheared_range_t
       !> Does it lie beside the contact, a < e < b?
       logical :: is_beside = .false.
       !> Does it lie beyond the corner of the profile?
@@ -41,7 +41,7 @@ module adfric_round_sheared_contact
       real(dp) :: depth_before = 0, load_before = 0
       !> a^2 - e^2 at its beginning.
       real(dp) :: square_before = 0
-   end type range_t
+   end type sheared_range_t
 
    !> A contact that resists shear.
    type, extends(shear_sums_t) :: sheared_t
@@ -54,18 +54,18 @@ module adfric_round_sheared_contact
       !> Number of the ranges.
       integer :: n = 0
       !> The ranges, from b down to 0.
-      type(range_t) :: ranges(most_ranges)
+      type(sheared_range_t) :: ranges(most_ranges)
    end type sheared_t
 
    !> What a position of a range is.
-   type :: position_t
+   type :: sheared_position_t
       !> e and de/dx, x the unknown of the range.
       real(dp) :: e = 0, e_slope = 1
       !> sqrt(b^2 - e^2), T, v, and what T still lacks to sliding.
       real(dp) :: t = 0, force = 0, displacement = 0, rest = 0
       !> -dv/dx.
       real(dp) :: slope = 0
-   end type position_t
+   end type sheared_position_t
 
 contains
 
@@ -92,14 +92,14 @@ contains
       type(contact_t), intent(in) :: contact
       !> Receives the contact with its ranges.
       type(sheared_t), intent(out) :: self
-      type(range_t) :: next
+      type(sheared_range_t) :: next
       type(spot_t) :: corner
 
       allocate (self%shape, source=shape)
       self%contact = contact
       call set_resistance(resistance, contact, self)
       if (shape%n_pieces == 0) self%face = self%factor*max(-contact%neck, 0.0_dp)
-      if (self%zone > 0) call add_range(self, range_t(is_beside=.true., outer=self%b, inner=self%a))
+      if (self%zone > 0) call add_range(self, sheared_range_t(is_beside=.true., outer=self%b, inner=self%a))
       if (.not. self%a > 0) return
       next%outer = self%a
       next%is_beyond = contact%is_beyond .and. shape%n_pieces > 0
@@ -126,7 +126,7 @@ contains
    pure subroutine add_range(self, range)
       !> The contact, whose ranges become one more.
       type(sheared_t), intent(inout) :: self
-      type(range_t), intent(in) :: range
+      type(sheared_range_t), intent(in) :: range
 
       self%n = self%n + 1
       self%ranges(self%n) = range
@@ -139,7 +139,7 @@ contains
       integer, intent(in) :: number
       !> The path from the beginning of the range, >= 0.
       real(dp), intent(in) :: x
-      type(position_t), intent(out) :: position
+      type(sheared_position_t), intent(out) :: position
       type(spot_t) :: spot
       real(dp) :: square, depth, load, slope
 
@@ -169,7 +169,7 @@ contains
    !> The profile at a path down a range.
    pure subroutine descend(self, range, x, spot, square, depth, load)
       type(sheared_t), intent(in) :: self
-      type(range_t), intent(in) :: range
+      type(sheared_range_t), intent(in) :: range
       !> How much the unknown has fallen.
       real(dp), intent(in) :: x
       !> Receives what the profile is there.

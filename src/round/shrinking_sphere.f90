@@ -5,7 +5,7 @@ module adfric_round_shrinking_sphere
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_round_shrinking_path, only: shrinking_path_t, slip_state_t
-   use adfric_round_sphere_peeling_path, only: force_along, get_waypoint, path_t, rate_of, waypoint_t
+   use adfric_round_sphere_peeling_path, only: force_along, get_waypoint, peeling_path_t, rate_of, peeling_waypoint_t
    implicit none (type, external)
    private
    public :: shrinking_sphere_t, new_shrinking, state_of
@@ -13,7 +13,7 @@ module adfric_round_shrinking_sphere
    !> A path along which the contact shrinks.
    type, extends(shrinking_path_t) :: shrinking_sphere_t
       !> The path of the sphere; rates need its end.
-      type(path_t) :: path
+      type(peeling_path_t) :: path
    contains
       procedure :: get_state
    end type shrinking_sphere_t
@@ -29,7 +29,7 @@ contains
    !> The path of a sphere as one along which the contact shrinks.
    pure subroutine new_shrinking(retreat, path)
       type(shrinking_sphere_t), intent(out) :: retreat
-      type(path_t), intent(in) :: path
+      type(peeling_path_t), intent(in) :: path
 
       retreat%path = path
       retreat%is_weakened = path%friction%interaction > 0
@@ -49,7 +49,7 @@ contains
       type(slip_state_t), intent(out) :: state
       !> Receives d ln T/d ln g, if it is asked for; enormous and below 0 beyond the last contact.
       real(dp), intent(out), optional :: rate
-      type(waypoint_t) :: waypoint
+      type(peeling_waypoint_t) :: waypoint
       real(dp) :: step
 
       call get_waypoint(self%path, slip_energy, self%path%start%contact, waypoint)
@@ -62,7 +62,7 @@ contains
 
    !> What a search needs to know of a waypoint.
    pure type(slip_state_t) function state_of(waypoint) result(state)
-      type(waypoint_t), intent(in) :: waypoint
+      type(peeling_waypoint_t), intent(in) :: waypoint
 
       state = slip_state_t(waypoint%is_found, waypoint%slip_energy, waypoint%ratio, waypoint%friction_radius, waypoint%core, &
          & waypoint%angle)

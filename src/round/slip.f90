@@ -47,7 +47,7 @@ module adfric_round_slip
    end type indenter_slip_t
 
    !> A stretch of the path from a down to e, where u falls.
-   type :: stretch_t
+   type :: slip_stretch_t
       !> Does it lie beyond the corner?
       logical :: is_beyond = .true.
       !> Its largest u, and its length in u.
@@ -56,7 +56,7 @@ module adfric_round_slip
       real(dp) :: before = 0, fall = 0
       !> What the shape is at its beginning, and at its end.
       type(spot_t) :: start, finish
-   end type stretch_t
+   end type slip_stretch_t
 
 contains
 
@@ -70,7 +70,7 @@ contains
       real(dp), intent(in) :: tau
       type(indenter_slip_t), intent(out) :: slip
       logical, intent(out) :: is_converged
-      type(stretch_t) :: path(most_stretches)
+      type(slip_stretch_t) :: path(most_stretches)
       integer :: n
 
       is_converged = .true.
@@ -196,7 +196,7 @@ contains
       !> By how much the load falls, > 0.
       real(dp), intent(in) :: part
       !> Receives the stretches, the first `n` of them.
-      type(stretch_t), intent(out) :: path(most_stretches)
+      type(slip_stretch_t), intent(out) :: path(most_stretches)
       !> Receives their number.
       integer, intent(out) :: n
       logical, intent(out) :: is_converged
@@ -229,7 +229,7 @@ contains
    pure subroutine find_length(shape, stretch, part, is_converged)
       class(shape_t), intent(in) :: shape
       !> In: where the stretch begins. Out: with its length, its end and the fall of g.
-      type(stretch_t), intent(inout) :: stretch
+      type(slip_stretch_t), intent(inout) :: stretch
       !> By how much the load falls, > 0.
       real(dp), intent(in) :: part
       logical, intent(out) :: is_converged
@@ -265,7 +265,7 @@ contains
    !> What load and g lose along the beginning of a stretch: integrals where it is short, else differences.
    pure subroutine integrate_stretch(shape, stretch, length, load, fall)
       class(shape_t), intent(in) :: shape
-      type(stretch_t), intent(in) :: stretch
+      type(slip_stretch_t), intent(in) :: stretch
       !> Length of the beginning in u.
       real(dp), intent(in) :: length
       !> Receive the losses.
@@ -293,7 +293,7 @@ contains
    !> Is the beginning of a stretch short?
    pure logical function is_short(shape, stretch, length)
       class(shape_t), intent(in) :: shape
-      type(stretch_t), intent(in) :: stretch
+      type(slip_stretch_t), intent(in) :: stretch
       !> Length of the beginning in u.
       real(dp), intent(in) :: length
 
@@ -303,7 +303,7 @@ contains
    !> int [g(s) - g(e)] [g(a) - g(s)] ds along the path.
    pure real(dp) function energy_of(shape, path) result(energy)
       class(shape_t), intent(in) :: shape
-      type(stretch_t), intent(in) :: path(:)
+      type(slip_stretch_t), intent(in) :: path(:)
       type(spot_t) :: spot
       real(dp) :: fall, total
       integer :: k, node
@@ -326,7 +326,7 @@ contains
    !> The same along a short stretch, where depths are integrals of their slopes at the same nodes.
    pure real(dp) function short_energy(shape, stretch, total) result(energy)
       class(shape_t), intent(in) :: shape
-      type(stretch_t), intent(in) :: stretch
+      type(slip_stretch_t), intent(in) :: stretch
       !> g(a) - g(e).
       real(dp), intent(in) :: total
       type(spot_t) :: spots(size(gauss_nodes_10))

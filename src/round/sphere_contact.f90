@@ -8,7 +8,7 @@ module adfric_round_sphere_contact
    use adfric_base_kinds, only: dp
    implicit none (type, external)
    private
-   public :: contact_t, theory_t, find_contact, part_bodies, friction_radius
+   public :: sphere_contact_t, theory_t, find_contact, part_bodies, friction_radius
    public :: theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale
    public :: control_load, control_approach, control_radius, branch_stable, branch_unstable
 
@@ -20,7 +20,7 @@ module adfric_round_sphere_contact
    integer, parameter :: branch_stable = 1, branch_unstable = 2
 
    !> A state of contact.
-   type :: contact_t
+   type :: sphere_contact_t
       !> Has a contact been found?
       logical :: is_found = .false.
       !> Did the search converge to round-off?
@@ -35,7 +35,7 @@ module adfric_round_sphere_contact
       real(dp) :: position = 0
       !> Derivative of what is held by the position; 0: not known.
       real(dp) :: slope = 0
-   end type contact_t
+   end type sphere_contact_t
 
    !> A theory of adhesion, for one value of X (and of lambda).
    type, abstract :: theory_t
@@ -52,19 +52,19 @@ module adfric_round_sphere_contact
 
       !> The contact of a radius >= 0.
       pure subroutine find_i(self, value, contact)
-         import :: theory_t, contact_t, dp
+         import :: theory_t, sphere_contact_t, dp
          implicit none (type, external)
          !> The theory, for the X that its `ratio` holds.
          class(theory_t), intent(in) :: self
          !> Radius a of the contact, reduced, >= 0.
          real(dp), intent(in) :: value
          !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
-         type(contact_t), intent(inout) :: contact
+         type(sphere_contact_t), intent(inout) :: contact
       end subroutine find_i
 
       !> The contact of a load or an approach.
       pure subroutine find_branch_i(self, value, branch, contact)
-         import :: theory_t, contact_t, dp
+         import :: theory_t, sphere_contact_t, dp
          implicit none (type, external)
          !> The theory, for the X that its `ratio` holds.
          class(theory_t), intent(in) :: self
@@ -73,19 +73,19 @@ module adfric_round_sphere_contact
          !> One of `branch_...`: which state is meant where there are two.
          integer, intent(in) :: branch
          !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
-         type(contact_t), intent(inout) :: contact
+         type(sphere_contact_t), intent(inout) :: contact
       end subroutine find_branch_i
 
       !> The contact at the end of stability.
       pure subroutine pull_off_i(self, control, contact)
-         import :: theory_t, contact_t
+         import :: theory_t, sphere_contact_t
          implicit none (type, external)
          !> The theory, for the X that its `ratio` holds.
          class(theory_t), intent(in) :: self
          !> One of `control_...`: what is prescribed. A given radius counts as a given load.
          integer, intent(in) :: control
          !> Receives the contact at the end of stability.
-         type(contact_t), intent(out) :: contact
+         type(sphere_contact_t), intent(out) :: contact
       end subroutine pull_off_i
 
    end interface
@@ -103,7 +103,7 @@ contains
       !> One of `branch_...`: which state is meant where there are two; a radius belongs to one contact only.
       integer, intent(in) :: branch
       !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
 
       select case (control)
       case (control_load)
@@ -125,13 +125,13 @@ contains
       !> One of `branch_...`.
       integer, intent(in) :: branch
       !> In: what a theory with an end of adhesion has found, no contact. Out: the state, if there is one.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
       !> Is there one?
       logical, intent(out) :: is_apart
 
       is_apart = contact%is_converged .and. control == control_approach .and. branch == branch_stable .and. value < 0
       if (.not. is_apart) return
-      contact = contact_t()
+      contact = sphere_contact_t()
       contact%is_found = .true.
       contact%is_stable = .true.
       contact%approach = value
@@ -141,7 +141,7 @@ contains
    !> the limit of a contact that shrinks, for without intimate contact there is no friction.
    elemental real(dp) function friction_radius(contact, edge_fraction)
       !> The contact, whose radii a and c are read.
-      type(contact_t), intent(in) :: contact
+      type(sphere_contact_t), intent(in) :: contact
       !> Position x of b between a and c [-], 0 to 1.
       real(dp), intent(in) :: edge_fraction
 

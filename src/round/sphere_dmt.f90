@@ -5,7 +5,7 @@ module adfric_round_sphere_dmt
    use adfric_base_kinds, only: dp
    use adfric_base_asserts, only: assert, has_asserts
    use adfric_numerics_powers, only: cube_root
-   use adfric_round_sphere_contact, only: contact_t, theory_t, branch_stable
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, branch_stable
    implicit none (type, external)
    private
    public :: dmt_t
@@ -28,10 +28,10 @@ contains
       !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
       !> Receives the contact; what stood there before is not used.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
 
       if (has_asserts) call assert(value >= 0, 'of_radius: radius >= 0')
-      contact = contact_t()
+      contact = sphere_contact_t()
       contact%is_found = .true.
       contact%is_stable = .true.
       contact%radius = value
@@ -49,9 +49,9 @@ contains
       !> One of `branch_...`; there is no unstable state.
       integer, intent(in) :: branch
       !> Receives the contact, with `is_found`; what stood there before is not used.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
 
-      contact = contact_t()
+      contact = sphere_contact_t()
       if (value < -self%pull() .or. branch /= branch_stable) return
       call self%of_radius(cube_root(value + self%pull()), contact)
       contact%load = value
@@ -65,9 +65,9 @@ contains
       !> One of `branch_...`; there is no unstable state.
       integer, intent(in) :: branch
       !> Receives the contact, with `is_found`; what stood there before is not used.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
 
-      contact = contact_t()
+      contact = sphere_contact_t()
       if (value < 0 .or. branch /= branch_stable) return
       call self%of_radius(sqrt(value), contact)
       contact%approach = value
@@ -79,7 +79,7 @@ contains
       !> One of `control_...`; it has no part in the result.
       integer, intent(in) :: control
       !> Receives the contact at the end of stability.
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
 
       call self%of_radius(0.0_dp, contact)
       associate (unused => control)

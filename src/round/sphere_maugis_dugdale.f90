@@ -9,7 +9,7 @@ module adfric_round_sphere_maugis_dugdale
    use adfric_base_constants, only: pi
    use adfric_numerics_powers, only: cube_root
    use adfric_numerics_scalar_root, only: equation_t, find_root
-   use adfric_round_sphere_contact, only: contact_t, theory_t, branch_stable, control_approach
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, branch_stable, control_approach
    use adfric_round_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc, get_disc_radius, guess_position, &
       & farthest, largest_radius
    implicit none (type, external)
@@ -61,7 +61,7 @@ contains
       !> Radius a of the contact, reduced, >= 0.
       real(dp), intent(in) :: value
       !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
 
       if (has_asserts) call assert(value >= 0 .and. self%lambda > 0 .and. self%ratio >= 0, &
          & 'of_radius: radius >= 0, lambda > 0, X >= 0')
@@ -83,8 +83,8 @@ contains
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
       !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
-      type(contact_t), intent(inout) :: contact
-      type(contact_t) :: fold
+      type(sphere_contact_t), intent(inout) :: contact
+      type(sphere_contact_t) :: fold
 
       if (branch == branch_stable .and. value > -2*self%ratio) then
          if (.not. abs(contact%position) > 0) then
@@ -95,7 +95,7 @@ contains
          if (contact%is_converged .and. contact%is_stable) return
       end if
       call self%pull_off(0, fold)
-      contact = contact_t()
+      contact = sphere_contact_t()
       if (value < fold%load .or. .not. fold%is_found) return
       if (branch == branch_stable) then
          contact%position = fold%position - 0.5_dp
@@ -121,8 +121,8 @@ contains
       !> One of `branch_...`: which state is meant where there are two.
       integer, intent(in) :: branch
       !> In: a neighbour that helps the search, or a new one. Out: the contact, with `is_found` and `is_converged`.
-      type(contact_t), intent(inout) :: contact
-      type(contact_t) :: fold
+      type(sphere_contact_t), intent(inout) :: contact
+      type(sphere_contact_t) :: fold
       real(dp) :: largest, mean, half, touching
 
       largest = get_disc_radius(self%lambda, self%ratio)
@@ -139,7 +139,7 @@ contains
          if (contact%is_stable) return
       end if
       call self%pull_off(control_approach, fold)
-      contact = contact_t()
+      contact = sphere_contact_t()
       if (value < fold%approach) return
       half = sqrt(max(0.0_dp, mean**2 + 2*(value + 2/(pi*self%lambda))))
       if (branch == branch_stable .and. largest > mean .and. value < touching) then
@@ -165,7 +165,7 @@ contains
       !> One of `control_...`: what is prescribed. A given radius counts as a given load.
       integer, intent(in) :: control
       !> Receives the contact at the end of stability.
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
       type(curve_equation_t) :: equation
       type(curve_point_t) :: point
       real(dp) :: mean, largest
@@ -223,7 +223,7 @@ contains
       !> Does the quantity have the value only once there? Otherwise only the neighbourhood of the start is looked at.
       logical, intent(in) :: is_alone
       !> In: a neighbour, or a new one with a position to start from. Out: the contact, with `is_found` and `is_converged`.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
       !> Position where the part begins, if the quantity rises along it; if absent, it falls from the largest contact on.
       real(dp), intent(in), optional :: rises_from
       type(curve_equation_t) :: equation
@@ -284,7 +284,7 @@ contains
       !> Change of the position from this point, so small that the curve is straight.
       real(dp), intent(in) :: step
       !> Receives the radii, load, approach and stability of the state; the rest stays.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
       !> One of `..._along`: what is prescribed. The contact is stable where load or approach fall along the curve.
       integer, intent(in) :: quantity
 
@@ -303,9 +303,9 @@ contains
       !> Radius c of adhesion, reduced, >= 0.
       real(dp), intent(in) :: radius
       !> Receives the state, with contact radius 0.
-      type(contact_t), intent(inout) :: contact
+      type(sphere_contact_t), intent(inout) :: contact
 
-      contact = contact_t()
+      contact = sphere_contact_t()
       contact%is_found = .true.
       contact%adhesion_radius = radius
       call get_disc(self%lambda, self%ratio, radius, contact%load, contact%approach)

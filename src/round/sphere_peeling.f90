@@ -11,17 +11,18 @@ module adfric_round_sphere_peeling
    use adfric_base_not_a_number, only: not_a_number
    use adfric_round_pulled_contact, only: pulled_curve_t
    use adfric_round_stick_slip, only: stick_slip_t, find_critical_stiffness, find_stick_slip, forget_stick_slip
-   use adfric_round_sphere_contact, only: contact_t, theory_t
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t
    use adfric_interface_interaction, only: is_valid_interaction
    use adfric_round_slip_annulus, only: slip_core, largest_slip_core, angle_of_gamma
    use adfric_round_sphere_static_friction, only: mean_slip, largest_slip
-   use adfric_round_sphere_peeling_path, only: friction_t, path_t, waypoint_t, new_path, get_waypoint, quantity_of, core_along, &
+   use adfric_round_sphere_peeling_path, only: peeling_friction_t, peeling_path_t, peeling_waypoint_t, new_path, get_waypoint, &
+      & quantity_of, core_along, &
       & force_along, displacement_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
    use adfric_round_sphere_peeling_search, only: find_end, find_state, find_largest, get_capped
    use adfric_round_pulled_sphere, only: pulled_sphere_t, take_sphere_curve
    implicit none (type, external)
    private
-   public :: friction_t, friction_state_t, friction_events_t
+   public :: peeling_friction_t, friction_state_t, friction_events_t
    public :: describe, slide, is_valid_friction, find_static_state, find_sliding_state, find_friction_events, forget_events
    public :: given_gamma, given_force, given_displacement
    public :: end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
@@ -36,7 +37,7 @@ module adfric_round_sphere_peeling
       !> Have all searches converged?
       logical :: is_converged = .true.
       !> Radii, load and approach, with the adhesion that friction leaves.
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       !> g, X, b, gamma and arccos gamma.
       real(dp) :: slip_energy = 0, ratio = 1, friction_radius = 0, gamma = 1, angle = 0
       !> Tangential force in pi w R, and displacement. During sliding the displacement and slips are not numbers.
@@ -70,7 +71,7 @@ contains
 
    !> Are the parameters within their limits?
    elemental logical function is_valid_friction(friction)
-      type(friction_t), intent(in) :: friction
+      type(peeling_friction_t), intent(in) :: friction
 
       is_valid_friction = friction%strength > 0 .and. friction%poisson > -1 .and. friction%poisson <= 0.5_dp &
          & .and. friction%edge_fraction >= 0 .and. friction%edge_fraction <= 1 .and. friction%interaction >= 0 &
@@ -82,7 +83,7 @@ contains
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
       !> Parameters of the law of friction, reduced; where they are impossible nothing is found.
-      type(friction_t), intent(in) :: friction
+      type(peeling_friction_t), intent(in) :: friction
       !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
       !> Value of the load, approach or radius that is prescribed, reduced.
@@ -95,8 +96,8 @@ contains
       real(dp), intent(in) :: value
       !> Receives the state; not found where parameters are impossible, too.
       type(friction_state_t), intent(out) :: state
-      type(path_t) :: path
-      type(waypoint_t) :: waypoint
+      type(peeling_path_t) :: path
+      type(peeling_waypoint_t) :: waypoint
 
       if (.not. is_valid_friction(friction) .or. .not. value >= 0) return
       if (given == given_gamma .and. value > 1) return
@@ -117,8 +118,8 @@ contains
    !> Fill in everything that follows from a state of the path.
    pure subroutine describe(path, waypoint, state)
       !> The path from rest to sliding, with its friction.
-      type(path_t), intent(in) :: path
-      type(waypoint_t), intent(in) :: waypoint
+      type(peeling_path_t), intent(in) :: path
+      type(peeling_waypoint_t), intent(in) :: waypoint
       !> In: whether the search converged. Out: all that is known of the state.
       type(friction_state_t), intent(inout) :: state
 
@@ -140,7 +141,7 @@ contains
 
    !> gamma of a state.
    pure real(dp) function gamma_of(waypoint) result(gamma)
-      type(waypoint_t), intent(in) :: waypoint
+      type(peeling_waypoint_t), intent(in) :: waypoint
 
       gamma = 0
       if (waypoint%angle < half_pi) gamma = cos(waypoint%angle)
@@ -151,7 +152,7 @@ contains
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
       !> Parameters of the law of friction, reduced; where they are impossible nothing is found.
-      type(friction_t), intent(in) :: friction
+      type(peeling_friction_t), intent(in) :: friction
       !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
       !> Value of the load, approach or radius that is prescribed, reduced.
@@ -160,7 +161,7 @@ contains
       integer, intent(in) :: branch
       !> Receives the state; not found where parameters are impossible, too.
       type(friction_state_t), intent(out) :: state
-      type(path_t) :: path
+      type(peeling_path_t) :: path
 
       if (.not. is_valid_friction(friction)) return
       call new_path(path, theory, friction, control, prescribed, branch)
@@ -170,10 +171,10 @@ contains
    !> The state of sliding of a path.
    pure subroutine slide(path, state)
       !> The path from rest to sliding, with its friction.
-      type(path_t), intent(in) :: path
+      type(peeling_path_t), intent(in) :: path
       !> In: a new one. Out: the state of sliding, if there is one.
       type(friction_state_t), intent(inout) :: state
-      type(waypoint_t) :: waypoint, sliding
+      type(peeling_waypoint_t) :: waypoint, sliding
 
       if (.not. is_valid_interaction(path%friction%slip_energy_ratio, path%friction%interaction)) return
       call get_waypoint(path, path%friction%slip_energy_ratio, path%start%contact, waypoint)
@@ -190,7 +191,7 @@ contains
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
       !> Parameters of the law of friction, reduced; where they are impossible nothing is found.
-      type(friction_t), intent(in) :: friction
+      type(peeling_friction_t), intent(in) :: friction
       !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
       !> Value of the load, approach or radius that is prescribed, reduced.
@@ -201,8 +202,8 @@ contains
       type(friction_events_t), intent(out) :: events
       !> Stiffness of a lateral spring, reduced; without it no jump is looked for.
       real(dp), intent(in), optional :: stiffness
-      type(path_t) :: path
-      type(waypoint_t) :: onset, peak
+      type(peeling_path_t) :: path
+      type(peeling_waypoint_t) :: onset, peak
       type(friction_state_t) :: sliding
       logical :: is_peak_converged
 
@@ -235,7 +236,7 @@ contains
    !> Add what happens on a lateral spring. Without interaction nothing jumps, and where nothing is left of adhesion nobody knows.
    pure subroutine add_jump(path, sliding, events, stiffness)
       !> The path from rest to sliding, whose end is known.
-      type(path_t), intent(in) :: path
+      type(peeling_path_t), intent(in) :: path
       type(friction_state_t), intent(in) :: sliding
       !> In: with all other events. Out: with the jump, too.
       type(friction_events_t), intent(inout) :: events

@@ -8,12 +8,13 @@ module adfric_round_sphere_peeling_search
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: half_pi
    use adfric_numerics_scalar_root, only: equation_t, find_root
-   use adfric_round_sphere_contact, only: contact_t, theory_t, control_load, control_approach, branch_stable
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, control_load, control_approach, branch_stable
    use adfric_interface_interaction, only: slip_energy_of_ratio
    use adfric_round_largest_force, only: find_largest_force
    use adfric_round_shrinking_path, only: find_first, first_displacement, first_force, slip_state_t
    use adfric_round_slip_annulus, only: angle_of_force, angle_of_slip, slip_of_angle, largest_slip_core
-   use adfric_round_sphere_peeling_path, only: path_t, waypoint_t, get_waypoint, complete_waypoint, quantity_of, rate_of, &
+   use adfric_round_sphere_peeling_path, only: peeling_path_t, peeling_waypoint_t, get_waypoint, complete_waypoint, quantity_of, &
+      & rate_of, &
       & core_along, force_along, end_none, end_capped, end_sliding, end_snap_off, end_no_adhesion
    use adfric_round_shrinking_sphere, only: new_shrinking, shrinking_sphere_t, state_of
    implicit none (type, external)
@@ -41,13 +42,13 @@ contains
    !> The state with a value of a quantity, the first on the path; not found if there is none before sliding.
    pure subroutine find_state(self, quantity, value, waypoint, is_converged)
       !> The path; where its end is needed it receives that, too.
-      type(path_t), intent(inout) :: self
+      type(peeling_path_t), intent(inout) :: self
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
       !> Value of the quantity, reduced, >= 0.
       real(dp), intent(in) :: value
       !> Receives the state; not found if the value is not reached before sliding.
-      type(waypoint_t), intent(out) :: waypoint
+      type(peeling_waypoint_t), intent(out) :: waypoint
       logical, intent(out) :: is_converged
 
       is_converged = .true.
@@ -73,13 +74,13 @@ contains
 
    !> The first state with a force or a displacement on a path along which the contact shrinks.
    pure subroutine find_first_state(self, quantity, value, waypoint, is_converged)
-      type(path_t), intent(in) :: self
+      type(peeling_path_t), intent(in) :: self
       !> `force_along` or `displacement_along`.
       integer, intent(in) :: quantity
       !> Value of the quantity, reduced, > 0.
       real(dp), intent(in) :: value
       !> Receives the state; not found if the value is not reached before sliding.
-      type(waypoint_t), intent(out) :: waypoint
+      type(peeling_waypoint_t), intent(out) :: waypoint
       logical, intent(out) :: is_converged
       type(shrinking_sphere_t) :: retreat
       type(slip_state_t) :: state
@@ -97,15 +98,15 @@ contains
    !> `find_state` on the whole path, whose end is known.
    pure subroutine find_before_end(self, quantity, value, waypoint, is_converged)
       !> The path, whose end is known; it serves as the equation of searches.
-      type(path_t), intent(inout) :: self
+      type(peeling_path_t), intent(inout) :: self
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
       !> Value of the quantity, reduced, > 0.
       real(dp), intent(in) :: value
       !> Receives the state; not found if the value is not reached before sliding.
-      type(waypoint_t), intent(out) :: waypoint
+      type(peeling_waypoint_t), intent(out) :: waypoint
       logical, intent(out) :: is_converged
-      type(waypoint_t) :: peak
+      type(peeling_waypoint_t) :: peak
 
       is_converged = .true.
       if (value <= quantity_of(self, quantity, self%finish)) then
@@ -125,14 +126,14 @@ contains
 
    !> The state of an unchanged contact with a value of a quantity; not found if that is beyond gamma = 0.
    pure subroutine turn(self, from, quantity, value, waypoint)
-      type(path_t), intent(in) :: self
-      type(waypoint_t), intent(in) :: from
+      type(peeling_path_t), intent(in) :: self
+      type(peeling_waypoint_t), intent(in) :: from
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
       !> Value of the quantity, reduced, >= 0.
       real(dp), intent(in) :: value
       !> Receives the state; not found if the value is beyond gamma = 0.
-      type(waypoint_t), intent(out) :: waypoint
+      type(peeling_waypoint_t), intent(out) :: waypoint
       real(dp) :: largest
 
       call get_capped(from, half_pi, waypoint)
@@ -152,11 +153,11 @@ contains
 
    !> The state of an unchanged contact with another angle.
    pure subroutine get_capped(from, angle, waypoint)
-      type(waypoint_t), intent(in) :: from
+      type(peeling_waypoint_t), intent(in) :: from
       !> Angle arccos gamma of the new state [rad], 0 to pi/2.
       real(dp), intent(in) :: angle
       !> Receives the state with this angle and its slip core.
-      type(waypoint_t), intent(out) :: waypoint
+      type(peeling_waypoint_t), intent(out) :: waypoint
 
       waypoint = from
       waypoint%angle = angle
@@ -167,9 +168,9 @@ contains
    !> Find where the path ends, and how.
    pure subroutine find_end(self, is_converged)
       !> The path, which receives its end in `finish` and `ending`.
-      type(path_t), intent(inout) :: self
+      type(peeling_path_t), intent(inout) :: self
       logical, intent(out) :: is_converged
-      type(waypoint_t) :: last
+      type(peeling_waypoint_t) :: last
       real(dp) :: cap, expected
       integer :: k
 
@@ -201,7 +202,7 @@ contains
    !> Does the area shrink all the path, so that gamma falls all the path? Not on the other branch, and not with a radius
    !> held, where the reach of adhesion widens.
    pure logical function is_shrinking(self)
-      type(path_t), intent(in) :: self
+      type(peeling_path_t), intent(in) :: self
 
       is_shrinking = self%branch == branch_stable .and. (self%control == control_load .or. self%control == control_approach)
    end function is_shrinking
@@ -209,10 +210,10 @@ contains
    !> Where the area may grow: go step by step to where contact is lost or gamma falls below 0 for the first time.
    pure subroutine stepping(self, last)
       !> The path; its `ending` is set where contact is lost.
-      type(path_t), intent(inout) :: self
+      type(peeling_path_t), intent(inout) :: self
       !> In: a state at or beyond the end. Out: the last state with contact, or the first one with gamma < 0.
-      type(waypoint_t), intent(inout) :: last
-      type(waypoint_t) :: next, known
+      type(peeling_waypoint_t), intent(inout) :: last
+      type(peeling_waypoint_t) :: next, known
       real(dp) :: whole, low, high
       integer :: k
 
@@ -243,9 +244,9 @@ contains
    !> The last contact on the way to a state without contact.
    pure subroutine find_snap_off(self, last, is_converged)
       !> The path, whose `ending` is set.
-      type(path_t), intent(inout) :: self
+      type(peeling_path_t), intent(inout) :: self
       !> In: a state without contact. Out: the last one with contact.
-      type(waypoint_t), intent(inout) :: last
+      type(peeling_waypoint_t), intent(inout) :: last
       logical, intent(out) :: is_converged
       type(last_contact_t) :: equation
       real(dp) :: ratio
@@ -270,7 +271,7 @@ contains
       class(theory_t), intent(in) :: theory
       !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
 
       call theory%pull_off(control, contact)
       if (.not. contact%radius > 0) call theory%of_radius(0.0_dp, contact)
@@ -287,7 +288,7 @@ contains
       !> Derivative of the value by X, from a difference.
       real(dp), intent(out) :: slope
       class(theory_t), allocatable :: theory
-      type(contact_t) :: here, near
+      type(sphere_contact_t) :: here, near
 
       allocate (theory, source=self%theory)
       theory%ratio = x
@@ -306,9 +307,9 @@ contains
    !> The state of the largest force before the contact is constant; not found if the end of the path bears more.
    pure subroutine find_largest(self, onset, waypoint, is_converged)
       !> The path, whose end is known.
-      type(path_t), intent(inout) :: self
-      type(waypoint_t), intent(in) :: onset
-      type(waypoint_t), intent(out) :: waypoint
+      type(peeling_path_t), intent(inout) :: self
+      type(peeling_waypoint_t), intent(in) :: onset
+      type(peeling_waypoint_t), intent(out) :: waypoint
       logical, intent(out) :: is_converged
       type(shrinking_sphere_t) :: retreat
       type(slip_state_t) :: state
@@ -329,11 +330,11 @@ contains
    !> The largest value of a quantity before the end of the path; not found if it still rises there.
    pure subroutine find_peak(self, quantity, waypoint, is_converged)
       !> The path, whose end is known; it serves as the equation of the search.
-      type(path_t), intent(inout) :: self
+      type(peeling_path_t), intent(inout) :: self
       !> One of `..._along`: the quantity whose largest value is wanted.
       integer, intent(in) :: quantity
       !> Receives the state of the largest value; not found if the quantity still rises at the end.
-      type(waypoint_t), intent(out) :: waypoint
+      type(peeling_waypoint_t), intent(out) :: waypoint
       logical, intent(out) :: is_converged
       real(dp) :: z, high
 
@@ -351,15 +352,15 @@ contains
    !> The state with a value of a quantity, 0 < value <= that of a state which lies after it.
    pure subroutine find_crossing(self, quantity, value, last, waypoint, is_converged)
       !> The path, which serves as the equation of the search.
-      type(path_t), intent(inout) :: self
+      type(peeling_path_t), intent(inout) :: self
       !> One of `..._along`: the quantity that is to have the value.
       integer, intent(in) :: quantity
       !> Value of the quantity, reduced, > 0, at most that of the state `last`.
       real(dp), intent(in) :: value
       !> State on the way that lies after the one with the value, or is that one.
-      type(waypoint_t), intent(in) :: last
+      type(peeling_waypoint_t), intent(in) :: last
       !> Receives the state with the value.
-      type(waypoint_t), intent(inout) :: waypoint
+      type(peeling_waypoint_t), intent(inout) :: waypoint
       logical, intent(out) :: is_converged
       real(dp) :: z, high
 

@@ -6,7 +6,8 @@ module adfric_round_sphere_point
    use adfric_base_not_a_number, only: not_a_number
    use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_round_sphere_case, only: sphere_case_t, theory_auto
-   use adfric_round_sphere_contact, only: contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, friction_radius, &
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, theory_dmt, theory_maugis_dugdale, find_contact, &
+      & friction_radius, &
       & part_bodies
    use adfric_round_driven_contact, only: driven_error
    use adfric_interface_interaction, only: adhesion_ratio
@@ -15,9 +16,9 @@ module adfric_round_sphere_point
    use adfric_round_slip_annulus, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement
    use adfric_round_sphere_shear_slip, only: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip_of_force, &
       & find_slip_of_displacement
-   use adfric_round_sphere_spring_drive, only: spring_drive_t, new_spring_drive, find_driven_state
+   use adfric_round_sphere_spring_drive, only: sphere_spring_drive_t, new_spring_drive, find_driven_state
    use adfric_round_sphere_static_friction, only: slip_factor, mean_slip, largest_slip
-   use adfric_round_sphere_theory_choice, only: new_theory, choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
+   use adfric_round_sphere_theory_choice, only: new_theory, theory_choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
    implicit none (type, external)
    private
    public :: sphere_point_t, sphere_memory_t, solve_point
@@ -27,7 +28,7 @@ module adfric_round_sphere_point
       !> One of `status_...`, and of `theory_...`.
       integer :: status = status_solved, theory = theory_maugis_dugdale
       !> Radii, load and approach.
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       !> X, the share of adhesion that friction leaves.
       real(dp) :: ratio = 1
       !> Proved error of the theory, and the error estimate of the point, which contains it.
@@ -53,9 +54,9 @@ module adfric_round_sphere_point
       !> Maugis's parameter of this theory.
       real(dp) :: lambda = 0
       !> The last contact that this theory found.
-      type(contact_t) :: contact
+      type(sphere_contact_t) :: contact
       !> What the choice of a theory needs.
-      type(choice_t) :: choice
+      type(theory_choice_t) :: choice
       !> The last pull-off load, and what it belongs to.
       real(dp) :: pull_off_load = 0, pull_off_ratio = -1
       !> What was prescribed for that load, one of `control_...`; 0: none is known.
@@ -71,7 +72,7 @@ module adfric_round_sphere_point
       !> The point that it belongs to.
       type(sphere_case_t) :: drive_case
       !> That way.
-      type(spring_drive_t) :: drive
+      type(sphere_spring_drive_t) :: drive
    end type sphere_memory_t
 
 contains
@@ -218,7 +219,7 @@ contains
       call new_theory(memory%theory, number, lambda)
       memory%number = number
       memory%lambda = lambda
-      memory%contact = contact_t()
+      memory%contact = sphere_contact_t()
       memory%pull_off_ratio = -1
       memory%has_events = .false.
       memory%has_drive = .false.
@@ -247,7 +248,7 @@ contains
       type(sphere_memory_t), intent(inout) :: memory
       !> In: with theory, X and contact. Out: with status, error estimate, pull-off load and friction radius, too.
       type(sphere_point_t), intent(inout) :: point
-      type(contact_t) :: fold
+      type(sphere_contact_t) :: fold
 
       if (abs(memory%pull_off_ratio - point%ratio) > 0 .or. memory%pull_off_control /= case%control) then
          ! of Maugis-Dugdale, where that stands for a limit theory: what is proved of the contact is not proved of its end

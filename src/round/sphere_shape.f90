@@ -10,7 +10,7 @@ module adfric_round_sphere_shape
    use adfric_round_shape, only: shape_t, spot_t
    use adfric_numerics_gauss, only: gauss_nodes_10, gauss_weights_10
    use adfric_numerics_libm, only: expm1
-   use adfric_numerics_panels, only: integrand_t, integrate
+   use adfric_numerics_panels, only: panel_integrand_t, integrate
    implicit none (type, external)
    private
    public :: sphere_shape_t, new_sphere_shape
@@ -37,7 +37,7 @@ module adfric_round_sphere_shape
    end type sphere_shape_t
 
    !> [g(a) - g(x)]^2 dx/du.
-   type, extends(integrand_t) :: energy_integrand_t
+   type, extends(panel_integrand_t) :: energy_integrand_t
       !> g(a).
       real(dp) :: depth = 0
    contains
@@ -177,7 +177,7 @@ contains
       end associate
    end function energy
 
-   !> See `integrand_t`.
+   !> See `panel_integrand_t`.
    pure real(dp) function value_at(self, position)
       class(energy_integrand_t), intent(in) :: self
       !> The unknown artanh(x) of a radius inside the contact.

@@ -17,7 +17,7 @@ module adfric_round_sphere_shear_slip
       & sum_force, sum_rest, uniform_force
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_numerics_scalar_root, only: equation_t, find_root
-   use adfric_round_sphere_contact, only: contact_t, theory_t
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_jkr, only: jkr_t
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
@@ -75,7 +75,7 @@ contains
       !> The theory that has found it, with its X.
       class(theory_t), intent(in) :: theory
       !> The contact, of a radius > 0.
-      type(contact_t), intent(in) :: contact
+      type(sphere_contact_t), intent(in) :: contact
       !> Shear strength tau0, reduced (J 2.11).
       real(dp), intent(in) :: strength
       !> alpha.

@@ -11,15 +11,16 @@ module adfric_round_sphere_spring_drive
    use adfric_round_stick_slip, only: find_stick_slip, stick_slip_t
    use adfric_round_sphere_contact, only: theory_t
    use adfric_round_sphere_peeling, only: describe, friction_state_t, slide
-   use adfric_round_sphere_peeling_path, only: end_none, end_no_adhesion, end_snap_off, friction_t, new_path, path_t, waypoint_t
+   use adfric_round_sphere_peeling_path, only: end_none, end_no_adhesion, end_snap_off, peeling_friction_t, new_path, &
+      & peeling_path_t, peeling_waypoint_t
    use adfric_round_sphere_peeling_search, only: find_end
    use adfric_round_pulled_sphere, only: get_waypoint_of, pulled_sphere_t, take_sphere_curve
    implicit none (type, external)
    private
-   public :: spring_drive_t, new_spring_drive, find_driven_state
+   public :: sphere_spring_drive_t, new_spring_drive, find_driven_state
 
    !> The path of a sphere, and what happens on its spring.
-   type :: spring_drive_t
+   type :: sphere_spring_drive_t
       !> Is there a contact at rest, and has all been found to round-off?
       logical :: is_found = .false., is_converged = .true.
       !> Stiffness of the spring.
@@ -32,16 +33,16 @@ module adfric_round_sphere_spring_drive
       type(friction_state_t) :: sliding
       !> The jump.
       type(stick_slip_t) :: jump
-   end type spring_drive_t
+   end type sphere_spring_drive_t
 
 contains
 
    !> The path of a sphere on a spring.
    pure subroutine new_spring_drive(self, theory, friction, control, prescribed, branch, stiffness)
-      type(spring_drive_t), intent(out) :: self
+      type(sphere_spring_drive_t), intent(out) :: self
       !> Theory of adhesion; its own X is not used.
       class(theory_t), intent(in) :: theory
-      type(friction_t), intent(in) :: friction
+      type(peeling_friction_t), intent(in) :: friction
       !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
       !> Value of the load, approach or radius that is prescribed, reduced.
@@ -50,7 +51,7 @@ contains
       integer, intent(in) :: branch
       !> Stiffness of the spring, reduced, > 0.
       real(dp), intent(in) :: stiffness
-      type(path_t) :: path
+      type(peeling_path_t) :: path
       real(dp) :: force
 
       self%stiffness = stiffness
@@ -69,12 +70,12 @@ contains
 
    !> The state at a displacement of the base.
    pure subroutine find_driven_state(self, base, state)
-      type(spring_drive_t), intent(in) :: self
+      type(sphere_spring_drive_t), intent(in) :: self
       !> Displacement of the base from rest, reduced, >= 0.
       real(dp), intent(in) :: base
       !> Receives the state, with the displacement from rest; not found where contact is lost.
       type(friction_state_t), intent(out) :: state
-      type(waypoint_t) :: waypoint
+      type(peeling_waypoint_t) :: waypoint
       real(dp) :: position
       integer :: piece
       logical :: is_reached

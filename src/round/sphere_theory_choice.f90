@@ -5,7 +5,7 @@
 !> Maugis-Dugdale, and Maugis-Dugdale otherwise.
 module adfric_round_sphere_theory_choice
    use adfric_base_kinds, only: dp
-   use adfric_round_sphere_contact, only: contact_t, theory_t, theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale, &
+   use adfric_round_sphere_contact, only: sphere_contact_t, theory_t, theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale, &
       & control_load, control_approach, control_radius, branch_stable, find_contact
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_dugdale_curve, only: curve_point_t, get_curve_point, get_disc
@@ -15,7 +15,7 @@ module adfric_round_sphere_theory_choice
    use adfric_round_sphere_theory_bounds, only: limit_t, new_limit
    implicit none (type, external)
    private
-   public :: new_theory, choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
+   public :: new_theory, theory_choice_t, new_choice, is_choice_of, choose_theory, get_mismatch
 
    !> A relative error is the error over the value, or over this where the value is smaller.
    real(dp), parameter :: least_value = 0.1_dp
@@ -27,7 +27,7 @@ module adfric_round_sphere_theory_choice
    real(dp), parameter :: round_off = 2*epsilon(1.0_dp)
 
    !> What a choice needs that does not depend on what is prescribed. It follows from its parameters alone.
-   type :: choice_t
+   type :: theory_choice_t
       !> The parameters; see `new_choice`.
       real(dp) :: lambda = 0, ratio = 0, tolerance = 0
       !> What is prescribed, one of `control_...`.
@@ -42,7 +42,7 @@ module adfric_round_sphere_theory_choice
       type(dmt_t) :: dmt
       !> Only between these values of what is prescribed a proof is tried.
       real(dp) :: low = huge(1.0_dp), high = -huge(1.0_dp)
-   end type choice_t
+   end type theory_choice_t
 
 contains
 
@@ -69,7 +69,7 @@ contains
    !> The limit theory that may do, and the range of prescribed values where it may.
    pure subroutine new_choice(self, lambda, ratio, control, needs_edge, tolerance)
       !> Receives the limit theory that may do, and its range of what is prescribed.
-      type(choice_t), intent(out) :: self
+      type(theory_choice_t), intent(out) :: self
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
       !> X, the share of adhesion that remains [-], >= 0.
@@ -100,7 +100,7 @@ contains
 
    !> Was the choice made for these parameters?
    pure logical function is_choice_of(self, lambda, ratio, control, needs_edge, tolerance)
-      type(choice_t), intent(in) :: self
+      type(theory_choice_t), intent(in) :: self
       !> Maugis's parameter [-], > 0.
       real(dp), intent(in) :: lambda
       !> X, the share of adhesion that remains [-], >= 0.
@@ -120,8 +120,8 @@ contains
    !> more than the tolerance.
    pure subroutine set_range_of_jkr(self)
       !> In: with its parameters and JKR. Out: with the range of what is prescribed, too.
-      type(choice_t), intent(inout) :: self
-      type(contact_t) :: contact
+      type(theory_choice_t), intent(inout) :: self
+      type(sphere_contact_t) :: contact
       real(dp) :: least
 
       least = self%limit%far/self%tolerance
@@ -145,7 +145,7 @@ contains
    !> bounds are smallest.
    pure subroutine set_range_of_dmt(self)
       !> In: with its parameters and DMT. Out: with the range of what is prescribed, too.
-      type(choice_t), intent(inout) :: self
+      type(theory_choice_t), intent(inout) :: self
       real(dp) :: approach
 
       approach = self%limit%far/self%tolerance
@@ -170,7 +170,7 @@ contains
    !> and on what is prescribed, and on nothing else.
    pure subroutine choose_theory(self, value, branch, number, error, contact)
       !> The choice, with its limit theory and its range.
-      type(choice_t), intent(in) :: self
+      type(theory_choice_t), intent(in) :: self
       !> Value of the load, approach or radius that is prescribed, reduced.
       real(dp), intent(in) :: value
       !> One of `branch_...`; a limit theory will do for the stable state only.
@@ -180,7 +180,7 @@ contains
       !> Proved bound of the relative error of that theory [-]; 0 for Maugis-Dugdale.
       real(dp), intent(out) :: error
       !> Receives the contact of the limit theory; for Maugis-Dugdale none is found.
-      type(contact_t), intent(out) :: contact
+      type(sphere_contact_t), intent(out) :: contact
 
       number = theory_maugis_dugdale
       error = 0
@@ -195,7 +195,7 @@ contains
          if (error <= self%tolerance) number = self%limit%theory
       end if
       if (number == self%limit%theory) return
-      contact = contact_t()
+      contact = sphere_contact_t()
       error = 0
    end subroutine choose_theory
 
@@ -211,8 +211,8 @@ contains
    !> Where an approach is prescribed it is the same with m = 2 a^2/S; E grows downwards, too, by (1 - s)^(-1/2) or less, and
    !> upwards by 1 + s or less.
    pure subroutine prove(self, contact, error)
-      type(choice_t), intent(in) :: self
-      type(contact_t), intent(in) :: contact
+      type(theory_choice_t), intent(in) :: self
+      type(sphere_contact_t), intent(in) :: contact
       !> Bound of the relative error [-]; huge where there is none.
       real(dp), intent(out) :: error
       real(dp) :: load, approach, load_slope, approach_slope, s, z, cube, square
@@ -263,14 +263,14 @@ contains
       !> One of `control_...`: what is prescribed.
       integer, intent(in) :: control
       !> The contact, which has been found.
-      type(contact_t), intent(in) :: contact
-      type(contact_t) :: again
+      type(sphere_contact_t), intent(in) :: contact
+      type(sphere_contact_t) :: again
       type(curve_point_t) :: point
       real(dp), dimension(3) :: values, others, terms, slopes, sizes, powers
       real(dp) :: shift
       integer :: prescribed
 
-      again = contact_t()
+      again = sphere_contact_t()
       slopes = 0
       select type (theory)
       type is (maugis_t)

@@ -6,7 +6,7 @@
 module adfric_round_spring_drive
    use adfric_base_kinds, only: dp
    use adfric_round_interaction_events, only: slide
-   use adfric_round_interaction_path, only: path_t, waypoint_t
+   use adfric_round_interaction_path, only: interaction_path_t, waypoint_t
    use adfric_round_interaction_search, only: end_capped, end_sliding, find_end
    use adfric_round_pulled_indenter, only: get_waypoint_of, pulled_indenter_t, take_indenter_curve
    use adfric_round_driven_contact, only: find_driven_position
@@ -48,10 +48,10 @@ contains
    !> The path of an indenter on a spring.
    pure subroutine new_spring_drive(self, start, stiffness)
       type(spring_drive_t), intent(out) :: self
-      type(path_t), intent(in) :: start
+      type(interaction_path_t), intent(in) :: start
       !> Stiffness of the spring, reduced, > 0.
       real(dp), intent(in) :: stiffness
-      type(path_t) :: path
+      type(interaction_path_t) :: path
       type(waypoint_t) :: finish
       real(dp) :: force
       integer :: ending

@@ -19,7 +19,7 @@
 module adfric_round_stick_slip
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_round_pulled_contact, only: pulled_curve_t, spot_t, displacement_at, extension_at, first_fall, first_reach, &
+   use adfric_round_pulled_contact, only: pulled_curve_t, pulled_spot_t, displacement_at, extension_at, first_fall, first_reach, &
       & force_at, work_between
    implicit none (type, external)
    private
@@ -33,7 +33,7 @@ module adfric_round_stick_slip
    !> A jump.
    type :: jump_t
       !> Where it begins and, if that is on the path, ends.
-      type(spot_t) :: onset, landing
+      type(pulled_spot_t) :: onset, landing
       !> Force after it, and its energy.
       real(dp) :: arrest_force = 0, energy = 0
    end type jump_t
@@ -106,12 +106,12 @@ contains
       integer, intent(out) :: n
       !> Does the last one leave the path?
       logical, intent(out) :: slides
-      type(spot_t) :: spot
+      type(pulled_spot_t) :: spot
       logical :: falls, lands
 
       n = 0
       slides = .false.
-      spot = spot_t(1, -1.0_dp)
+      spot = pulled_spot_t(1, -1.0_dp)
       do while (n < most_jumps)
          call first_fall(curve, 1.0_dp, 1/stiffness, (spot), spot, falls)
          if (.not. (falls .or. drops(curve))) return
@@ -148,7 +148,8 @@ contains
       real(dp) :: prescribed, excess
 
       prescribed = extension_at(curve, 1.0_dp, 1/stiffness, jump%onset)
-      jump%energy = stiffness*work_between(curve, prescribed, 1.0_dp, 1/stiffness, jump%onset, spot_t(size(curve%panels), 1.0_dp))
+      jump%energy = stiffness*work_between(curve, prescribed, 1.0_dp, 1/stiffness, jump%onset, pulled_spot_t(size(curve%panels), &
+         & 1.0_dp))
       ! differences first, or a stiff spring would leave no digits
       excess = (displacement_at(curve, jump%onset) - curve%last_displacement) &
          & + (force_at(curve, jump%onset) - curve%force_after)/stiffness
@@ -170,13 +171,13 @@ contains
       type(jump_t), intent(in) :: jumps(:)
       !> In: the last jump. Out: with period, work, and the energy of all jumps of a period.
       type(stick_slip_t), intent(inout) :: found
-      type(spot_t) :: arrest, from
+      type(pulled_spot_t) :: arrest, from
       real(dp) :: force, last
       integer :: k
       logical :: is_reached
 
       ! T rises from 0, and is above the force of sliding at the onset of a jump that ends there
-      call first_reach(curve, 0.0_dp, 1.0_dp, curve%force_after, spot_t(1, -1.0_dp), arrest, is_reached)
+      call first_reach(curve, 0.0_dp, 1.0_dp, curve%force_after, pulled_spot_t(1, -1.0_dp), arrest, is_reached)
       found%slides = is_reached
       if (.not. is_reached) return
       found%period = found%base_displacement - (displacement_at(curve, arrest) + curve%force_after/stiffness)
@@ -198,7 +199,7 @@ contains
 
    !> Does a position come before another one?
    pure logical function is_before(one, other)
-      type(spot_t), intent(in) :: one, other
+      type(pulled_spot_t), intent(in) :: one, other
 
       is_before = one%panel < other%panel .or. (one%panel == other%panel .and. one%x < other%x)
    end function is_before
@@ -208,7 +209,7 @@ contains
       type(pulled_curve_t), intent(in) :: curve
       !> Receives the stiffness.
       real(dp), intent(out) :: stiffness
-      type(spot_t) :: top
+      type(pulled_spot_t) :: top
       real(dp) :: next
       integer :: k
 
@@ -234,12 +235,12 @@ contains
       type(pulled_curve_t), intent(in) :: curve
       !> Weights.
       real(dp), intent(in) :: p, q
-      type(spot_t), intent(out) :: top
-      type(spot_t) :: spot
+      type(pulled_spot_t), intent(out) :: top
+      type(pulled_spot_t) :: spot
       logical :: falls
 
-      spot = spot_t(1, -1.0_dp)
-      top = spot_t(size(curve%panels), 1.0_dp)
+      spot = pulled_spot_t(1, -1.0_dp)
+      top = pulled_spot_t(size(curve%panels), 1.0_dp)
       do
          call first_fall(curve, p, q, (spot), spot, falls)
          if (.not. falls) return

@@ -7,7 +7,7 @@ module adfric_round_survey
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_round_contact_state, only: prescribed_of
-   use adfric_round_curve, only: curve_t, state_t, interval_t, disc_range_t, stability_control, most_intervals, &
+   use adfric_round_curve, only: curve_t, state_t, curve_interval_t, disc_range_t, stability_control, most_intervals, &
       & most_disc_ranges
    use adfric_round_face_contact, only: get_face_end
    use adfric_round_prescribed, only: measure_interval
@@ -33,7 +33,7 @@ module adfric_round_survey
       !> Number of the parts.
       integer :: n = 0
       !> The parts, from the smallest contacts to the largest.
-      type(interval_t) :: intervals(most_intervals)
+      type(curve_interval_t) :: intervals(most_intervals)
       !> Number of the ranges of discs without touch that are stable.
       integer :: n_discs = 0
       !> The ranges, from the smallest discs to the largest.
@@ -72,7 +72,7 @@ contains
    pure subroutine find_pull_off(curve, control, intervals, discs, ends)
       class(curve_t), intent(in) :: curve
       integer, intent(in) :: control
-      type(interval_t), intent(in) :: intervals(:)
+      type(curve_interval_t), intent(in) :: intervals(:)
       type(disc_range_t), intent(in) :: discs(:)
       type(ends_t), intent(inout) :: ends
       type(state_t) :: state
@@ -125,7 +125,7 @@ contains
       class(curve_t), intent(in) :: curve
       integer, intent(in) :: control
       !> The intervals of the curve, from the smallest contacts to the largest.
-      type(interval_t), intent(in) :: intervals(:)
+      type(curve_interval_t), intent(in) :: intervals(:)
       type(ends_t), intent(inout) :: ends
       type(state_t) :: fold
       real(dp) :: prescribed

@@ -28,7 +28,7 @@ module adfric_round_weak_contact
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    use adfric_round_weak_end, only: find_closed_end
    use adfric_round_weak_state, only: find_below
-   use adfric_round_weak_path, only: middle, node_t, weak_path_t, weaken
+   use adfric_round_weak_path, only: middle, path_node_t, weak_path_t, weaken
    implicit none (type, external)
    private
    public :: weak_path_t, new_weak_path, extend_path, find_known, find_last
@@ -59,7 +59,7 @@ contains
       end select
       allocate (self%nodes(merge(most_nodes, 1, self%is_followed)))
       self%n = 1
-      self%nodes(1) = node_t(1.0_dp, contact)
+      self%nodes(1) = path_node_t(1.0_dp, contact)
       if (self%is_closed .and. curve%shape%n_pieces > 0) call find_closed_end(self)
    end subroutine new_weak_path
 
@@ -128,7 +128,7 @@ contains
             if (contact%is_found) contact%is_found = is_near(self, last%contact, contact)
             if (contact%is_found) then
                if (self%n < most_nodes) self%n = self%n + 1
-               self%nodes(self%n) = node_t(goal, contact)
+               self%nodes(self%n) = path_node_t(goal, contact)
                if (.not. goal > ratio) return
                step = 2*step
             else

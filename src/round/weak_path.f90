@@ -7,15 +7,15 @@ module adfric_round_weak_path
    use adfric_round_dugdale_curve, only: dugdale_curve_t
    implicit none (type, external)
    private
-   public :: node_t, weak_path_t, weaken, middle
+   public :: path_node_t, weak_path_t, weaken, middle
 
    !> A state at one X.
-   type :: node_t
+   type :: path_node_t
       !> X.
       real(dp) :: ratio = 1
       !> The state.
       type(contact_t) :: contact
-   end type node_t
+   end type path_node_t
 
    !> The states of contact as X falls.
    type :: weak_path_t
@@ -36,7 +36,7 @@ module adfric_round_weak_path
       !> Number of nodes; 0 without contact.
       integer :: n = 0
       !> The nodes from X = 1 down, so far.
-      type(node_t), allocatable :: nodes(:)
+      type(path_node_t), allocatable :: nodes(:)
       !> The last state in closed form: the lower end of the unknown, and whether it lies beyond the corner.
       real(dp) :: low = 0
       !> Does it lie beyond the corner?

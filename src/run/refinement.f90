@@ -44,14 +44,14 @@ module adfric_run_refinement
    end type refinement_t
 
    !> The values of a sweep, and what was found there.
-   type :: curve_t
+   type :: refined_curve_t
       !> Values of the variable, which rise or fall.
       real(dp), allocatable :: x(:)
       !> The result.
       real(dp), allocatable :: y(:)
       !> Status of each point.
       integer, allocatable :: status(:)
-   end type curve_t
+   end type refined_curve_t
 
 contains
 
@@ -112,7 +112,7 @@ contains
       type(axis_t), intent(inout) :: axis
       !> Allocated if there would be too many values, or if there is too little memory.
       type(error_t), allocatable, intent(out) :: error
-      type(curve_t) :: curve
+      type(refined_curve_t) :: curve
       logical, allocatable :: is_halved(:)
       real(dp) :: range
 
@@ -145,7 +145,7 @@ contains
       integer, intent(in) :: variable
       !> Its values.
       real(dp), intent(in) :: x(:)
-      type(curve_t), intent(out) :: curve
+      type(refined_curve_t), intent(out) :: curve
       integer :: i
 
       curve%x = x
@@ -183,7 +183,7 @@ contains
 
    !> Difference of the greatest and the least result; 0 if there is none.
    pure real(dp) function range_of(curve)
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       real(dp), allocatable :: y(:)
 
       range_of = 0
@@ -196,7 +196,7 @@ contains
       type(refinement_t), intent(in) :: refinement
       !> The model, whose table says whether the result is a state.
       class(model_t), intent(in) :: model
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       !> Range of the result at the values with which the sweep begins.
       real(dp), intent(in) :: range
       !> Receives which intervals are halved, in the order of the curve.
@@ -220,7 +220,7 @@ contains
    !> Width of an interval in units of the whole sweep.
    pure real(dp) function width(refinement, curve, i)
       type(refinement_t), intent(in) :: refinement
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       !> Number of the interval, from 1.
       integer, intent(in) :: i
 
@@ -230,7 +230,7 @@ contains
    !> Index of a value in the sweep, from 0 to 1.
    pure real(dp) function index_of(refinement, curve, i)
       type(refinement_t), intent(in) :: refinement
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       !> Number of the value, from 1.
       integer, intent(in) :: i
 
@@ -246,7 +246,7 @@ contains
    !> Does a point lie off the straight line through its two neighbours?
    pure logical function is_off_line(refinement, curve, i, allowed)
       type(refinement_t), intent(in) :: refinement
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       !> Number of the point, which has two neighbours.
       integer, intent(in) :: i
       !> How far it may lie off.
@@ -262,7 +262,7 @@ contains
 
    !> Does a status or a state change between the ends of an interval? What did not converge says nothing.
    pure logical function changes(curve, i, is_state)
-      type(curve_t), intent(in) :: curve
+      type(refined_curve_t), intent(in) :: curve
       !> Number of the interval, from 1.
       integer, intent(in) :: i
       logical, intent(in) :: is_state
@@ -286,8 +286,8 @@ contains
       !> Which intervals are halved, in the order of the curve?
       logical, intent(in) :: is_halved(:)
       !> The curve, which gets a point for each of them.
-      type(curve_t), intent(inout) :: curve
-      type(curve_t) :: added, merged
+      type(refined_curve_t), intent(inout) :: curve
+      type(refined_curve_t) :: added, merged
       integer :: i, k, n
 
       n = size(curve%x)

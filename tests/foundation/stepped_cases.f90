@@ -5,7 +5,7 @@ module stepped_cases
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: unset
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
-   use adfric_foundation_variables
+   use adfric_foundation_variables, only: in => foundation_input
    use model_calls, only: find_problems, solve_values, solve_point, axis_of
    implicit none (type, external)
    private
@@ -27,21 +27,21 @@ contains
 
       call new_wavy_model(model)
       values = model%variables%default
-      values(v_kind) = kind
+      values(in%kind) = kind
       if (kind == kind_2d .or. kind == kind_3d) then
-         values([v_period, v_height]) = [1.0e-2_dp, 1.0e-4_dp]
+         values([in%period, in%height]) = [1.0e-2_dp, 1.0e-4_dp]
       else if (kind == kind_cosines) then
-         values(v_period) = 1.0e-2_dp
+         values(in%period) = 1.0e-2_dp
       else
-         values([v_detrend, v_periodise]) = 1
+         values([in%detrend, in%periodise]) = 1
       end if
-      values(v_stiffness) = 1.0e8_dp
-      values(v_relaxation_time) = 1.0e-3_dp
-      values(v_retardation_ratio) = 10
-      values(v_stress) = 2.0e3_dp
-      values(v_range) = 1.0e-5_dp
-      values(v_velocity) = 0.5_dp
-      values(v_penetration) = 4.0e-5_dp
+      values(in%stiffness) = 1.0e8_dp
+      values(in%relaxation_time) = 1.0e-3_dp
+      values(in%retardation_ratio) = 10
+      values(in%stress) = 2.0e3_dp
+      values(in%range) = 1.0e-5_dp
+      values(in%velocity) = 0.5_dp
+      values(in%penetration) = 4.0e-5_dp
    end subroutine new_stepped
 
    !> Give a list of numbers.
@@ -65,10 +65,10 @@ contains
       real(dp), intent(in), optional :: strip_spacing
       type(problems_t) :: problems
 
-      call model%take_dataset(v_heights, heights, problems)
-      values([v_heights, v_spacing]) = [1.0_dp, spacing]
-      values(v_strip_spacing) = unset
-      if (present(strip_spacing)) values(v_strip_spacing) = strip_spacing
+      call model%take_dataset(in%heights, heights, problems)
+      values([in%heights, in%spacing]) = [1.0_dp, spacing]
+      values(in%strip_spacing) = unset
+      if (present(strip_spacing)) values(in%strip_spacing) = strip_spacing
    end subroutine give_heights
 
    !> Give an attribute of a dataset.

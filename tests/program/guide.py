@@ -44,6 +44,7 @@ class Guide(InputRuns):
         """The inputs of the pages are solved as they stand, big samples with fewer points."""
         self.make_surface("surface_stickiness", 32)
         shutil.copy(SOURCE/"tests/reference/fit/map_jkr_a.h5", self.folder/"map.h5")
+        shutil.copy(SOURCE/"inputs/fit_friction.csv", self.folder)
         for path in PAGES:
             with self.subTest(path.name):
                 (text,) = INPUT.findall(path.read_text())

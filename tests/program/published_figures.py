@@ -217,7 +217,7 @@ class PublishedFigures(Runs):
         """a' = [F' + b' + sqrt(2 b' F' + b'^2)]^(1/3) on the stable branch, less the root on the other; the table has the same numbers."""
         found = self.solve("lecture_jkr")
         # R = 1 mm and E* = 0.75 MPa: a' is the radius in mm, F' the load in N
-        a, energies = 1e3 * found["contact_radius"], 3e-2 * np.pi * found["work_of_adhesion"]
+        a, energies = 1e3 * found["contact_radius"], 3e-3 * np.pi * found["work_of_adhesion"]
         for k, reduced in enumerate(energies):
             force = found["load"][k]
             root = np.sqrt(np.maximum(2 * reduced * force + reduced**2, 0))
