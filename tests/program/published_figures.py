@@ -21,7 +21,7 @@ SOURCE = Path(os.environ["ADFRIC_SOURCE"])
 CLOSED_FORM, TABLE = 1e-13, 1e-11
 # numbers are relative to the larger of their size in reduced units and this
 LEAST = 0.1
-NO_EQUILIBRIUM = 1
+SOLVED, NO_EQUILIBRIUM = 0, 1
 # w over the reduced units of stress and of slip (J 2.11)
 SLIP_UNIT = 2 / np.pi
 
@@ -100,6 +100,19 @@ class PublishedFigures(Runs):
             self.assertGreater(n_compared, 15)
             ends = -1e9 * np.nanmin(found["pull_off_load"])
             self.assertAlmostEqual(ends, {"johnson1997_fig5": 136.5285048888156, "johnson1997_fig5_jkr": 138.5442360233099}[name], delta=1e-8)
+
+    def test_johnson1997_fig5_fitted(self):
+        """What the full line supports: the numbers that drew it, and next to them a second answer for lambda (docs/theory/johnson1997.md)."""
+        self.run_program("run", "--quiet", "--force", SOURCE / "inputs/johnson1997_fig5_jkr.nml")
+        self.run_program("fit", "--quiet", "--force", "--output", "fit.h5", SOURCE / "inputs/fit_johnson1997_fig5.nml")
+        with h5py.File(self.folder / "fit.h5") as file:
+            self.assertEqual(file["status"][()], SOLVED)
+            minima, chi2, lambda_ = (file[name][()] for name in ("minima", "minima_chi2", "lambda"))
+        # lambda is at the upper bound of its range, where JKR and Maugis differ by less than the errors
+        np.testing.assert_allclose(minima[0, :2], [0.21, 0.84e9], rtol=1e-4)
+        self.assertGreater(lambda_, 3)
+        np.testing.assert_allclose(minima[1], [0.175, 0.80e9, 0.24], rtol=3e-3)
+        self.assertAlmostEqual(chi2[1] - chi2[0], 1.3, delta=0.05)
 
     def test_johnson1997_fig6(self):
         """The five radii that stick, and the traction from the middle to the edge (J 3.3, corrected)."""
