@@ -7,7 +7,7 @@ module adfric_fit_intervals
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_fit_objective, only: objective_t
-   use adfric_fit_profile, only: profile_t, find_profile, find_pieces
+   use adfric_fit_profile, only: interval_profile_t, find_profile, find_pieces
    use adfric_fit_scales, only: scales_t
    use adfric_fit_solution, only: solution_t
    use adfric_numerics_bounded_least_squares, only: squares_work_t, squares_limits_t
@@ -109,7 +109,7 @@ contains
       !> Receives a position whose S is below the least one.
       real(dp), intent(inout) :: below(:)
       logical, intent(out) :: is_below
-      type(profile_t) :: profile
+      type(interval_profile_t) :: profile
       real(dp) :: pieces(2, most_pieces), limit(size(levels)), error
       integer, allocatable :: kept(:)
       integer :: k, n, step

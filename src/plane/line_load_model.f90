@@ -7,7 +7,7 @@ module adfric_plane_line_load_model
    use adfric_base_problems, only: problems_t
    use adfric_plane_field_model, only: set_plane_stresses, set_displacements, maps_of
    use adfric_plane_flamant, only: line_stress, line_displacement
-   use adfric_plane_plane_load, only: plane_load_model_t, set_plane_variables, set_stress, plane_load_input
+   use adfric_plane_plane_load, only: plane_load_model_t, set_plane_variables, set_stress, plane_load_input, plane_load_output
    use adfric_describe_check, only: require
    use adfric_describe_rows, only: positive, number
    use adfric_describe_table, only: result_t, variable_t

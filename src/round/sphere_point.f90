@@ -11,7 +11,7 @@ module adfric_round_sphere_point
       & part_bodies
    use adfric_round_driven_contact, only: driven_error
    use adfric_interface_interaction, only: adhesion_ratio
-   use adfric_round_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, &
+   use adfric_round_sphere_peeling, only: peeling_friction_t, friction_state_t, friction_events_t, find_static_state, &
       & find_friction_events, forget_events, given_force, given_displacement
    use adfric_round_slip_annulus, only: angle_of_force, force_of_angle, gamma_of_force, gamma_of_displacement
    use adfric_round_sphere_shear_slip, only: sheared_sphere_t, sphere_slip_t, new_sheared_sphere, find_slip_of_force, &
@@ -150,10 +150,10 @@ contains
    end function is_peeling
 
    !> The law of friction of a case.
-   pure type(friction_t) function new_friction(case) result(friction)
+   pure type(peeling_friction_t) function new_friction(case) result(friction)
       type(sphere_case_t), intent(in) :: case
 
-      friction = friction_t(case%strength, case%poisson, case%edge_fraction, case%interaction, case%slip_energy_ratio)
+      friction = peeling_friction_t(case%strength, case%poisson, case%edge_fraction, case%interaction, case%slip_energy_ratio)
    end function new_friction
 
    !> A state of the static phase.

@@ -16,7 +16,7 @@ from input_runs import InputRuns  # noqa: E402
 from runs import main  # noqa: E402
 
 SOURCE = Path(os.environ["ADFRIC_SOURCE"])
-PAGES = sorted((SOURCE/"docs/guide").glob("*.md"))
+PAGES = [path for path in sorted((SOURCE/"docs/guide").glob("*.md")) if "**Question.**" in path.read_text()]
 INPUT = re.compile(r"^```fortran\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 PARTS = ("**Question.**", "scripts/", "](../gallery/", "## The input", "## Where it fails", "Next:")
 

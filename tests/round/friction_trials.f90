@@ -6,7 +6,7 @@ module friction_trials
    use adfric_round_sphere_dmt, only: dmt_t
    use adfric_round_sphere_jkr, only: jkr_t
    use adfric_round_sphere_maugis_dugdale, only: maugis_t
-   use adfric_round_sphere_peeling, only: friction_t, friction_state_t, friction_events_t, find_static_state, find_friction_events
+   use adfric_round_sphere_peeling, only: peeling_friction_t, friction_state_t, friction_events_t, find_static_state, find_friction_events
    implicit none (type, external)
    private
    public :: trial_t, events_of, label_of, get_trial, load_trial
@@ -14,7 +14,7 @@ module friction_trials
    !> A case that is solved.
    type :: trial_t
       class(theory_t), allocatable :: theory
-      type(friction_t) :: friction
+      type(peeling_friction_t) :: friction
       integer :: control = control_load, branch = branch_stable
       real(dp) :: prescribed = 0
    contains
