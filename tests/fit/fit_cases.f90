@@ -7,7 +7,7 @@ module fit_cases
    use adfric_round_model, only: indenter_model_t, new_indenter_model
    use adfric_describe_model, only: model_t
    use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_round_sphere_variables, sphere_friction => r_friction_force, sphere_load => r_load, v_sphere_load => v_load
+   use adfric_round_sphere_variables, only: sphere_input, out => sphere_output
    use adfric_foundation_model, only: wavy_model_t, new_wavy_model
    use reference_table, only: table_t, read_table
    implicit none (type, external)
@@ -315,21 +315,21 @@ contains
       case ('force_distance')
          call take_columns(table, 'position', 'load', has_sigma, .false., data)
          data%abscissa = v_approach
-         data%ordinate = sphere_load
+         data%ordinate = out%load
       case ('area')
          call take_columns(table, 'load', 'contact_area', has_sigma, .false., data)
-         data%abscissa = v_sphere_load
-         data%ordinate = r_contact_area
+         data%abscissa = sphere_input%load
+         data%ordinate = out%contact_area
       case default
          call take_columns(table, 'load', 'friction_force', has_sigma, has_load_errors, data)
-         data%abscissa = v_sphere_load
-         data%ordinate = sphere_friction
+         data%abscissa = sphere_input%load
+         data%ordinate = out%friction_force
       end select
       fit%data_sets = [data]
       if (kind /= 'joint') return
       call read_table(table, 'fit/'//name//'_area')
       call take_columns(table, 'load', 'contact_area', has_sigma, .false., data)
-      data%ordinate = r_friction_area
+      data%ordinate = out%friction_area
       fit%data_sets = [fit%data_sets, data]
    end subroutine add_data
 
