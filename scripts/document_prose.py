@@ -7,6 +7,8 @@ LONGEST_SENTENCE = 25
 LARGEST_MEAN = 17
 LONGEST_LINE = 120
 GLOSSARY = "docs/reference/glossary.md"
+# The section of the glossary that names the words.
+BAN_LIST = "## Words that are not used"
 # Pages that a program writes, and the history of versions; the sources of their words have tests of their own.
 WRITTEN = ("CHANGELOG.md", "docs/gallery.md", "docs/reference/variables.md")
 # What the blocks of a document are in.
@@ -140,7 +142,7 @@ def faults_of_formulas(text):
 
 def banned_words(glossary):
     """The words of the ban list: each with what stands instead, and phrases in which the word has its other, usual meaning."""
-    rows = re.search(r"^## Words that are not used\n.*?^\| not .*?\n\|[ -|]+\n(.*?)(?:\n\n|\Z)", glossary, re.MULTILINE | re.DOTALL)
+    rows = re.search(rf"^{BAN_LIST}\n.*?^\| not .*?\n\|[ -|]+\n(.*?)(?:\n\n|\Z)", glossary, re.MULTILINE | re.DOTALL)
     banned = {}
     for row in rows[1].splitlines() if rows else ():
         word, instead, usual = (cell.strip() for cell in row.strip().strip("|").split("|"))
@@ -150,9 +152,11 @@ def banned_words(glossary):
 
 def faults_of_words(text, banned):
     """Words of the ban list, in prose, headings and tables."""
-    faults = []
+    faults, is_list = [], False
     for kind, number, lines in blocks_of(text):
-        if kind not in ("text", "table", "heading"):
+        if kind == "heading":
+            is_list = lines[0] == BAN_LIST
+        if is_list or kind not in ("text", "table", "heading"):
             continue
         # a phrase may go on in the next line
         joined = "\n".join(re.sub(r"\$[^$]+\$|`[^`]*`", "code", line) for line in lines).lower()
