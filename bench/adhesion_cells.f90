@@ -6,10 +6,10 @@
 program adhesion_cells
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
-   use adfric_classical_adhesive_wave_curve, only: adhesive_wave_t
-   use adfric_classical_adhesive_wave_events, only: new_adhesive_wave
-   use adfric_classical_adhesive_wave_load, only: state_of_load, branch_adhered, branch_approach
-   use adfric_classical_adhesive_wave_state, only: wave_adhesion_t
+   use adfric_plane_adhesive_wave_curve, only: adhesive_wave_t
+   use adfric_plane_adhesive_wave_events, only: new_adhesive_wave
+   use adfric_plane_adhesive_wave_load, only: state_of_load, branch_adhered, branch_approach
+   use adfric_plane_adhesive_wave_state, only: wave_adhesion_t
    use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t, solve_adhesive_load
    use adfric_periodic_area, only: relative_error_of

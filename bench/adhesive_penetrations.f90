@@ -6,8 +6,8 @@ program adhesive_penetrations
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_error, only: error_t
-   use adfric_classical_adhesive_wave_load, only: branch_approach, branch_adhered
-   use adfric_classical_adhesive_wave_units, only: wave_adhesion_case_t, wave_adhesion_state_t, new_wave_adhesion
+   use adfric_plane_adhesive_wave_load, only: branch_approach, branch_adhered
+   use adfric_plane_adhesive_wave_units, only: wave_adhesion_case_t, wave_adhesion_state_t, new_wave_adhesion
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t

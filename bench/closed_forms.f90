@@ -8,7 +8,7 @@
 program closed_forms
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp, i8
-   use adfric_model_status, only: status_solved
+   use adfric_describe_status, only: status_solved
    use adfric_run_blocks, only: block_size_of
    use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table

@@ -10,13 +10,13 @@
 program error_estimates
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
-   use adfric_model_status, only: status_solved
-   use adfric_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_sphere_variables
-   use adfric_wavy_crosswise, only: memory_t
-   use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load
-   use adfric_wavy_foundation, only: new_foundation
-   use adfric_wavy_surface, only: surface_t, negligible
+   use adfric_describe_status, only: status_solved
+   use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
+   use adfric_round_sphere_variables
+   use adfric_foundation_crosswise, only: memory_t
+   use adfric_foundation_equilibrium, only: equilibrium_t, neighbour_t, solve_penetration, solve_load
+   use adfric_foundation_foundation, only: new_foundation
+   use adfric_foundation_surface, only: surface_t, negligible
    use estimate_counts, only: counts_t, count_case, report_counts
    use adfric_shape_height_line, only: cubic_pieces, linear_pieces
    use marched_estimates, only: count_cosines, count_lines, count_maps

@@ -18,9 +18,9 @@ program fit
    use adfric_fit_starts, only: get_start
    use adfric_numerics_distributions, only: chi_squared_quantile, f_quantile, normal_quantile, t_quantile
    use adfric_numerics_random_numbers, only: random_t, new_random, next_normal
-   use adfric_sphere_contact, only: theory_maugis_dugdale
-   use adfric_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_sphere_variables
+   use adfric_round_sphere_contact, only: theory_maugis_dugdale
+   use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
+   use adfric_round_sphere_variables
    use measure, only: print_heading, integer_argument, text_argument, open_table
    implicit none (type, external)
 

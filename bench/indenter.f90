@@ -14,7 +14,7 @@ program indenter
    use adfric_base_kinds, only: dp, i8
    use adfric_base_problems, only: problems_t
    use adfric_base_words, only: get_word
-   use adfric_model_status, only: status_solved
+   use adfric_describe_status, only: status_solved
    use adfric_run_blocks, only: block_size_of
    use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table

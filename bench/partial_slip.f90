@@ -14,7 +14,7 @@ program partial_slip
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
-   use adfric_material_coulomb_rows, only: coulomb_t
+   use adfric_interface_coulomb_rows, only: coulomb_t
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_operator, only: periodic_operator_t, new_periodic_operator
    use adfric_periodic_slip, only: periodic_slip_t, solve_slip

@@ -8,15 +8,15 @@
 program profiles
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
-   use adfric_material_prony, only: prony_t, new_prony
+   use adfric_solid_prony, only: prony_t, new_prony
    use adfric_shape_height_line, only: height_line_t, new_sampled_line, cubic_pieces
-   use adfric_wavy_adhesion, only: edge_instantaneous
-   use adfric_wavy_march_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_load, march_solved
-   use adfric_wavy_march_forces, only: march_forces_t, get_march_forces
-   use adfric_wavy_march_law, only: new_march_law
-   use adfric_wavy_march_period, only: column_state_t, period_t, march_period
-   use adfric_wavy_march_solid, only: solid_t, new_solid
-   use adfric_wavy_march_way, only: new_way
+   use adfric_foundation_adhesion, only: edge_instantaneous
+   use adfric_foundation_stepping_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_load, march_solved
+   use adfric_foundation_stepping_forces, only: march_forces_t, get_march_forces
+   use adfric_foundation_stepping_law, only: new_march_law
+   use adfric_foundation_stepping_period, only: column_state_t, period_t, march_period
+   use adfric_foundation_stepping_solid, only: solid_t, new_solid
+   use adfric_foundation_stepping_path, only: new_way
    use measure, only: print_heading, text_argument, open_table
    implicit none (type, external)
 

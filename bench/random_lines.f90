@@ -4,7 +4,7 @@
 !> random_lines [NUMBER [SEED]]
 program random_lines
    use adfric_base_kinds, only: dp
-   use adfric_wavy_march_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load, march_solved
+   use adfric_foundation_stepping_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load, march_solved
    use march_cases, only: march_case_t, march_sums_t, make_surface, sum_of
    use march_judge, only: draw_case, judge_case, words_of_case, verdict_right, verdict_wrong
    use measure, only: print_heading, integer_argument

@@ -6,7 +6,7 @@ program random_search
    use adfric, only: known_models
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: count_words, get_word
-   use adfric_model_status, only: status_not_converged, status_solved
+   use adfric_describe_status, only: status_not_converged, status_solved
    use measure, only: integer_argument, text_argument
    use search_loop, only: search_t, search_model
    implicit none (type, external)

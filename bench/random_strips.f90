@@ -7,9 +7,9 @@ program random_strips
    use adfric_base_kinds, only: dp
    use adfric_system_program_end, only: end_program
    use adfric_system_clock, only: wall_clock
-   use adfric_wavy_balance, only: balance_t, get_balance
-   use adfric_wavy_steady_state, only: find_steady_state
-   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free, regime_saturated
+   use adfric_foundation_balance, only: balance_t, get_balance
+   use adfric_foundation_steady_state, only: find_steady_state
+   use adfric_foundation_strip, only: strip_t, steady_state_t, regime_free, regime_saturated
    use measure, only: spread_t, spread_of, print_heading, integer_argument, text_argument, open_table
    use strip_judge, only: judge_steady_state, verdict_right, verdict_not_steady
    use random_dice, only: dice_t, new_dice

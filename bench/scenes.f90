@@ -8,20 +8,20 @@ program scenes
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
    use adfric_base_unset, only: unset
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: status_solved
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: status_solved
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
-   use adfric_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_sphere_variables, only: s_units => v_units, s_lambda => v_lambda, s_load => v_load, s_theory => v_theory, &
+   use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
+   use adfric_round_sphere_variables, only: s_units => v_units, s_lambda => v_lambda, s_load => v_load, s_theory => v_theory, &
       s_tolerance => v_relative_tolerance, s_events => v_events, s_strength => v_shear_strength, s_poisson => v_poisson_ratio, &
       s_edge => v_edge_fraction, s_interaction => v_interaction, s_energy => v_slip_energy_ratio, &
       s_force => v_tangential_force, units_reduced, &
       n_sphere_variables
    use adfric_system_clock, only: wall_clock
-   use adfric_wavy_model, only: wavy_model_t, new_wavy_model
-   use adfric_wavy_variables
+   use adfric_foundation_model, only: wavy_model_t, new_wavy_model
+   use adfric_foundation_variables
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use taken_profiles, only: taken_profiles_t
    use trial_surfaces, only: wave

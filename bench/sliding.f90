@@ -13,8 +13,8 @@ program sliding
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t
-   use adfric_classical_sliding_wave_units, only: wave_slide_t, wave_slide_state_t, new_wave_slide
-   use adfric_material_prony, only: prony_t, new_prony
+   use adfric_plane_sliding_wave_units, only: wave_slide_t, wave_slide_state_t, new_wave_slide
+   use adfric_solid_prony, only: prony_t, new_prony
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_sliding_kernel, only: sliding_kernel_t, new_sliding_kernel
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved

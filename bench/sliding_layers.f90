@@ -11,7 +11,7 @@ program sliding_layers
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
-   use adfric_material_prony, only: prony_t, new_prony
+   use adfric_solid_prony, only: prony_t, new_prony
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_layer_kernel, only: layer_kernel_t

@@ -5,12 +5,12 @@
 program sphere
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
-   use adfric_model_status, only: status_solved
-   use adfric_sphere_contact, only: contact_t, find_contact, theory_maugis_dugdale, control_load, control_approach, &
+   use adfric_describe_status, only: status_solved
+   use adfric_round_sphere_contact, only: contact_t, find_contact, theory_maugis_dugdale, control_load, control_approach, &
       control_radius, branch_stable
-   use adfric_sphere_maugis_dugdale, only: maugis_t
-   use adfric_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_sphere_variables
+   use adfric_round_sphere_maugis_dugdale, only: maugis_t
+   use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
+   use adfric_round_sphere_variables
    use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use plain_dugdale, only: solve_plain

@@ -6,9 +6,9 @@ program strip_methods
    use, intrinsic :: iso_c_binding, only: c_funptr
    use adfric_base_kinds, only: dp
    use adfric_system_clock, only: wall_clock
-   use adfric_wavy_balance, only: balance_t, get_balance
-   use adfric_wavy_steady_state, only: find_steady_state
-   use adfric_wavy_strip, only: steady_state_t, regime_saturated
+   use adfric_foundation_balance, only: balance_t, get_balance
+   use adfric_foundation_steady_state, only: find_steady_state
+   use adfric_foundation_strip, only: steady_state_t, regime_saturated
    use gsl_multiroot, only: solver_t, new_solver, free_solver, solve_edges, gsl_set_error_handler_off
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use plain_edges, only: get_residuals

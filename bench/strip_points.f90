@@ -10,8 +10,8 @@
 program strip_points
    use adfric_base_kinds, only: dp
    use adfric_system_clock, only: wall_clock
-   use adfric_wavy_steady_state, only: find_steady_state
-   use adfric_wavy_strip, only: steady_state_t, regime_saturated
+   use adfric_foundation_steady_state, only: find_steady_state
+   use adfric_foundation_strip, only: steady_state_t, regime_saturated
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    use strip_cases, only: case_t, snap, names, elsewhere, from_rest, collect_cases, start_of, error_of_edges
    implicit none (type, external)

@@ -7,17 +7,17 @@ program surface_3d
    use adfric_base_constants, only: two_pi
    use adfric_base_kinds, only: dp, i8
    use adfric_base_unset, only: unset
-   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
    use adfric_numerics_gauss, only: gauss_nodes, gauss_weights
    use adfric_run_blocks, only: block_size_of
    use adfric_system_clock, only: wall_clock
-   use adfric_wavy_foundation, only: new_foundation
-   use adfric_wavy_model, only: wavy_model_t, new_wavy_model
-   use adfric_wavy_steady_state, only: find_steady_state
-   use adfric_wavy_strip, only: strip_t, steady_state_t
-   use adfric_wavy_surface, only: surface_t, totals_t, new_surface_strip, add_strip
-   use adfric_wavy_wave_shape, only: share_at
-   use adfric_wavy_variables
+   use adfric_foundation_foundation, only: new_foundation
+   use adfric_foundation_model, only: wavy_model_t, new_wavy_model
+   use adfric_foundation_steady_state, only: find_steady_state
+   use adfric_foundation_strip, only: strip_t, steady_state_t
+   use adfric_foundation_surface, only: surface_t, totals_t, new_surface_strip, add_strip
+   use adfric_foundation_wave_shape, only: share_at
+   use adfric_foundation_variables
    use measure, only: spread_t, spread_of, print_heading, text_argument, open_table
    implicit none (type, external)
 

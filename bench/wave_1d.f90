@@ -10,7 +10,7 @@ program wave_1d
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t
-   use adfric_classical_westergaard, only: wave_half_width, wave_pressure, wave_penetration
+   use adfric_plane_westergaard, only: wave_half_width, wave_pressure, wave_penetration
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
    use adfric_system_clock, only: wall_clock

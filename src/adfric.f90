@@ -2,21 +2,21 @@
 !> The models that the program knows: the only place that has all their names.
 module adfric
    use adfric_base_error, only: error_t, set_error, input_failure
-   use adfric_classical_hertz_history_model, only: hertz_history_t, new_hertz_history
-   use adfric_classical_hertz_model, only: hertz_model_t, new_hertz_model
-   use adfric_classical_line_load_model, only: line_load_model_t, new_line_load_model
-   use adfric_classical_point_load_model, only: point_load_model_t, new_point_load_model
-   use adfric_classical_punch_model, only: punch_model_t, new_punch_model
-   use adfric_classical_strip_load_model, only: strip_load_model_t, new_strip_load_model
-   use adfric_classical_wave_model, only: wave_model_t, new_wave_model
-   use adfric_indenter_history_model, only: indenter_history_t, new_indenter_history
-   use adfric_indenter_model, only: indenter_model_t, new_indenter_model
-   use adfric_model_model, only: model_t
+   use adfric_plane_hertz_history_model, only: hertz_history_t, new_hertz_history
+   use adfric_plane_hertz_model, only: hertz_model_t, new_hertz_model
+   use adfric_plane_line_load_model, only: line_load_model_t, new_line_load_model
+   use adfric_plane_point_load_model, only: point_load_model_t, new_point_load_model
+   use adfric_plane_punch_model, only: punch_model_t, new_punch_model
+   use adfric_plane_strip_load_model, only: strip_load_model_t, new_strip_load_model
+   use adfric_plane_wave_model, only: wave_model_t, new_wave_model
+   use adfric_round_history_model, only: indenter_history_t, new_indenter_history
+   use adfric_round_model, only: indenter_model_t, new_indenter_model
+   use adfric_describe_model, only: model_t
    use adfric_periodic_sliding_model, only: sliding_model_t, new_sliding_model
    use adfric_periodic_surface_model, only: surface_model_t, new_surface_model
    use adfric_periodic_wave_2d_model, only: wave_2d_model_t, new_wave_2d_model
-   use adfric_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_wavy_model, only: wavy_model_t, new_wavy_model
+   use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
+   use adfric_foundation_model, only: wavy_model_t, new_wavy_model
    implicit none (type, external)
    private
    public :: known_models, new_model

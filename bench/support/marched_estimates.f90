@@ -7,22 +7,22 @@ module marched_estimates
    use adfric_base_constants, only: two_pi
    use adfric_base_error, only: error_t
    use adfric_base_unset, only: is_set, unset
-   use adfric_material_master_curve, only: master_curve_fit_t
-   use adfric_material_prony, only: prony_t
-   use adfric_model_status, only: status_solved
+   use adfric_solid_master_curve, only: master_curve_fit_t
+   use adfric_solid_prony, only: prony_t
+   use adfric_describe_status, only: status_solved
    use adfric_shape_height_line, only: height_line_t, new_sampled_line, linear_pieces, cubic_pieces
-   use adfric_wavy_case, only: kind_cosines, kind_map, kind_profile
-   use adfric_wavy_given_surface, only: given_surface_t
-   use adfric_wavy_march_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load, march_solved
-   use adfric_wavy_march_law, only: new_march_law
-   use adfric_wavy_march_relief, only: relief_t
-   use adfric_wavy_march_solid, only: solid_t, new_solid
-   use adfric_wavy_march_way, only: new_way
-   use adfric_wavy_marched_case, only: marched_case_t, get_relief, get_spectrum, resolve_marched
-   use adfric_wavy_marched_points, only: solve_marched_block
-   use adfric_wavy_model, only: wavy_model_t, new_wavy_model
-   use adfric_wavy_surface, only: negligible, share_of_scale
-   use adfric_wavy_variables
+   use adfric_foundation_case, only: kind_cosines, kind_map, kind_profile
+   use adfric_foundation_given_surface, only: given_surface_t
+   use adfric_foundation_stepping_equilibrium, only: march_surface_t, march_equilibrium_t, find_at_penetration, find_at_load, march_solved
+   use adfric_foundation_stepping_law, only: new_march_law
+   use adfric_foundation_stepping_relief, only: relief_t
+   use adfric_foundation_stepping_solid, only: solid_t, new_solid
+   use adfric_foundation_stepping_path, only: new_way
+   use adfric_foundation_stepped_case, only: marched_case_t, get_relief, get_spectrum, resolve_marched
+   use adfric_foundation_stepped_points, only: solve_marched_block
+   use adfric_foundation_model, only: wavy_model_t, new_wavy_model
+   use adfric_foundation_surface, only: negligible, share_of_scale
+   use adfric_foundation_variables
    use estimate_counts, only: counts_t, count_case
    use march_cases, only: march_case_t
    use march_judge, only: draw_case

@@ -3,7 +3,7 @@
 module periodic_estimates
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
-   use adfric_classical_westergaard, only: wave_half_width
+   use adfric_plane_westergaard, only: wave_half_width
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_solver, only: periodic_solver_t, periodic_solution_t, new_periodic_solver, contact_solved
    use estimate_counts, only: counts_t, count_case

@@ -1,12 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The edge equations of a strip as one first writes them down: unknown phases of the edges, one condition
-!> at the end of each zone. For comparison only; the solver's own form is in `adfric_wavy_edges`.
+!> at the end of each zone. For comparison only; the solver's own form is in `adfric_foundation_edges`.
 module plain_edges
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
-   use adfric_wavy_edges, only: is_admissible, is_admissible_adhesion
-   use adfric_wavy_steady_state, only: get_range_margin
-   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_discrete, regime_saturated_adhesion, &
+   use adfric_foundation_edges, only: is_admissible, is_admissible_adhesion
+   use adfric_foundation_steady_state, only: get_range_margin
+   use adfric_foundation_strip, only: strip_t, steady_state_t, regime_discrete, regime_saturated_adhesion, &
       regime_adhesion_zones, regime_adhesion_only, drive
    implicit none (type, external)
    private

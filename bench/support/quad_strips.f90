@@ -4,8 +4,8 @@
 module quad_strips
    use, intrinsic :: iso_fortran_env, only: qp => real128
    use adfric_base_kinds, only: dp
-   use adfric_wavy_adhesion, only: edge_instantaneous
-   use adfric_wavy_strip, only: steady_state_t, regime_free, regime_adhesion_only, regime_adhesion_zones, &
+   use adfric_foundation_adhesion, only: edge_instantaneous
+   use adfric_foundation_strip, only: steady_state_t, regime_free, regime_adhesion_only, regime_adhesion_zones, &
       regime_saturated_adhesion, regime_saturated
    use trial_strips, only: trial_t
    implicit none (type, external)

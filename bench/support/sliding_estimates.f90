@@ -3,9 +3,9 @@
 module sliding_estimates
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
-   use adfric_classical_sliding_wave_units, only: wave_slide_t, wave_slide_state_t, new_wave_slide
-   use adfric_material_prony, only: prony_t, new_prony
-   use adfric_model_status, only: status_solved
+   use adfric_plane_sliding_wave_units, only: wave_slide_t, wave_slide_state_t, new_wave_slide
+   use adfric_solid_prony, only: prony_t, new_prony
+   use adfric_describe_status, only: status_solved
    use estimate_counts, only: counts_t, count_case
    use periodic_sliding_cases, only: new_wave_case, new_heights_case, give_arms, kind_1d, kind_2d
    use random_dice, only: dice_t, new_dice

@@ -3,8 +3,8 @@
 module sphere_limits
    use, intrinsic :: iso_fortran_env, only: output_unit
    use adfric_base_kinds, only: dp
-   use adfric_sphere_contact, only: theory_jkr, theory_dmt
-   use adfric_sphere_theory_bounds, only: limit_t, new_limit
+   use adfric_round_sphere_contact, only: theory_jkr, theory_dmt
+   use adfric_round_sphere_theory_bounds, only: limit_t, new_limit
    use measure, only: spread_t, spread_of, open_table
    use quad_dugdale, only: qp, state_t, of_radius, least_value
    use sphere_timing, only: logarithmic

@@ -2,12 +2,12 @@
 !> Contacts of a sphere with their answers in quadruple precision, for other programs to be compared with.
 module sphere_points
    use adfric_base_kinds, only: dp
-   use adfric_sphere_contact, only: contact_t, control_load, control_approach, control_radius, branch_stable, find_contact, &
+   use adfric_round_sphere_contact, only: contact_t, control_load, control_approach, control_radius, branch_stable, find_contact, &
       theory_jkr, theory_dmt
-   use adfric_sphere_dmt, only: dmt_t
-   use adfric_sphere_jkr, only: jkr_t
-   use adfric_sphere_maugis_dugdale, only: maugis_t
-   use adfric_sphere_theory_bounds, only: limit_t, new_limit
+   use adfric_round_sphere_dmt, only: dmt_t
+   use adfric_round_sphere_jkr, only: jkr_t
+   use adfric_round_sphere_maugis_dugdale, only: maugis_t
+   use adfric_round_sphere_theory_bounds, only: limit_t, new_limit
    use adfric_system_clock, only: wall_clock
    use measure, only: spread_t, spread_of, open_table
    use plain_dugdale, only: solve_plain

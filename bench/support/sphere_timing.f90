@@ -2,8 +2,8 @@
 !> Times of contacts of a sphere by Maugis's theory, and the numbers that are held.
 module sphere_timing
    use adfric_base_kinds, only: dp
-   use adfric_sphere_contact, only: contact_t, branch_stable, find_contact
-   use adfric_sphere_maugis_dugdale, only: maugis_t
+   use adfric_round_sphere_contact, only: contact_t, branch_stable, find_contact
+   use adfric_round_sphere_maugis_dugdale, only: maugis_t
    use adfric_system_clock, only: wall_clock
    use random_dice, only: dice_t, new_dice
    implicit none (type, external)

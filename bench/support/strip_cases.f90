@@ -2,9 +2,9 @@
 !> Random strips of each regime with their answers, and what another method's answer is worth.
 module strip_cases
    use adfric_base_kinds, only: dp
-   use adfric_wavy_balance, only: balance_t, get_balance
-   use adfric_wavy_steady_state, only: find_steady_state
-   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_adhesion_only, regime_adhesion_zones, regime_saturated
+   use adfric_foundation_balance, only: balance_t, get_balance
+   use adfric_foundation_steady_state, only: find_steady_state
+   use adfric_foundation_strip, only: strip_t, steady_state_t, regime_adhesion_only, regime_adhesion_zones, regime_saturated
    use plain_edges, only: edges_t, new_edges, edges_of, elastic_edges, state_of_edges, is_possible
    use random_dice, only: dice_t, new_dice
    use trial_strips, only: trial_t, draw_trial, make_strip

@@ -4,8 +4,8 @@
 module time_march
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
-   use adfric_wavy_column, only: get_column
-   use adfric_wavy_strip, only: strip_t, steady_state_t, regime_free
+   use adfric_foundation_column, only: get_column
+   use adfric_foundation_strip, only: strip_t, steady_state_t, regime_free
    implicit none (type, external)
    private
    public :: march_forces

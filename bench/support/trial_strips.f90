@@ -2,10 +2,10 @@
 !> Random strips over the whole range of parameters, the same for the same seed.
 module trial_strips
    use adfric_base_kinds, only: dp
-   use adfric_wavy_foundation, only: foundation_t, new_foundation
-   use adfric_wavy_steady_state, only: branch_adhered, branch_approach
-   use adfric_wavy_adhesion, only: adhesion_t, edge_continuous, edge_instantaneous
-   use adfric_wavy_strip, only: strip_t, new_strip
+   use adfric_foundation_foundation, only: foundation_t, new_foundation
+   use adfric_foundation_steady_state, only: branch_adhered, branch_approach
+   use adfric_foundation_adhesion, only: adhesion_t, edge_continuous, edge_instantaneous
+   use adfric_foundation_strip, only: strip_t, new_strip
    use random_dice, only: dice_t
    implicit none (type, external)
    private

@@ -25,8 +25,8 @@ module adfric_api
    use adfric_base_text, only: name_length
    use adfric_base_words, only: count_words, get_word
    use adfric_input_text_table, only: data_table_t => text_table_t, new_data_table => new_table_of_numbers
-   use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_solved
-   use adfric_model_table, only: profile_axis_t
+   use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
+   use adfric_describe_table, only: profile_axis_t
    use adfric_run_progress, only: progress_t
    implicit none (type, external)
    private

@@ -6,8 +6,8 @@ module adfric_api_numbers
    use adfric_base_kinds, only: dp
    use adfric_base_text, only: to_lower
    use adfric_base_words, only: count_words
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: extra_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: extra_t
    use adfric_run_memory_sink, only: memory_sink_t
    implicit none (type, external)
    private

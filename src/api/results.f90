@@ -10,8 +10,8 @@ module adfric_api_results
    use adfric_input_case, only: case_t
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_vocabulary, only: full_name
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: extra_t, kind_choice, profile_t, profile_axis_t, result_t, results_of_every_run
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: extra_t, kind_choice, profile_t, profile_axis_t, result_t, results_of_every_run
    use adfric_run_memory_sink, only: memory_sink_t
    implicit none (type, external)
    private

@@ -16,8 +16,8 @@ module adfric_api_state
    use adfric_input_run, only: read_case, read_job, read_job_of_text, run_input_t, say_unknown_model
    use adfric_input_scene, only: make_model
    use adfric_input_sweep_size, only: find_size_problem
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_dataset
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: kind_dataset
    use adfric_run_dataset, only: dataset_t
    use adfric_run_memory_sink, only: memory_sink_t
    use adfric_run_run, only: new_run, run_t

@@ -13,8 +13,8 @@ module adfric_api_values
    use adfric_input_group_columns, only: examine_columns
    use adfric_input_variable, only: check_value, describe_allowed, find_outlier, read_variable
    use adfric_input_vocabulary, only: find_variable, full_name, is_number
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_dataset, variable_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: kind_dataset, variable_t
    use adfric_run_dataset, only: dataset_t
    implicit none (type, external)
    private

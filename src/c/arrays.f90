@@ -9,7 +9,7 @@ module adfric_c_arrays
    use adfric_c_coordinates, only: coordinates_t, new_coordinates
    use adfric_c_texts, only: keep_text, too_little_memory
    use adfric_hdf5_datasets, only: to_state
-   use adfric_model_table, only: extra_t
+   use adfric_describe_table, only: extra_t
    use adfric_output_constants, only: add_derived_constants, constant_t, file_unit
    use adfric_output_layout, only: field_t, layout_t, new_layout, number_places, scale_t
    use adfric_run_memory_sink, only: memory_sink_t

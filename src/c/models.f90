@@ -10,7 +10,7 @@ module adfric_c_models
    use adfric_c_tables, only: model_info_t, new_tables, result_info_t, tables_t, variable_info_t
    use adfric_c_texts, only: keep_text, read_text, refuse_null, status_of, too_little_memory
    use adfric_input_run, only: say_unknown_model
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    implicit none (type, external)
    private
 

@@ -11,8 +11,8 @@ module adfric_c_tables
    use adfric_base_words, only: get_word
    use adfric_c_texts, only: keep_text
    use adfric_input_variable, only: describe_allowed
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: common_results, kind_choice, kind_dataset, kind_integer, kind_logical, kind_real, &
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: common_results, kind_choice, kind_dataset, kind_integer, kind_logical, kind_real, &
       & profile_t, result_t, variable_t
    use adfric_output_constants, only: file_unit
    implicit none (type, external)

@@ -15,13 +15,13 @@ module adfric_command_check
    use adfric_fit_stack_model, only: stack_model_t
    use adfric_input_fit, only: fit_input_t
    use adfric_input_run, only: run_input_t
-   use adfric_model_model, only: derived_t, model_t
-   use adfric_model_table, only: kind_dataset
-   use adfric_model_vocabulary, only: list_groups
+   use adfric_describe_model, only: derived_t, model_t
+   use adfric_describe_table, only: kind_dataset
+   use adfric_describe_vocabulary, only: list_groups
    use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: axis_t
    use adfric_output_resources, only: file_size_of, show_bytes
-   use adfric_scene_solvers, only: accuracy_of
+   use adfric_describe_scene_solvers, only: accuracy_of
    use adfric_run_time_estimate, only: time_estimate_t, estimate_time
    implicit none (type, external)
    private

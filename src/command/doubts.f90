@@ -6,7 +6,7 @@ module adfric_command_doubts
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_text, only: newline, show_count, show_number
    use adfric_base_words, only: get_word
-   use adfric_model_doubt, only: doubt_limits, doubt_meanings, n_doubts, not_measured, quantity_of
+   use adfric_describe_doubt, only: doubt_limits, doubt_meanings, n_doubts, not_measured, quantity_of
    use adfric_run_run, only: run_t
    use adfric_run_time_estimate, only: time_estimate_t
    implicit none (type, external)

@@ -8,7 +8,7 @@ module adfric_command_fit_doubts
    use adfric_command_rounding, only: show_to_digits
    use adfric_fit_problem, only: fit_t, nuisance_tilt
    use adfric_fit_solution, only: solution_t, fit_solved
-   use adfric_model_doubt, only: doubt_limits, n_doubts, quantity_of
+   use adfric_describe_doubt, only: doubt_limits, n_doubts, quantity_of
    implicit none (type, external)
    private
    public :: describe_fit_doubts

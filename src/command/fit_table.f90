@@ -10,7 +10,7 @@ module adfric_command_fit_table
    use adfric_command_rounding, only: show_to_digits, show_to_error
    use adfric_fit_problem, only: fit_t
    use adfric_fit_solution, only: solution_t, fit_solved, fit_too_few_points, fit_not_identifiable
-   use adfric_model_table, only: result_t
+   use adfric_describe_table, only: result_t
    implicit none (type, external)
    private
    public :: new_fit_table

@@ -16,7 +16,7 @@ module adfric_command_help
    use adfric_input_fit_rows, only: fit_groups, get_fit_rows, list_fit_names
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_vocabulary, only: common_groups, list_common_names
-   use adfric_model_table, only: variable_t
+   use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
    public :: give_help

@@ -6,8 +6,8 @@ module adfric_command_help_lists
    use adfric_command_help_entries, only: entries_t
    use adfric_input_fit_rows, only: fit_groups, get_fit_rows
    use adfric_input_vocabulary, only: common_groups
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: result_t, common_results, variable_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: result_t, common_results, variable_t
    implicit none (type, external)
    private
    public :: model_box_t, list_topics, show_list

@@ -6,11 +6,11 @@ module adfric_command_help_names
    use adfric_base_text, only: newline
    use adfric_command_values, only: show_input_value
    use adfric_input_variable, only: describe_allowed
-   use adfric_model_doubt, only: doubt_meanings, doubt_name, explain_doubt
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: explain_status, status_meanings
-   use adfric_model_table, only: variable_t, result_t, common_results, kind_choice
-   use adfric_model_vocabulary, only: list_groups, list_variables
+   use adfric_describe_doubt, only: doubt_meanings, doubt_name, explain_doubt
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: explain_status, status_meanings
+   use adfric_describe_table, only: variable_t, result_t, common_results, kind_choice
+   use adfric_describe_vocabulary, only: list_groups, list_variables
    implicit none (type, external)
    private
    public :: describe_model, describe_outputs, describe_name, describe_common, describe_variables, list_names, list_words

@@ -4,10 +4,10 @@ module adfric_command_help_scenes
    use adfric_base_text, only: newline
    use adfric_base_words, only: count_words, get_word, has_word, pad
    use adfric_command_help_lists, only: model_box_t
-   use adfric_model_table, only: variable_t
-   use adfric_model_vocabulary, only: order_of_scenes
-   use adfric_scene_names, only: likely_name_of, likely_result_of, meaning_of, rename_words
-   use adfric_scene_solvers, only: accuracy_of_scene, known_extents, known_surfaces, known_tractions, word_length
+   use adfric_describe_table, only: variable_t
+   use adfric_describe_vocabulary, only: order_of_scenes
+   use adfric_describe_scene_names, only: likely_name_of, likely_result_of, meaning_of, rename_words
+   use adfric_describe_scene_solvers, only: accuracy_of_scene, known_extents, known_surfaces, known_tractions, word_length
    implicit none (type, external)
    private
    public :: describe_scenes, list_scene_names

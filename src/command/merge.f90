@@ -7,8 +7,8 @@ module adfric_command_merge
    use adfric_base_text, only: newline
    use adfric_command_line, only: command_t
    use adfric_command_outcome, only: outcome_t, exit_not_converged
-   use adfric_model_doubt, only: n_doubts
-   use adfric_model_status, only: status_not_converged, status_not_identifiable, n_status
+   use adfric_describe_doubt, only: n_doubts
+   use adfric_describe_status, only: status_not_converged, status_not_identifiable, n_status
    use adfric_output_heading, only: heading_t
    use adfric_output_layout, only: layout_t
    use adfric_output_merging, only: write_merged

@@ -5,8 +5,8 @@ module adfric_command_plausibility
    use adfric_base_unset, only: is_set
    use adfric_base_text, only: newline, show_number
    use adfric_input_run, only: run_input_t
-   use adfric_model_plausible_range, only: find_plausible_range, is_plausible
-   use adfric_model_table, only: kind_dataset
+   use adfric_describe_plausible_range, only: find_plausible_range, is_plausible
+   use adfric_describe_table, only: kind_dataset
    implicit none (type, external)
    private
    public :: warn_of_values

@@ -14,7 +14,7 @@ module adfric_command_run
    use adfric_fit_stack_model, only: stack_model_t
    use adfric_input_fit, only: fit_input_t
    use adfric_input_run, only: run_input_t
-   use adfric_model_status, only: status_not_converged, status_not_identifiable
+   use adfric_describe_status, only: status_not_converged, status_not_identifiable
    use adfric_output_done_points, only: read_done_points
    use adfric_output_layout, only: layout_t, new_layout
    use adfric_output_names, only: check_output_name, check_partial_name, partial_name, part_name, would_replace

@@ -5,7 +5,7 @@ module adfric_command_values
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: get_word
    use adfric_base_text, only: show_number
-   use adfric_model_table, only: variable_t, kind_logical, kind_choice
+   use adfric_describe_table, only: variable_t, kind_logical, kind_choice
    implicit none (type, external)
    private
    public :: show_input_value

@@ -7,7 +7,7 @@ module adfric_contact_arguments
    private
    public :: lies_between, status_bad_argument, largest_ratio
 
-   !> A status beside those of `adfric_model_status`: an argument is NaN or not allowed, and nothing was solved.
+   !> A status beside those of `adfric_describe_status`: an argument is NaN or not allowed, and nothing was solved.
    integer, parameter :: status_bad_argument = -2
    !> A reduced number above this, or positive and below its inverse, comes from a slip in the units.
    real(dp), parameter :: largest_ratio = 1.0e30_dp

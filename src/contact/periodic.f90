@@ -13,7 +13,7 @@ module adfric_contact_periodic
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_contact_arguments, only: largest_ratio, lies_between, status_bad_argument
-   use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_out_of_memory, status_solved
+   use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_out_of_memory, status_solved
    use adfric_periodic_operator, only: is_too_long
    use adfric_periodic_point, only: periodic_goal_t, periodic_memory_t, periodic_surface_t, solve_periodic
    use adfric_periodic_slip, only: periodic_slip_t

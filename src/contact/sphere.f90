@@ -12,12 +12,12 @@ module adfric_contact_sphere
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_contact_arguments, only: largest_ratio, lies_between, status_bad_argument
-   use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_solved
-   use adfric_sphere_contact, only: branch_stable, branch_unstable, contact_t, control_approach, control_load, control_radius, &
+   use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
+   use adfric_round_sphere_contact, only: branch_stable, branch_unstable, contact_t, control_approach, control_load, control_radius, &
       & find_contact, part_bodies, theory_maugis_dugdale
-   use adfric_sphere_maugis_dugdale, only: maugis_t
-   use adfric_sphere_theory_choice, only: get_mismatch
-   use adfric_sphere_units, only: get_sphere_units
+   use adfric_round_sphere_maugis_dugdale, only: maugis_t
+   use adfric_round_sphere_theory_choice, only: get_mismatch
+   use adfric_round_sphere_units, only: get_sphere_units
    implicit none (type, external)
    private
    public :: solve_sphere_load, solve_sphere_approach, solve_sphere_radius, find_sphere_pull_off, get_sphere_units

@@ -14,14 +14,14 @@ module adfric_contact_strip
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_contact_arguments, only: largest_ratio, lies_between, status_bad_argument
-   use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_solved
-   use adfric_wavy_crosswise, only: memory_t
-   use adfric_wavy_equilibrium, only: equilibrium_t, neighbour_t, solve_load, solve_penetration
-   use adfric_wavy_foundation, only: new_foundation
-   use adfric_wavy_steady_state, only: branch_adhered, branch_approach
-   use adfric_wavy_adhesion, only: edge_continuous, edge_instantaneous
-   use adfric_wavy_strip, only: regime_adhesion_only, regime_free
-   use adfric_wavy_surface, only: surface_t
+   use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_solved
+   use adfric_foundation_crosswise, only: memory_t
+   use adfric_foundation_equilibrium, only: equilibrium_t, neighbour_t, solve_load, solve_penetration
+   use adfric_foundation_foundation, only: new_foundation
+   use adfric_foundation_steady_state, only: branch_adhered, branch_approach
+   use adfric_foundation_adhesion, only: edge_continuous, edge_instantaneous
+   use adfric_foundation_strip, only: regime_adhesion_only, regime_free
+   use adfric_foundation_surface, only: surface_t
    implicit none (type, external)
    private
    public :: solve_strip_load, solve_strip_penetration

@@ -6,7 +6,7 @@ module adfric_fit_data_extras
    use adfric_fit_names, only: suffix_of
    use adfric_fit_problem, only: fit_t, data_set_t
    use adfric_fit_solution, only: solution_t, data_solution_t
-   use adfric_model_table, only: result_t
+   use adfric_describe_table, only: result_t
    implicit none (type, external)
    private
    public :: get_data_extras

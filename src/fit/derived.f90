@@ -9,7 +9,7 @@ module adfric_fit_derived
    use adfric_fit_path, only: path_t, set_path
    use adfric_fit_sphere_basis, only: of_radius, of_modulus, of_work, of_lambda
    use adfric_fit_solution, only: solution_t, derived_value_t
-   use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale
+   use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
    implicit none (type, external)
    private
    public :: find_derived

@@ -8,10 +8,10 @@ module adfric_fit_doubt
    use adfric_fit_objective, only: objective_t
    use adfric_fit_sphere_curve, only: sphere_curve_t
    use adfric_fit_state, only: state_t, get_state
-   use adfric_model_doubt, only: doubt_estimate_above_tenth, n_doubts, not_measured, raise_measures
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: status_solved
-   use adfric_sphere_variables, only: r_contact_radius
+   use adfric_describe_doubt, only: doubt_estimate_above_tenth, n_doubts, not_measured, raise_measures
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: status_solved
+   use adfric_round_sphere_variables, only: r_contact_radius
    implicit none (type, external)
    private
    public :: measure_fit

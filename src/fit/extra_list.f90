@@ -3,7 +3,7 @@
 module adfric_fit_extra_list
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: count_words, get_word
-   use adfric_model_table, only: extra_t
+   use adfric_describe_table, only: extra_t
    implicit none (type, external)
    private
    public :: extra_list_t

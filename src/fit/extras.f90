@@ -10,7 +10,7 @@ module adfric_fit_extras
    use adfric_fit_names, only: list_free_names
    use adfric_fit_problem, only: fit_t, event_names
    use adfric_fit_solution, only: solution_t, fit_solved
-   use adfric_model_table, only: extra_t
+   use adfric_describe_table, only: extra_t
    implicit none (type, external)
    private
    public :: get_solution_extras

@@ -15,8 +15,8 @@ module adfric_fit_fold
    use adfric_fit_order, only: order_of
    use adfric_fit_path, only: path_t
    use adfric_fit_sphere_curve, only: sphere_curve_t, take_values
-   use adfric_sphere_contact, only: theory_hertz, theory_dmt
-   use adfric_sphere_variables, only: r_load, r_approach, r_contact_radius, r_contact_area, r_adhesion_radius, r_friction_radius
+   use adfric_round_sphere_contact, only: theory_hertz, theory_dmt
+   use adfric_round_sphere_variables, only: r_load, r_approach, r_contact_radius, r_contact_area, r_adhesion_radius, r_friction_radius
    implicit none (type, external)
    private
    public :: curve_fold_t, choose_fold, new_curve_fold, find_fold, fold_slopes, fold_slope, last_slopes, spread_below

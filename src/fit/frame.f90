@@ -8,7 +8,7 @@ module adfric_fit_frame
    use adfric_fit_problem, only: free_t, n_nuisances, nuisance_load_offset, nuisance_friction_offset, nuisance_contact_point, &
       & nuisance_lateral_gain, nuisance_spring_stiffness, nuisance_tilt
    use adfric_fit_sphere_basis, only: basis_t, of_radius, of_modulus, of_work, of_lambda, of_edge
-   use adfric_sphere_variables, only: r_load
+   use adfric_round_sphere_variables, only: r_load
    implicit none (type, external)
    private
    public :: frame_t, new_frame, set_frame

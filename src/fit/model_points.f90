@@ -10,9 +10,9 @@ module adfric_fit_model_points
    use adfric_fit_path, only: path_t, set_path
    use adfric_fit_problem, only: free_t
    use adfric_fit_sphere_basis, only: basis_t, set_basis
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: status_solved
-   use adfric_sphere_contact, only: theory_hertz
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: status_solved
+   use adfric_round_sphere_contact, only: theory_hertz
    implicit none (type, external)
    private
    public :: model_points_t, new_model_points, fold_t, is_beyond_fold

@@ -6,7 +6,7 @@ module adfric_fit_names
    use adfric_base_unset, only: is_set
    use adfric_base_kinds, only: dp
    use adfric_fit_problem, only: fit_t, nuisance_names
-   use adfric_model_derived, only: add_derived, derived_t
+   use adfric_describe_derived, only: add_derived, derived_t
    implicit none (type, external)
    private
    public :: list_free_names, list_extra_names, suffix_of, find_derived_rows

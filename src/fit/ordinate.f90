@@ -5,7 +5,7 @@ module adfric_fit_ordinate
    use adfric_base_constants, only: pi
    use adfric_fit_sphere_basis, only: basis_t, of_radius, of_modulus, of_work, of_strength
    use adfric_fit_state, only: state_t
-   use adfric_sphere_variables, only: r_load, r_approach, r_contact_radius, r_adhesion_radius, r_friction_radius, r_contact_area, &
+   use adfric_round_sphere_variables, only: r_load, r_approach, r_contact_radius, r_adhesion_radius, r_friction_radius, r_contact_area, &
       & r_friction_area, r_friction_force
    implicit none (type, external)
    private

@@ -5,7 +5,7 @@
 !> path phi rises from the fold to infinity, so that each phi above that of the fold belongs to one state. The place t of
 !> `adfric_fit_state` falls outward in Maugis-Dugdale, and rises in the other theories (`side`).
 !>
-!> Fold of the load: P_t = 0 has one root (`adfric_sphere_maugis_dugdale`). Fold of the base: phi_t = delta_t + ks P_t is negative at the
+!> Fold of the load: P_t = 0 has one root (`adfric_round_sphere_maugis_dugdale`). Fold of the base: phi_t = delta_t + ks P_t is negative at the
 !> fold of the load, where delta_t < 0, and positive where delta_t = 0, beyond which P_t > 0. So the root lies between the two, or the path goes
 !> through th = pi/2 to states without intimate contact, whose phi is a parabola in c. A measured point in contact belongs to a state with
 !> intimate contact: its path ends at th = pi/2 (`ends_at_touch`). The pull-off of a base is the end of all states.
@@ -13,9 +13,9 @@ module adfric_fit_path
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_powers, only: cube_root
-   use adfric_sphere_contact, only: contact_t, theory_hertz, theory_jkr, theory_maugis_dugdale, control_load
-   use adfric_sphere_dugdale_curve, only: guess_place, get_disc_radius
-   use adfric_sphere_maugis_dugdale, only: maugis_t
+   use adfric_round_sphere_contact, only: contact_t, theory_hertz, theory_jkr, theory_maugis_dugdale, control_load
+   use adfric_round_sphere_dugdale_curve, only: guess_place, get_disc_radius
+   use adfric_round_sphere_maugis_dugdale, only: maugis_t
    use adfric_fit_state, only: state_t, get_state, add_derivatives
    implicit none (type, external)
    private

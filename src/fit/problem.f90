@@ -14,7 +14,7 @@
 module adfric_fit_problem
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    implicit none (type, external)
    private
    public :: free_t, data_set_t, event_t, fit_t, get_nuisance_defaults

@@ -7,10 +7,10 @@ module adfric_fit_result_rows
    use adfric_fit_names, only: list_free_names, find_derived_rows
    use adfric_fit_problem, only: fit_t
    use adfric_fit_solution, only: solution_t, fit_solved, fit_not_identifiable
-   use adfric_model_doubt, only: find_doubt
-   use adfric_model_model, only: derived_t
-   use adfric_model_rows, only: result_row
-   use adfric_model_table, only: doubt_row, result_t
+   use adfric_describe_doubt, only: find_doubt
+   use adfric_describe_model, only: derived_t
+   use adfric_describe_rows, only: result_row
+   use adfric_describe_table, only: doubt_row, result_t
    implicit none (type, external)
    private
    public :: get_result_rows, get_result_values

@@ -8,7 +8,7 @@ module adfric_fit_scales
       & nuisance_contact_point, nuisance_spring_stiffness, nuisance_tilt
    use adfric_fit_sphere_curve, only: is_sphere_curve
    use adfric_numerics_bounded_least_squares, only: most_variables
-   use adfric_sphere_variables, only: v_load
+   use adfric_round_sphere_variables, only: v_load
    implicit none (type, external)
    private
    public :: scales_t, set_scales, find_refusal, least_lambda, largest_lambda

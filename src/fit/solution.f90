@@ -2,7 +2,7 @@
 !> What a fit has found.
 module adfric_fit_solution
    use adfric_base_kinds, only: dp
-   use adfric_model_doubt, only: n_doubts, not_measured
+   use adfric_describe_doubt, only: n_doubts, not_measured
    implicit none (type, external)
    private
    public :: solution_t, data_solution_t, profile_grid_t, derived_value_t, theory_solution_t

@@ -19,7 +19,7 @@ module adfric_fit_solve
    use adfric_fit_solution, only: solution_t, fit_solved, fit_not_identifiable
    use adfric_fit_starts, only: get_start, lambda_free
    use adfric_fit_theories, only: make_theory, theory_name
-   use adfric_model_doubt, only: not_measured
+   use adfric_describe_doubt, only: not_measured
    implicit none (type, external)
    private
    public :: solve_fit, find_start

@@ -9,10 +9,10 @@ module adfric_fit_sphere_basis
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_fit_problem, only: free_t
-   use adfric_material_contact_modulus, only: contact_modulus_of
-   use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale
-   use adfric_sphere_units, only: get_sphere_units
-   use adfric_sphere_variables, only: v_radius, v_contact_modulus, v_second_poisson_ratio, v_work_of_adhesion, v_adhesion_stress, &
+   use adfric_solid_contact_modulus, only: contact_modulus_of
+   use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
+   use adfric_round_sphere_units, only: get_sphere_units
+   use adfric_round_sphere_variables, only: v_radius, v_contact_modulus, v_second_poisson_ratio, v_work_of_adhesion, v_adhesion_stress, &
       & v_adhesion_range, v_lambda, v_shear_strength, v_edge_fraction, v_theory
    implicit none (type, external)
    private

@@ -25,8 +25,8 @@ module adfric_fit_sphere_curve
    use adfric_fit_problem, only: free_t, fit_t, data_set_t, event_pull_off_load, event_jump_in_approach, nuisance_load_offset
    use adfric_fit_sphere_basis, only: basis_t, set_basis, of_radius, of_work, of_lambda
    use adfric_fit_state, only: state_t, add_derivatives
-   use adfric_sphere_contact, only: theory_maugis_dugdale
-   use adfric_sphere_variables, only: v_load, v_approach, v_interaction, v_branch, v_units, v_tangential_force, &
+   use adfric_round_sphere_contact, only: theory_maugis_dugdale
+   use adfric_round_sphere_variables, only: v_load, v_approach, v_interaction, v_branch, v_units, v_tangential_force, &
       & v_tangential_displacement, v_base_displacement, v_lateral_stiffness, v_pressure_factor, r_load, r_friction_force, units_si
    implicit none (type, external)
    private

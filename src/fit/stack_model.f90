@@ -17,9 +17,9 @@ module adfric_fit_stack_model
    use adfric_fit_result_rows, only: get_result_rows, get_result_values
    use adfric_fit_solution, only: solution_t, fit_solved, fit_not_converged, fit_status_meanings
    use adfric_fit_solve, only: solve_fit
-   use adfric_model_model, only: model_t, derived_t
-   use adfric_model_rows, only: dataset, whole_number
-   use adfric_model_table, only: extra_t, profile_axis_t
+   use adfric_describe_model, only: model_t, derived_t
+   use adfric_describe_rows, only: dataset, whole_number
+   use adfric_describe_table, only: extra_t, profile_axis_t
    implicit none (type, external)
    private
    public :: stack_model_t, new_stack_model

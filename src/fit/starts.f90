@@ -17,11 +17,11 @@ module adfric_fit_starts
       & nuisance_friction_offset, nuisance_contact_point, nuisance_lateral_gain, nuisance_spring_stiffness
    use adfric_fit_sphere_basis, only: theory_of
    use adfric_fit_path, only: path_t, set_path
-   use adfric_material_contact_modulus, only: contact_modulus_of
+   use adfric_solid_contact_modulus, only: contact_modulus_of
    use adfric_numerics_bounded_least_squares, only: squares_work_t
-   use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale
-   use adfric_sphere_units, only: get_sphere_units
-   use adfric_sphere_variables, only: v_radius, v_contact_modulus, v_second_poisson_ratio, v_work_of_adhesion, v_adhesion_stress, &
+   use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
+   use adfric_round_sphere_units, only: get_sphere_units
+   use adfric_round_sphere_variables, only: v_radius, v_contact_modulus, v_second_poisson_ratio, v_work_of_adhesion, v_adhesion_stress, &
       & v_adhesion_range, v_lambda, v_shear_strength, v_edge_fraction, v_load, r_contact_area, r_friction_area, r_friction_force, &
       & r_load
    implicit none (type, external)

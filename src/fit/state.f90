@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> States of a smooth sphere along the curve of its theory, with the derivatives that a fit needs.
 !>
-!> Reduced variables as in `adfric_sphere_contact`. A state has a place t on its curve, and each theory its own t:
+!> Reduced variables as in `adfric_round_sphere_contact`. A state has a place t on its curve, and each theory its own t:
 !>
-!> - Maugis-Dugdale: the angle th of `adfric_sphere_dugdale_curve`, 0 < th <= pi/2, a = c cos th. With
+!> - Maugis-Dugdale: the angle th of `adfric_round_sphere_dugdale_curve`, 0 < th <= pi/2, a = c cos th. With
 !>   A = lambda f/2, B = (4/3) lambda^2 k, the radius c is the root of A c^2 + B c = 1, and its derivatives follow from those of that
 !>   equation: with den = 2 A c + B
 !>       den c_th = -(A_th c^2 + B_th c),   den c_l = -(A_l c^2 + B_l c),
@@ -18,8 +18,8 @@ module adfric_fit_state
    use adfric_base_constants, only: pi, half_pi
    use adfric_numerics_powers, only: cube_root
    use adfric_numerics_trigonometry, only: sinc_minus_cos
-   use adfric_sphere_contact, only: theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale
-   use adfric_sphere_dugdale_curve, only: get_disc_radius
+   use adfric_round_sphere_contact, only: theory_hertz, theory_jkr, theory_dmt, theory_maugis_dugdale
+   use adfric_round_sphere_dugdale_curve, only: get_disc_radius
    implicit none (type, external)
    private
    public :: state_t, get_state, add_derivatives

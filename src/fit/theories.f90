@@ -6,8 +6,8 @@ module adfric_fit_theories
    use adfric_base_unset, only: unset, is_set
    use adfric_fit_problem, only: fit_t
    use adfric_fit_sphere_basis, only: theory_of
-   use adfric_sphere_contact, only: theory_hertz, theory_maugis_dugdale
-   use adfric_sphere_variables, only: v_theory, v_lambda, v_adhesion_stress, v_adhesion_range, v_work_of_adhesion, v_load, r_load
+   use adfric_round_sphere_contact, only: theory_hertz, theory_maugis_dugdale
+   use adfric_round_sphere_variables, only: v_theory, v_lambda, v_adhesion_stress, v_adhesion_range, v_work_of_adhesion, v_load, r_load
    implicit none (type, external)
    private
    public :: make_theory, theory_name

@@ -5,7 +5,7 @@ module adfric_input_attributes
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: count_words, get_word
    use adfric_hdf5_members, only: number_label_t, read_number_labels
-   use adfric_model_table, only: variable_t
+   use adfric_describe_table, only: variable_t
    use adfric_run_dataset, only: dataset_t
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)

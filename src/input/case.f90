@@ -12,9 +12,9 @@ module adfric_input_case
    use adfric_input_variable, only: read_variable, describe_allowed
    use adfric_input_vocabulary, only: common_groups, job_names, list_known_groups, output_names, say_unknown_group, &
       say_unknown_variable
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_dataset, variable_t
-   use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: kind_dataset, variable_t
+   use adfric_describe_vocabulary, only: list_groups, list_variables, list_groups_of
    use adfric_run_dataset, only: dataset_t
    implicit none (type, external)
    private

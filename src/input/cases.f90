@@ -15,7 +15,7 @@ module adfric_input_cases
    use adfric_input_table_name, only: is_table_name
    use adfric_input_text_table, only: text_table_t, open_text_table
    use adfric_input_vocabulary, only: cases_names, list_numbers, report_unknown_names
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: axis_t
    implicit none (type, external)

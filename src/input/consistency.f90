@@ -7,7 +7,7 @@ module adfric_input_consistency
    use adfric_input_case, only: case_t
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_variable, only: show_value
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    use adfric_run_plan, only: axis_t
    implicit none (type, external)
    private

@@ -14,7 +14,7 @@ module adfric_input_dataset
    use adfric_input_table_name, only: find_column_name
    use adfric_input_text_table, only: text_table_t, open_text_table
    use adfric_input_unit_match, only: match_units
-   use adfric_model_table, only: variable_t
+   use adfric_describe_table, only: variable_t
    use adfric_run_dataset, only: dataset_t
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)

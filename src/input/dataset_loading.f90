@@ -9,8 +9,8 @@ module adfric_input_dataset_loading
    use adfric_input_dataset, only: load_dataset
    use adfric_input_group_columns, only: load_columns
    use adfric_input_variable, only: describe_allowed
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: variable_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: variable_t
    use adfric_run_dataset, only: dataset_t
    implicit none (type, external)
    private

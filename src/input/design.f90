@@ -7,7 +7,7 @@ module adfric_input_design
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_sample, only: read_sample
    use adfric_input_sweep, only: join_sweep, read_sweep
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    use adfric_run_plan, only: axis_t
    implicit none (type, external)
    private

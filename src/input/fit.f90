@@ -24,8 +24,8 @@ module adfric_input_fit
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_run, only: run_input_t
    use adfric_input_vocabulary, only: full_name, output_names
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: result_t, variable_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: result_t, variable_t
    use adfric_run_conversion, only: follows_nothing
    use adfric_run_converted_model, only: converted_model_t
    use adfric_run_dataset, only: dataset_t

@@ -11,7 +11,7 @@ module adfric_input_fit_data
    use adfric_input_fit_stack, only: file_of, is_dataset, open_stack_file, path_of, stack_file_t
    use adfric_input_fit_table, only: read_table_columns
    use adfric_input_namelist_file, only: namelist_file_t
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    use adfric_run_dataset, only: dataset_t
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)

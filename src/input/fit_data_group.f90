@@ -12,8 +12,8 @@ module adfric_input_fit_data_group
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_vocabulary, only: find_variable, is_number, list_numbers
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: result_t, variable_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: result_t, variable_t
    use adfric_system_files, only: kind_of_path, path_free
    implicit none (type, external)
    private

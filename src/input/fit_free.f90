@@ -15,9 +15,9 @@ module adfric_input_fit_free
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_variable, only: find_outlier
    use adfric_input_vocabulary, only: find_variable, full_name, list_numbers
-   use adfric_model_model, only: model_t
-   use adfric_model_plausible_range, only: find_plausible_range
-   use adfric_model_table, only: kind_real, variable_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_plausible_range, only: find_plausible_range
+   use adfric_describe_table, only: kind_real, variable_t
    implicit none (type, external)
    private
    public :: read_frees, hold_variable

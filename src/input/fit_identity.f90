@@ -11,7 +11,7 @@ module adfric_input_fit_identity
    use adfric_input_fit_data_group, only: data_group_t
    use adfric_input_fit_values, only: reader_t
    use adfric_input_namelist_file, only: namelist_file_t
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    implicit none (type, external)
    private
    public :: check_identity

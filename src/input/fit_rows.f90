@@ -3,8 +3,8 @@
 module adfric_input_fit_rows
    use adfric_base_kinds, only: dp
    use adfric_fit_problem, only: event_names, interval_names, loss_names
-   use adfric_model_rows, only: above_zero, any_number, choice, whole_number
-   use adfric_model_table, only: variable_t, kind_text
+   use adfric_describe_rows, only: above_zero, any_number, choice, whole_number
+   use adfric_describe_table, only: variable_t, kind_text
    implicit none (type, external)
    private
    public :: get_fit_rows, find_fit_row, list_fit_names, fit_groups, scale_names, curves_names

@@ -12,8 +12,8 @@ module adfric_input_fit_settings
    use adfric_input_fit_values, only: reader_t, new_reader
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: did_you_mean
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: variable_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
    public :: read_events, read_settings

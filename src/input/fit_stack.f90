@@ -16,7 +16,7 @@ module adfric_input_fit_stack
    use adfric_input_fit_points, only: columns_t, set_points
    use adfric_input_fit_table, only: is_wanted
    use adfric_input_unit_match, only: match_units
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    implicit none (type, external)
    private
    public :: stack_file_t, hdf5_stack_t, is_dataset, file_of, path_of, open_stack_file

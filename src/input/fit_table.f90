@@ -8,7 +8,7 @@ module adfric_input_fit_table
    use adfric_input_fit_points, only: columns_t, find_flaw
    use adfric_base_unset, only: is_set
    use adfric_input_text_table, only: text_table_t, open_text_table
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    implicit none (type, external)
    private
    public :: read_table_columns, is_wanted

@@ -12,7 +12,7 @@ module adfric_input_fit_values
    use adfric_input_number_list, only: read_list
    use adfric_input_variable, only: describe_allowed, find_outlier, read_variable
    use adfric_input_vocabulary, only: report_unknown_names
-   use adfric_model_table, only: variable_t
+   use adfric_describe_table, only: variable_t
    implicit none (type, external)
    private
    public :: reader_t, new_reader

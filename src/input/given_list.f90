@@ -6,7 +6,7 @@ module adfric_input_given_list
    use adfric_input_item, only: item_t, next_item
    use adfric_input_number_list, only: read_list
    use adfric_input_variable, only: describe_allowed, find_outlier
-   use adfric_model_table, only: variable_t
+   use adfric_describe_table, only: variable_t
    use adfric_run_dataset, only: dataset_t
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)

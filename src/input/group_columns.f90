@@ -8,7 +8,7 @@ module adfric_input_group_columns
    use adfric_hdf5_members, only: find_members
    use adfric_input_attributes, only: add_attributes
    use adfric_input_dataset, only: examine_values, load_dataset
-   use adfric_model_table, only: variable_t
+   use adfric_describe_table, only: variable_t
    use adfric_run_dataset, only: dataset_t
    use adfric_system_checksum, only: checksum_t
    implicit none (type, external)

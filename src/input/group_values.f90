@@ -11,7 +11,7 @@ module adfric_input_group_values
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_vocabulary, only: find_variable, is_number, list_numbers
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    implicit none (type, external)
    private
    public :: take_number, take_count, take_choice, take_text, take_words, take_variable, look_up_number

@@ -16,11 +16,11 @@ module adfric_input_modern
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_scene, only: find_solver, make_solver, naming
    use adfric_input_vocabulary, only: find_variable
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: variable_t
-   use adfric_model_vocabulary, only: list_groups
-   use adfric_scene_facts, only: find_facts, scene_t
-   use adfric_scene_names, only: likely_name_of, rename_words
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: variable_t
+   use adfric_describe_vocabulary, only: list_groups
+   use adfric_describe_scene_facts, only: find_facts, scene_t
+   use adfric_describe_scene_names, only: likely_name_of, rename_words
    implicit none (type, external)
    private
    public :: write_scene

@@ -7,7 +7,7 @@ module adfric_input_modern_checks
    use adfric_input_literal, only: convert
    use adfric_input_modern_values, only: are_numbers, index_of_assigned, is_converted, names_in_scene, swept_variable
    use adfric_input_namelist_file, only: namelist_file_t
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    use adfric_run_converted_model, only: converted_model_t
    implicit none (type, external)
    private

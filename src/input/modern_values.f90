@@ -9,8 +9,8 @@ module adfric_input_modern_values
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_variable, only: read_variable
    use adfric_input_vocabulary, only: find_variable, full_name
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_choice, variable_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: kind_choice, variable_t
    use adfric_run_converted_model, only: converted_model_t
    implicit none (type, external)
    private

@@ -2,7 +2,7 @@
 !> The unit interval as the range of a variable.
 module adfric_input_range_mapping
    use adfric_base_kinds, only: dp
-   use adfric_model_table, only: variable_t, kind_integer
+   use adfric_describe_table, only: variable_t, kind_integer
    implicit none (type, external)
    private
    public :: range_of_variable_t, map_range

@@ -11,8 +11,8 @@ module adfric_input_refinement
    use adfric_input_suggestion, only: did_you_mean
    use adfric_input_sweep_size, only: say_above_limit
    use adfric_input_vocabulary, only: refine_names, report_unknown_names
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_integer
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: kind_integer
    use adfric_run_plan, only: axis_t
    use adfric_run_refinement, only: refinement_t
    implicit none (type, external)

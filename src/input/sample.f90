@@ -12,7 +12,7 @@ module adfric_input_sample
    use adfric_input_swept_variable, only: break_variable, check_not_twice, put_swept
    use adfric_input_variable, only: find_outlier
    use adfric_input_vocabulary, only: range_names, report_unknown_names, sample_names
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    use adfric_numerics_unit_samples, only: fill_latin_hypercube, fill_random, fill_sobol, most_sobol_dimensions
    use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: axis_t

@@ -11,12 +11,12 @@ module adfric_input_scene
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_run, only: run_input_t
    use adfric_input_vocabulary, only: output_names, say_name_of_model
-   use adfric_model_model, only: model_t
-   use adfric_model_vocabulary, only: list_groups_of, order_of_scenes
+   use adfric_describe_model, only: model_t
+   use adfric_describe_vocabulary, only: list_groups_of, order_of_scenes
    use adfric_run_converted_model, only: convert_model
-   use adfric_scene_facts, only: describe_scene, find_facts, scene_t, words_of
-   use adfric_scene_names, only: rename_tables
-   use adfric_scene_solvers, only: answers, find_nearest, known_extents, known_surfaces, known_tractions, n_scenes, scenes, &
+   use adfric_describe_scene_facts, only: describe_scene, find_facts, scene_t, words_of
+   use adfric_describe_scene_names, only: rename_tables
+   use adfric_describe_scene_solvers, only: answers, find_nearest, known_extents, known_surfaces, known_tractions, n_scenes, scenes, &
       word_length
    implicit none (type, external)
    private

@@ -11,7 +11,7 @@ module adfric_input_sweep
    use adfric_input_sweep_range, only: read_sweep_values
    use adfric_input_variable, only: find_outlier
    use adfric_input_vocabulary, only: sweep_names, full_name, report_unknown_names
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    use adfric_run_dataset, only: dataset_t
    use adfric_run_plan, only: axis_t, new_axis
    implicit none (type, external)

@@ -8,8 +8,8 @@ module adfric_input_swept_variable
    use adfric_input_dataset, only: examine_values
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_variable, only: describe_allowed, find_outlier
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: variable_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: variable_t
    use adfric_run_dataset, only: dataset_t
    implicit none (type, external)
    private

@@ -9,7 +9,7 @@ module adfric_input_variable
    use adfric_input_item, only: take_only_word
    use adfric_input_literal, only: convert
    use adfric_input_suggestion, only: did_you_mean
-   use adfric_model_table, only: variable_t, kind_real, kind_integer, kind_logical, kind_dataset, kind_text
+   use adfric_describe_table, only: variable_t, kind_real, kind_integer, kind_logical, kind_dataset, kind_text
    implicit none (type, external)
    private
    public :: read_variable, check_value, find_outlier, is_in_range, describe_allowed, show_value

@@ -10,9 +10,9 @@ module adfric_input_variation
    use adfric_input_group_values, only: look_up_number, take_choice, take_count, take_number, take_variable, take_words
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_vocabulary, only: output_names, report_unknown_names, uncertain_names
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: kind_integer
-   use adfric_model_vocabulary, only: list_groups
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: kind_integer
+   use adfric_describe_vocabulary, only: list_groups
    use adfric_run_variation, only: uncertainty_t, variation_t
    implicit none (type, external)
    private

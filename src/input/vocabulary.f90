@@ -6,9 +6,9 @@ module adfric_input_vocabulary
    use adfric_base_words, only: count_words, get_word, has_word
    use adfric_input_namelist_file, only: namelist_file_t
    use adfric_input_suggestion, only: find_nearest, did_you_mean
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: variable_t, kind_real, kind_integer
-   use adfric_model_vocabulary, only: list_groups, list_variables, list_groups_of, order_of_scenes
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: variable_t, kind_real, kind_integer
+   use adfric_describe_vocabulary, only: list_groups, list_variables, list_groups_of, order_of_scenes
    implicit none (type, external)
    private
    public :: common_groups, job_names, sweep_names, sample_names, range_names, cases_names, refine_names, &

@@ -9,7 +9,7 @@ module adfric_output_done_points
    use adfric_hdf5_calls, only: hdf5_calls_t
    use adfric_hdf5_file, only: open_file, close_file
    use adfric_hdf5_reading, only: read_attribute
-   use adfric_model_status, only: status_solved
+   use adfric_describe_status, only: status_solved
    use adfric_output_block_sums, only: sum_of_block, sum_of_profiles
    use adfric_output_datasets, only: datasets_t
    use adfric_output_heading, only: heading_t, new_heading, read_heading, say_difference

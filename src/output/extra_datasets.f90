@@ -10,7 +10,7 @@ module adfric_output_extra_datasets
       close_dataset, make_scale, attach_scale, to_state
    use adfric_hdf5_reading, only: open_dataset
    use adfric_hdf5_words, only: create_word_dataset
-   use adfric_model_table, only: extra_t
+   use adfric_describe_table, only: extra_t
    use adfric_output_constants, only: file_unit
    use adfric_output_flags, only: write_flags
    implicit none (type, external)

@@ -3,7 +3,7 @@
 module adfric_output_layout
    use adfric_base_kinds, only: dp, i8
    use adfric_base_words, only: has_word
-   use adfric_model_table, only: extra_t, result_t, profile_t, profile_axis_t, results_of_every_run
+   use adfric_describe_table, only: extra_t, result_t, profile_t, profile_axis_t, results_of_every_run
    use adfric_output_axes, only: scale_t, companion_t, find_axes, find_companions, name_of_swept, name_of_dimension
    use adfric_output_constants, only: constant_t, find_constants, file_unit, list_taken, name_in_file
    use adfric_run_blocks, only: blocks_t

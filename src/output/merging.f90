@@ -6,7 +6,7 @@ module adfric_output_merging
    use adfric_base_error, only: error_t
    use adfric_hdf5_calls, only: hdf5_calls_t
    use adfric_hdf5_file, only: open_file, close_file
-   use adfric_model_status, only: status_solved
+   use adfric_describe_status, only: status_solved
    use adfric_output_datasets, only: datasets_t
    use adfric_output_heading, only: heading_t
    use adfric_output_layout, only: layout_t

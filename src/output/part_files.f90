@@ -8,8 +8,8 @@ module adfric_output_part_files
    use adfric_hdf5_calls, only: hdf5_calls_t
    use adfric_hdf5_file, only: open_file, close_file
    use adfric_hdf5_reading, only: read_attribute
-   use adfric_model_doubt, only: doubt_name, n_doubts
-   use adfric_model_status, only: n_status
+   use adfric_describe_doubt, only: doubt_name, n_doubts
+   use adfric_describe_status, only: n_status
    use adfric_output_datasets, only: datasets_t
    use adfric_output_heading, only: heading_t, read_heading, say_difference
    use adfric_output_layout, only: layout_t

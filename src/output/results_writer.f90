@@ -10,7 +10,7 @@ module adfric_output_results_writer
    use adfric_base_not_a_number, only: not_a_number
    use adfric_hdf5_calls, only: hdf5_calls_t, no_id
    use adfric_hdf5_file, only: open_file, flush_file, close_file
-   use adfric_model_status, only: status_solved
+   use adfric_describe_status, only: status_solved
    use adfric_output_block_sums, only: profile_sums_t, sum_of_block, sum_of_profiles
    use adfric_output_datasets, only: datasets_t
    use adfric_output_file_state, only: is_idle, is_open, is_closed, is_shared, check_state

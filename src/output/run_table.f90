@@ -4,9 +4,9 @@ module adfric_output_run_table
    use adfric_base_kinds, only: dp, i8
    use adfric_base_text, only: show_number
    use adfric_base_words, only: get_word, pad
-   use adfric_model_doubt, only: doubt_limits, doubt_meanings, doubt_name, doubt_none, n_doubts, quantity_of
-   use adfric_model_status, only: status_solved, n_status
-   use adfric_model_table, only: result_t
+   use adfric_describe_doubt, only: doubt_limits, doubt_meanings, doubt_name, doubt_none, n_doubts, quantity_of
+   use adfric_describe_status, only: status_solved, n_status
+   use adfric_describe_table, only: result_t
    use adfric_run_summary, only: run_summary_t
    implicit none (type, external)
    private

@@ -5,18 +5,18 @@ module adfric_periodic_elastic_model
    use adfric_base_constants, only: pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_material_adhesion_rows, only: adhesion_law_t, adhesion_names, branch_adhered, check_adhesion, has_adhesion, &
+   use adfric_interface_adhesion_rows, only: adhesion_law_t, adhesion_names, branch_adhered, check_adhesion, has_adhesion, &
       & n_adhesion_rows, resolve_adhesion, set_adhesion_rows
-   use adfric_material_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
+   use adfric_solid_contact_modulus, only: check_contact_modulus, contact_modulus_of, derive_contact_modulus, &
       & has_poisson_ratio, n_two_bodies, set_modulus_rows
-   use adfric_material_coulomb_rows, only: check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
+   use adfric_interface_coulomb_rows, only: check_coulomb, coulomb_t, has_coulomb, n_coulomb_rows, needs_poisson_ratio, &
       & resolve_coulomb, set_coulomb_rows
-   use adfric_material_shear_strength_rows, only: check_shear, get_friction_of_area, has_shear, n_shear_rows, &
+   use adfric_interface_shear_strength_rows, only: check_shear, get_friction_of_area, has_shear, n_shear_rows, &
       & p_shear_stress, set_shear_rows, shear_profiles, shear_stress
-   use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_pointwise, only: point_state_t
-   use adfric_model_rows, only: positive
-   use adfric_model_table, only: profile_axis_t, variable_t
+   use adfric_describe_derived, only: derived_t, add_derived
+   use adfric_describe_pointwise, only: point_state_t
+   use adfric_describe_rows, only: positive
+   use adfric_describe_table, only: profile_axis_t, variable_t
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_solver, only: periodic_adhesion_t
    use adfric_periodic_area, only: relative_error_of

@@ -5,9 +5,9 @@ module adfric_periodic_given_heights
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_model_check, only: require
-   use adfric_model_rows, only: positive, dataset
-   use adfric_model_table, only: variable_t
+   use adfric_describe_check, only: require
+   use adfric_describe_rows, only: positive, dataset
+   use adfric_describe_table, only: variable_t
    use adfric_periodic_grids, only: n_grids_of
    use adfric_periodic_operator, only: is_too_long
    use adfric_periodic_point, only: periodic_surface_t

@@ -6,12 +6,12 @@ module adfric_periodic_model
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_pointwise, only: pointwise_model_t, point_state_t
-   use adfric_model_check, only: require_one
-   use adfric_model_rows, only: contact_profiles, count_row, set_coordinate
-   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
-   use adfric_model_table, only: variable_t, profile_axis_t
+   use adfric_describe_derived, only: derived_t, add_derived
+   use adfric_describe_pointwise, only: pointwise_model_t, point_state_t
+   use adfric_describe_check, only: require_one
+   use adfric_describe_rows, only: contact_profiles, count_row, set_coordinate
+   use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
+   use adfric_describe_table, only: variable_t, profile_axis_t
    use adfric_periodic_area, only: relative_error_of
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t, periodic_memory_t, &
       & solve_periodic, find_full_pressure

@@ -5,7 +5,7 @@ module adfric_periodic_point
    use adfric_base_error, only: error_t
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_watch, only: watch_t
-   use adfric_material_coulomb_rows, only: coulomb_t
+   use adfric_interface_coulomb_rows, only: coulomb_t
    use adfric_numerics_found_once, only: found_once_t
    use adfric_periodic_adhesive_penetration, only: solve_adhesive_penetration
    use adfric_periodic_adhesive_pull_off, only: pull_off_t, find_pull_off

@@ -4,9 +4,9 @@ module adfric_periodic_sliding_case
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi, two_pi
    use adfric_base_unset, only: is_set
-   use adfric_material_given_spectrum, only: given_spectrum_t
-   use adfric_material_prony, only: prony_t
-   use adfric_material_spectrum_rows, only: get_spectrum, poisson_ratio_of, shift_factor_of, n_spectrum_rows
+   use adfric_solid_given_spectrum, only: given_spectrum_t
+   use adfric_solid_prony, only: prony_t
+   use adfric_solid_spectrum_rows, only: get_spectrum, poisson_ratio_of, shift_factor_of, n_spectrum_rows
    use adfric_periodic_layer_kernel, only: layer_kernel_t
    use adfric_periodic_point, only: periodic_surface_t
    use adfric_periodic_sliding_variables, only: s_thickness, s_base, s_poisson_ratio, s_velocity, base_bonded

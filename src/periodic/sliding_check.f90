@@ -4,10 +4,10 @@ module adfric_periodic_sliding_check
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_material_given_spectrum, only: given_spectrum_t
-   use adfric_material_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows
-   use adfric_model_check, only: require, refuse_given, refuse_swept
-   use adfric_model_table, only: variable_t
+   use adfric_solid_given_spectrum, only: given_spectrum_t
+   use adfric_solid_spectrum_rows, only: check_spectrum, poisson_ratio_of, n_spectrum_rows
+   use adfric_describe_check, only: require, refuse_given, refuse_swept
+   use adfric_describe_table, only: variable_t
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_sliding_case, only: is_direction, speed_of
    use adfric_periodic_sliding_variables

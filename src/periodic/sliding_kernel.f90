@@ -3,13 +3,13 @@
 !>
 !> The stiffness of a wave is that of the elastic solid of unit modulus times the complex modulus at the frequency with which the wave
 !> passes a place of the solid. On cells the history of a place is known cell by cell, and between cells it is taken to be linear
-!> (`adfric_material_sampled_modulus`). The modulus of the wave itself would jump where waves are two cells long, whose direction
+!> (`adfric_solid_sampled_modulus`). The modulus of the wave itself would jump where waves are two cells long, whose direction
 !> cannot be told, and such kernels ring: with them the sets of open and closed cells do not settle.
 module adfric_periodic_sliding_kernel
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
-   use adfric_material_prony, only: prony_t
-   use adfric_material_sampled_modulus, only: sampled_modulus
+   use adfric_solid_prony, only: prony_t
+   use adfric_solid_sampled_modulus, only: sampled_modulus
    use adfric_periodic_kernel, only: kernel_t
    implicit none (type, external)
    private

@@ -9,12 +9,12 @@ module adfric_periodic_sliding_model
    use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
-   use adfric_material_given_spectrum, only: given_spectrum_t
-   use adfric_material_spectrum_rows, only: take_spectrum, take_spectrum_attribute, describe_spectrum, doubt_spectrum, &
+   use adfric_solid_given_spectrum, only: given_spectrum_t
+   use adfric_solid_spectrum_rows, only: take_spectrum, take_spectrum_attribute, describe_spectrum, doubt_spectrum, &
       & derive_spectrum, n_spectrum_rows
-   use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_doubt, only: doubt_slope_too_steep
-   use adfric_model_table, only: variable_t
+   use adfric_describe_derived, only: derived_t, add_derived
+   use adfric_describe_doubt, only: doubt_slope_too_steep
+   use adfric_describe_table, only: variable_t
    use adfric_periodic_given_heights, only: given_heights_t
    use adfric_periodic_model, only: periodic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t, periodic_goal_t

@@ -3,9 +3,9 @@
 module adfric_periodic_sliding_variables
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
-   use adfric_material_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
-   use adfric_model_rows, only: above_zero, any_number, choice, number, poisson_ratio, positive, result_row, whole_number
-   use adfric_model_table, only: variable_t, result_t
+   use adfric_solid_spectrum_rows, only: set_spectrum_rows, n_spectrum_rows
+   use adfric_describe_rows, only: above_zero, any_number, choice, number, poisson_ratio, positive, result_row, whole_number
+   use adfric_describe_table, only: variable_t, result_t
    use adfric_periodic_given_heights, only: set_heights_rows, n_heights_rows
    use adfric_periodic_variables, only: get_periodic_results, n_periodic_results, r_penetration, smooth_fraction_row
    implicit none (type, external)

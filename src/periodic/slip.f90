@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Partial slip of a periodic surface on an elastic half-space, from two contacts without friction, of the load P and of P* = P - T/mu
-!> (`adfric_material_coulomb_rows`). The second is found from the first by what changes (`adfric_periodic_lighter_load`), so that results
+!> (`adfric_interface_coulomb_rows`). The second is found from the first by what changes (`adfric_periodic_lighter_load`), so that results
 !> are as accurate for small forces as for large ones. What touches under P* sticks, elsewhere the surfaces slip by mu m times the gap
 !> under P*. So a cycle between T and -T takes, over nominal area,
 !>
@@ -11,7 +11,7 @@
 module adfric_periodic_slip
    use adfric_base_kinds, only: dp
    use adfric_base_error, only: error_t
-   use adfric_material_coulomb_rows, only: coulomb_t
+   use adfric_interface_coulomb_rows, only: coulomb_t
    use adfric_periodic_area, only: area_of_cells, area_t
    use adfric_periodic_lighter_load, only: find_lighter_load, lighter_load_t
    use adfric_periodic_maps, only: dot_of, sum_of

@@ -4,9 +4,9 @@
 module adfric_periodic_surface_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_model_check, only: refuse_swept
-   use adfric_model_doubt, only: doubt_slope_too_steep
-   use adfric_model_table, only: variable_t
+   use adfric_describe_check, only: refuse_swept
+   use adfric_describe_doubt, only: doubt_slope_too_steep
+   use adfric_describe_table, only: variable_t
    use adfric_periodic_elastic_model, only: elastic_model_t
    use adfric_periodic_given_heights, only: given_heights_t, set_heights_rows, n_heights_rows
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t

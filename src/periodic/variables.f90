@@ -3,12 +3,12 @@
 !> those of the models on an elastic half-space, which may adhere.
 module adfric_periodic_variables
    use adfric_base_kinds, only: dp
-   use adfric_material_adhesion_rows, only: n_adhesion_rows
-   use adfric_material_contact_modulus, only: n_two_bodies
-   use adfric_material_coulomb_rows, only: n_coulomb_rows, slip_results
-   use adfric_material_shear_strength_rows, only: n_shear_rows
-   use adfric_model_rows, only: number, switch, result_row, any_number
-   use adfric_model_table, only: variable_t, result_t
+   use adfric_interface_adhesion_rows, only: n_adhesion_rows
+   use adfric_solid_contact_modulus, only: n_two_bodies
+   use adfric_interface_coulomb_rows, only: n_coulomb_rows, slip_results
+   use adfric_interface_shear_strength_rows, only: n_shear_rows
+   use adfric_describe_rows, only: number, switch, result_row, any_number
+   use adfric_describe_table, only: variable_t, result_t
    implicit none (type, external)
    private
    public :: tolerance_row, set_held_rows, pull_off_row, get_periodic_results, get_elastic_results, smooth_fraction_row

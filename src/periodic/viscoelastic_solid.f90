@@ -6,7 +6,7 @@
 module adfric_periodic_viscoelastic_solid
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
-   use adfric_material_prony, only: prony_t, new_prony
+   use adfric_solid_prony, only: prony_t, new_prony
    use adfric_periodic_elastic_kernel, only: elastic_kernel_t
    use adfric_periodic_kernel, only: kernel_t
    use adfric_periodic_layer_kernel, only: layer_kernel_t

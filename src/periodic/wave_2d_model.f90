@@ -8,10 +8,10 @@ module adfric_periodic_wave_2d_model
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
-   use adfric_model_check, only: require, refuse_swept
-   use adfric_model_doubt, only: doubt_slope_too_steep
-   use adfric_model_rows, only: positive, whole_number
-   use adfric_model_table, only: variable_t
+   use adfric_describe_check, only: require, refuse_swept
+   use adfric_describe_doubt, only: doubt_slope_too_steep
+   use adfric_describe_rows, only: positive, whole_number
+   use adfric_describe_table, only: variable_t
    use adfric_periodic_elastic_model, only: elastic_model_t
    use adfric_periodic_point, only: periodic_surface_t, periodic_solid_t
    use adfric_periodic_wave_cells, only: set_wave

@@ -14,9 +14,9 @@ module adfric_run_converted_model
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
    use adfric_base_words, only: has_word
-   use adfric_model_model, only: model_t
-   use adfric_model_profile_receiver, only: profile_receiver_t
-   use adfric_model_table, only: kind_real, result_t, variable_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_profile_receiver, only: profile_receiver_t
+   use adfric_describe_table, only: kind_real, result_t, variable_t
    use adfric_run_conversion, only: as_it_is, by_samples_x, by_samples_y, direction_tolerance, doubled, find_what_follows, &
       follows_nothing, follows_stress, follows_work, to_axis, to_degrees, to_reverse, to_scene, to_solver, text_over_area, &
       unit_over_area

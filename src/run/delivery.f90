@@ -7,7 +7,7 @@
 module adfric_run_delivery
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t, set_error, file_failure
-   use adfric_model_profile_receiver, only: profile_receiver_t
+   use adfric_describe_profile_receiver, only: profile_receiver_t
    use adfric_run_batch, only: batch_store_t, new_batch_store
    use adfric_run_sink, only: sink_t
    use adfric_system_clock, only: wall_clock

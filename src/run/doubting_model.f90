@@ -4,11 +4,11 @@
 module adfric_run_doubting_model
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_model_doubt, only: doubt_estimate_above_tenth, doubt_name, find_doubt, n_doubts, not_measured
-   use adfric_model_model, only: model_t
-   use adfric_model_profile_receiver, only: profile_receiver_t
-   use adfric_model_status, only: status_solved
-   use adfric_model_table, only: doubt_row, result_t
+   use adfric_describe_doubt, only: doubt_estimate_above_tenth, doubt_name, find_doubt, n_doubts, not_measured
+   use adfric_describe_model, only: model_t
+   use adfric_describe_profile_receiver, only: profile_receiver_t
+   use adfric_describe_status, only: status_solved
+   use adfric_describe_table, only: doubt_row, result_t
    use adfric_run_wrapped_model, only: wrapped_model_t
    implicit none (type, external)
    private

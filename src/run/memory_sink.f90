@@ -4,7 +4,7 @@ module adfric_run_memory_sink
    use adfric_base_error, only: error_t, set_error, file_failure
    use adfric_base_kinds, only: dp, i8
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_model_status, only: status_solved
+   use adfric_describe_status, only: status_solved
    use adfric_run_blocks, only: blocks_t
    use adfric_run_run, only: run_t
    use adfric_run_sink, only: sink_t

@@ -17,8 +17,8 @@ module adfric_run_refinement
    use adfric_base_error, only: error_t, set_error, file_failure, input_failure
    use adfric_base_kinds, only: dp, i8
    use adfric_base_text, only: show_count, show_number
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: status_no_equilibrium, status_not_converged, status_out_of_memory, status_solved
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: status_no_equilibrium, status_not_converged, status_out_of_memory, status_solved
    use adfric_run_agreement, only: share_error
    use adfric_run_plan, only: axis_t
    use adfric_run_world, only: world_t

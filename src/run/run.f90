@@ -6,8 +6,8 @@
 module adfric_run_run
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_model_model, only: model_t
-   use adfric_model_plausible_range, only: find_plausible_range
+   use adfric_describe_model, only: model_t
+   use adfric_describe_plausible_range, only: find_plausible_range
    use adfric_run_blocks, only: blocks_t, part_t, new_blocks
    use adfric_run_dataset, only: dataset_t
    use adfric_run_doubting_model, only: let_doubt

@@ -10,7 +10,7 @@ module adfric_run_runner
       & omp_set_max_active_levels, omp_set_num_threads
    use adfric_base_kinds, only: dp, i8
    use adfric_base_error, only: error_t
-   use adfric_model_status, only: status_out_of_memory
+   use adfric_describe_status, only: status_out_of_memory
    use adfric_run_batch, only: batch_bytes
    use adfric_run_blocks, only: blocks_t, block_size_of
    use adfric_run_block_source, only: block_source_t, block_list_t, new_block_list

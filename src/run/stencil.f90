@@ -10,9 +10,9 @@ module adfric_run_stencil
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: status_not_converged, status_out_of_memory
-   use adfric_model_table, only: variable_t, kind_integer
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: status_not_converged, status_out_of_memory
+   use adfric_describe_table, only: variable_t, kind_integer
    implicit none (type, external)
    private
    public :: differentiate, solve_some, is_allowed

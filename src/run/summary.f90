@@ -3,8 +3,8 @@
 module adfric_run_summary
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use adfric_base_kinds, only: dp, i8
-   use adfric_model_status, only: n_status, status_solved
-   use adfric_model_table, only: result_t
+   use adfric_describe_status, only: n_status, status_solved
+   use adfric_describe_table, only: result_t
    implicit none (type, external)
    private
    public :: run_summary_t, new_summary

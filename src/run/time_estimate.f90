@@ -4,9 +4,9 @@
 module adfric_run_time_estimate
    use omp_lib, only: omp_get_max_threads, omp_get_num_procs
    use adfric_base_kinds, only: dp, i8
-   use adfric_model_doubt, only: doubt_name, doubt_none, n_doubts
-   use adfric_model_profile_receiver, only: profile_receiver_t
-   use adfric_model_status, only: status_solved
+   use adfric_describe_doubt, only: doubt_name, doubt_none, n_doubts
+   use adfric_describe_profile_receiver, only: profile_receiver_t
+   use adfric_describe_status, only: status_solved
    use adfric_run_blocks, only: blocks_t
    use adfric_run_run, only: run_t
    use adfric_system_clock, only: wall_clock

@@ -6,7 +6,7 @@ module adfric_run_variation
    use adfric_base_text, only: show_count
    use adfric_base_units, only: quotient_unit
    use adfric_base_words, only: has_word
-   use adfric_model_table, only: result_t, variable_t
+   use adfric_describe_table, only: result_t, variable_t
    implicit none (type, external)
    private
    public :: variation_t, uncertainty_t, new_rows, n_statistics

@@ -4,10 +4,10 @@
 module adfric_run_varied_model
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
-   use adfric_model_model, only: model_t
-   use adfric_model_profile_receiver, only: profile_receiver_t
-   use adfric_model_status, only: status_not_converged, status_out_of_memory, status_solved
-   use adfric_model_table, only: result_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_profile_receiver, only: profile_receiver_t
+   use adfric_describe_status, only: status_not_converged, status_out_of_memory, status_solved
+   use adfric_describe_table, only: result_t
    use adfric_numerics_unit_samples, only: fill_latin_hypercube, normal_quantile
    use adfric_run_sample_statistics, only: find_statistics
    use adfric_run_stencil, only: differentiate, is_allowed, solve_some

@@ -4,9 +4,9 @@ module adfric_run_wrapped_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_watch, only: watch_t
-   use adfric_model_derived, only: derived_t
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: profile_axis_t, profile_t
+   use adfric_describe_derived, only: derived_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: profile_axis_t, profile_t
    implicit none (type, external)
    private
    public :: wrapped_model_t

@@ -4,11 +4,11 @@ module fit_cases
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: unset
    use adfric_fit_problem
-   use adfric_indenter_model, only: indenter_model_t, new_indenter_model
-   use adfric_model_model, only: model_t
-   use adfric_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_sphere_variables, sphere_friction => r_friction_force, sphere_load => r_load, v_sphere_load => v_load
-   use adfric_wavy_model, only: wavy_model_t, new_wavy_model
+   use adfric_round_model, only: indenter_model_t, new_indenter_model
+   use adfric_describe_model, only: model_t
+   use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
+   use adfric_round_sphere_variables, sphere_friction => r_friction_force, sphere_load => r_load, v_sphere_load => v_load
+   use adfric_foundation_model, only: wavy_model_t, new_wavy_model
    use reference_table, only: table_t, read_table
    implicit none (type, external)
    private

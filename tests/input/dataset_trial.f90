@@ -6,7 +6,7 @@ module dataset_trial
    use adfric_base_problems, only: problems_t
    use adfric_input_namelist_file, only: namelist_file_t, new_namelist_file
    use adfric_input_run, only: run_input_t, read_case
-   use adfric_model_table, only: variable_t, kind_dataset
+   use adfric_describe_table, only: variable_t, kind_dataset
    use adfric_run_doubting_model, only: doubting_model_t
    use trial_model, only: trial_model_t, new_trial_model
    implicit none (type, external)

@@ -3,7 +3,7 @@
 !> one by one, the first wrong one each time (Murty), which ends for matrices with positive principal minors.
 module dense_sliding
    use adfric_base_kinds, only: dp
-   use adfric_material_prony, only: prony_t
+   use adfric_solid_prony, only: prony_t
    use dense_kernel, only: set_kernel
    implicit none (type, external)
    private

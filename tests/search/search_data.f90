@@ -5,8 +5,8 @@ module search_data
    use adfric_base_constants, only: two_pi
    use adfric_base_problems, only: problems_t
    use adfric_base_words, only: get_word
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: variable_t, kind_dataset
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: variable_t, kind_dataset
    use random_dice, only: dice_t
    use search_units, only: dimensions_of
    implicit none (type, external)

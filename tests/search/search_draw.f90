@@ -9,8 +9,8 @@ module search_draw
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: count_words
    use adfric_input_variable, only: is_in_range
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
    use random_dice, only: dice_t
    use search_data, only: drawn_data_t, draw_data
    use search_units, only: n_dimensions, dimensions_of, unit_in_case

@@ -5,8 +5,8 @@ module search_loop
    use adfric, only: new_model
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: n_status
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: n_status
    use adfric_system_clock, only: wall_clock
    use random_dice, only: dice_t, new_dice
    use search_draw, only: drawn_case_t, draw_case

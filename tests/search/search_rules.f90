@@ -6,14 +6,14 @@ module search_rules
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set
    use adfric_input_variable, only: is_in_range
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: result_t, kind_real
-   use adfric_model_derived, only: derived_t
-   use adfric_wavy_case, only: kind_map, wavy_case_t, resolve_case
-   use adfric_wavy_marched_case, only: is_marched
-   use adfric_wavy_surface, only: negligible
-   use adfric_wavy_variables, only: r_adhesion_area, r_contact_area, r_friction_coefficient, r_friction_force, r_load, &
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_describe_table, only: result_t, kind_real
+   use adfric_describe_derived, only: derived_t
+   use adfric_foundation_case, only: kind_map, wavy_case_t, resolve_case
+   use adfric_foundation_stepped_case, only: is_marched
+   use adfric_foundation_surface, only: negligible
+   use adfric_foundation_variables, only: r_adhesion_area, r_contact_area, r_friction_coefficient, r_friction_force, r_load, &
       & r_penetration, v_kind, v_stress
    use model_calls, only: solve_values
    use random_dice, only: dice_t, new_dice

@@ -4,8 +4,8 @@ module search_text
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
    use adfric_base_words, only: get_word
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: variable_t, kind_real, kind_integer, kind_logical, kind_choice, kind_dataset
    use search_data, only: data_text
    use search_draw, only: drawn_case_t
    implicit none (type, external)

@@ -2,8 +2,8 @@
 !> Dimensions of units as they stand in the tables of a model, in powers of Pa, m and s.
 module search_units
    use adfric_base_kinds, only: dp
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: result_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: result_t
    implicit none (type, external)
    private
    public :: n_dimensions, dimensions_of, unit_in_case

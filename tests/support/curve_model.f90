@@ -7,9 +7,9 @@ module curve_model
    use adfric_base_kinds, only: dp
    use adfric_base_not_a_number, only: not_a_number
    use adfric_base_problems, only: problems_t
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged
-   use adfric_model_table, only: profile_axis_t, kind_real
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_describe_table, only: profile_axis_t, kind_real
    implicit none (type, external)
    private
    public :: curve_model_t, new_curve_model, x_place, y_place, square_place, step_place, bend_place, side_place

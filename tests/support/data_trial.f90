@@ -5,7 +5,7 @@ module data_trial
    use adfric_base_problems, only: problems_t
    use adfric_input_namelist_file, only: namelist_file_t, new_namelist_file
    use adfric_input_run, only: run_input_t, read_case
-   use adfric_model_rows, only: columns_row, dataset, list_row
+   use adfric_describe_rows, only: columns_row, dataset, list_row
    use adfric_run_doubting_model, only: doubting_model_t
    use trial_model, only: trial_model_t, new_trial_model
    implicit none (type, external)

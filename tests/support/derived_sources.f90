@@ -3,8 +3,8 @@
 module derived_sources
    use adfric_base_kinds, only: dp
    use adfric_base_unset, only: is_set
-   use adfric_model_model, only: model_t, derived_t
-   use adfric_model_table, only: kind_real
+   use adfric_describe_model, only: model_t, derived_t
+   use adfric_describe_table, only: kind_real
    implicit none (type, external)
    private
    public :: find_missing_source

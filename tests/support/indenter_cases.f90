@@ -4,8 +4,8 @@ module indenter_cases
    use adfric_base_kinds, only: dp
    use adfric_base_words, only: find_word, count_words
    use adfric_base_unset, only: unset
-   use adfric_indenter_model, only: indenter_model_t, new_indenter_model
-   use adfric_indenter_variables
+   use adfric_round_model, only: indenter_model_t, new_indenter_model
+   use adfric_round_variables
    implicit none (type, external)
    private
    public :: new_indenter, new_named, hold, kind_of, n_kinds, size_of

@@ -2,12 +2,12 @@
 !> Surfaces for the march of any heights: rows from heights, a spectrum and adhesion, in the units of the march.
 module march_cases
    use adfric_base_kinds, only: dp
-   use adfric_material_prony, only: prony_t, new_prony
+   use adfric_solid_prony, only: prony_t, new_prony
    use adfric_shape_height_line, only: height_line_t, new_cosine_line
-   use adfric_wavy_march_equilibrium, only: march_surface_t, march_equilibrium_t
-   use adfric_wavy_march_law, only: new_march_law
-   use adfric_wavy_march_solid, only: solid_t, new_solid
-   use adfric_wavy_march_way, only: new_way
+   use adfric_foundation_stepping_equilibrium, only: march_surface_t, march_equilibrium_t
+   use adfric_foundation_stepping_law, only: new_march_law
+   use adfric_foundation_stepping_solid, only: solid_t, new_solid
+   use adfric_foundation_stepping_path, only: new_way
    implicit none (type, external)
    private
    public :: march_case_t, march_sums_t, make_surface, make_line_surface, set_law, begin_rows, add_row, sum_of

@@ -3,8 +3,8 @@
 module model_calls
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_model_model, only: model_t
-   use adfric_model_table, only: profile_axis_t
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: profile_axis_t
    implicit none (type, external)
    private
    public :: set_value, find_problems, solve_values, solve_point, axis_of

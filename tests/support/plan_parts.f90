@@ -2,7 +2,7 @@
 !> Parts of plans and runs for tests.
 module plan_parts
    use adfric_base_kinds, only: dp
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    use adfric_run_plan, only: plan_t, axis_t, new_axis
    use adfric_run_run, only: run_t, new_run
    implicit none (type, external)

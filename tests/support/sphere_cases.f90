@@ -5,8 +5,8 @@ module sphere_cases
    use adfric_base_kinds, only: dp
    use adfric_base_constants, only: pi
    use adfric_base_unset, only: unset
-   use adfric_sphere_model, only: sphere_model_t, new_sphere_model
-   use adfric_sphere_variables
+   use adfric_round_sphere_model, only: sphere_model_t, new_sphere_model
+   use adfric_round_sphere_variables
    use model_calls, only: find_problems, solve_values, solve_point
    implicit none (type, external)
    private

@@ -2,11 +2,11 @@
 !> Judges the steady state of a strip with the brute march: is it one, and is there none before it on its branch?
 module strip_judge
    use adfric_base_kinds, only: dp
-   use adfric_wavy_adhesion, only: edge_front
-   use adfric_wavy_column, only: get_column
-   use adfric_wavy_saturated_adhesion, only: saturation_level
-   use adfric_wavy_strip, only: strip_t, steady_state_t
-   use adfric_wavy_steady_state, only: branch_adhered
+   use adfric_foundation_adhesion, only: edge_front
+   use adfric_foundation_column, only: get_column
+   use adfric_foundation_saturated_adhesion, only: saturation_level
+   use adfric_foundation_strip, only: strip_t, steady_state_t
+   use adfric_foundation_steady_state, only: branch_adhered
    use brute_march, only: brute_strip_t, brute_state_t, march_one_period, column_of_gap, column_of_height, &
       & height_of
    implicit none (type, external)

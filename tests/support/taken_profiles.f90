@@ -2,7 +2,7 @@
 !> Takes the profiles of a block: counts them, keeps them where there is room, and stops when it is told to.
 module taken_profiles
    use adfric_base_kinds, only: dp
-   use adfric_model_profile_receiver, only: profile_receiver_t
+   use adfric_describe_profile_receiver, only: profile_receiver_t
    implicit none (type, external)
    private
    public :: taken_profiles_t

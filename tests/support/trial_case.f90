@@ -5,7 +5,7 @@ module trial_case
    use adfric_base_error, only: error_t
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
-   use adfric_model_model, only: model_t
+   use adfric_describe_model, only: model_t
    implicit none (type, external)
    private
    public :: trial_case_t, new_case

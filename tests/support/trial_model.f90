@@ -10,11 +10,11 @@ module trial_model
    use adfric_base_kinds, only: dp
    use adfric_base_problems, only: problems_t
    use adfric_base_unset, only: is_set, unset
-   use adfric_model_derived, only: derived_t, add_derived
-   use adfric_model_model, only: model_t
-   use adfric_model_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
-   use adfric_model_rows, only: count_row
-   use adfric_model_table, only: variable_t, result_t, profile_t, profile_axis_t, kind_real, kind_integer, kind_logical, &
+   use adfric_describe_derived, only: derived_t, add_derived
+   use adfric_describe_model, only: model_t
+   use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged, status_out_of_memory
+   use adfric_describe_rows, only: count_row
+   use adfric_describe_table, only: variable_t, result_t, profile_t, profile_axis_t, kind_real, kind_integer, kind_logical, &
       & kind_choice
    implicit none (type, external)
    private

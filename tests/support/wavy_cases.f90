@@ -2,8 +2,8 @@
 !> Values of the model `wavy_sliding` as an input would give them.
 module wavy_cases
    use adfric_base_kinds, only: dp
-   use adfric_wavy_model, only: wavy_model_t, new_wavy_model
-   use adfric_wavy_variables
+   use adfric_foundation_model, only: wavy_model_t, new_wavy_model
+   use adfric_foundation_variables
    use model_calls, only: set_value, find_problems, solve_values, solve_point
    implicit none (type, external)
    private

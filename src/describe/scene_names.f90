@@ -1,0 +1,298 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What a scene calls the variables, results and profiles of the solver that answers it.
+!> The rules stand in `adfric_describe_scene_rules`.
+module adfric_describe_scene_names
+   use adfric_base_words, only: count_words, get_word, has_word
+   use adfric_describe_model, only: model_t
+   use adfric_describe_table, only: result_t, variable_t
+   use adfric_describe_scene_rules, only: default_rules, hidden, meanings, profile_rules, result_rules, variable_rules, with_depth, &
+      word_rules
+   implicit none (type, external)
+   private
+   public :: rename_tables, rename_words, likely_name_of, likely_result_of, meaning_of
+
+contains
+
+   !> Call the rows of a solver's tables as a scene does, and hide those that have no meaning in it.
+   subroutine rename_tables(model, facts)
+      !> The solver, whose tables are in its own language.
+      class(model_t), intent(inout) :: model
+      !> Facts of the scene, separated by a blank.
+      character(*), intent(in) :: facts
+      integer :: i
+
+      do i = 1, size(model%variables)
+         call set_default(model%name, facts, model%variables(i))
+         call rename_variable(model%name, facts, model%variables(i))
+      end do
+      do i = 1, size(model%results)
+         call rename_result(model%name, facts, model%results(i))
+      end do
+      do i = 1, size(model%profiles)
+         model%profiles(i)%name = scene_name_of(profile_rules, model%name, model%profiles(i)%name, facts)
+         if (is_of(with_depth, model%name)) model%profiles(i)%long_name = with_z(model%profiles(i)%long_name)
+      end do
+      if (is_of(with_depth, model%name)) model%profile_axes = 'z x'
+   end subroutine rename_tables
+
+   !> Give a variable the value that follows from what a scene leaves out.
+   subroutine set_default(solver, facts, variable)
+      !> Name of the solver.
+      character(*), intent(in) :: solver
+      !> Facts of the scene, separated by a blank.
+      character(*), intent(in) :: facts
+      !> Row of the solver, in its own language.
+      type(variable_t), intent(inout) :: variable
+      character(:), allocatable :: value
+      integer :: i
+
+      value = ''
+      do i = 1, size(default_rules)
+         if (.not. is_for(default_rules(i), solver, variable%group//'%'//variable%name)) cycle
+         if (.not. is_so(default_rules(i), facts)) cycle
+         value = get_word(default_rules(i), 3)
+         read (value, *) variable%default
+      end do
+   end subroutine set_default
+
+   !> Call a variable as a scene does.
+   subroutine rename_variable(solver, facts, variable)
+      !> Name of the solver.
+      character(*), intent(in) :: solver
+      !> Facts of the scene, separated by a blank.
+      character(*), intent(in) :: facts
+      !> Row of the solver.
+      type(variable_t), intent(inout) :: variable
+      character(:), allocatable :: name
+      integer :: percent
+
+      call rename_words(solver, facts, variable)
+      name = scene_name_of(variable_rules, solver, variable%group//'%'//variable%name, facts)
+      variable%solver_group = variable%group
+      variable%solver_name = variable%name
+      variable%is_hidden = name == hidden
+      if (variable%is_hidden) then
+         variable%group = hidden
+         variable%name = hidden
+         return
+      end if
+      percent = index(name, '%')
+      variable%group = name(:percent - 1)
+      variable%name = name(percent + 1:)
+      variable%meaning = meaning_of(name, variable%meaning)
+   end subroutine rename_variable
+
+   !> What a variable is.
+   pure function meaning_of(name, of_solver) result(meaning)
+      !> Its name in the language of scenes, with its group.
+      character(*), intent(in) :: name
+      !> What the solver says of it.
+      character(*), intent(in) :: of_solver
+      character(:), allocatable :: meaning
+      integer :: i
+
+      meaning = of_solver
+      do i = 1, size(meanings)
+         if (index(meanings(i), name//' ') == 1) meaning = trim(meanings(i)(len(name) + 2:))
+      end do
+   end function meaning_of
+
+   !> Call a result as a scene does.
+   subroutine rename_result(solver, facts, result)
+      !> Name of the solver.
+      character(*), intent(in) :: solver
+      !> Facts of the scene, separated by a blank.
+      character(*), intent(in) :: facts
+      !> Row of the solver.
+      type(result_t), intent(inout) :: result
+      character(:), allocatable :: name
+
+      name = scene_name_of(result_rules, solver, result%name, facts)
+      result%solver_name = result%name
+      result%is_hidden = name == hidden
+      if (result%is_hidden) then
+         result%is_main = .false.
+         result%flag_meanings = ''
+      end if
+      result%name = name
+      if (is_of(with_depth, solver)) result%long_name = with_z(result%long_name)
+   end subroutine rename_result
+
+   !> A text with z for the depth, which is y for the solvers of the plane.
+   pure function with_z(text) result(renamed)
+      !> The text.
+      character(*), intent(in) :: text
+      character(:), allocatable :: renamed
+      character(*), parameter :: pairs(*) = [character(9) :: 's_yy s_zz', 's_xy s_xz', 'u_y u_z']
+      integer :: i, at
+
+      renamed = text
+      do i = 1, size(pairs)
+         at = index(renamed, get_word(pairs(i), 1))
+         if (at > 0) renamed = renamed(:at - 1)//get_word(pairs(i), 2)//renamed(at + len(get_word(pairs(i), 1)):)
+      end do
+   end function with_z
+
+   !> Have the words of a variable those of scenes.
+   pure subroutine rename_words(solver, facts, variable)
+      !> Name of the solver.
+      character(*), intent(in) :: solver
+      !> Facts of the scene, separated by a blank.
+      character(*), intent(in) :: facts
+      !> Row of the solver, whose choices are renamed.
+      type(variable_t), intent(inout) :: variable
+      character(:), allocatable :: choices, word, pair
+      integer :: i, k, n
+
+      do i = 1, size(word_rules)
+         if (.not. is_for(word_rules(i), solver, variable%group//'%'//variable%name)) cycle
+         if (.not. is_so(word_rules(i), facts)) cycle
+         choices = ''
+         do k = 1, count_words(variable%choices)
+            word = get_word(variable%choices, k)
+            do n = 3, count_words(word_rules(i))
+               pair = get_word(word_rules(i), n)
+               if (index(pair, word//'=') == 1) then
+                  word = pair(len(word) + 2:)
+                  exit
+               end if
+            end do
+            choices = choices//' '//word
+         end do
+         variable%choices = choices(2:)
+         return
+      end do
+   end subroutine rename_words
+
+   !> What a scene calls something; `hidden` if it has no meaning there.
+   pure function scene_name_of(rules, solver, name, facts) result(new_name)
+      !> The rules.
+      character(*), intent(in) :: rules(:)
+      !> Name of the solver.
+      character(*), intent(in) :: solver
+      !> Name in the language of the solver, of a variable with its group.
+      character(*), intent(in) :: name
+      !> Facts of the scene, separated by a blank.
+      character(*), intent(in) :: facts
+      character(:), allocatable :: new_name
+      integer :: i
+
+      do i = 1, size(rules)
+         if (.not. is_for(rules(i), solver, name)) cycle
+         if (.not. is_so(rules(i), facts)) cycle
+         new_name = name_by(rules(i), name)
+         return
+      end do
+      new_name = name
+   end function scene_name_of
+
+   !> Is a rule one for something of a solver?
+   pure logical function is_for(rule, solver, name)
+      !> The rule.
+      character(*), intent(in) :: rule
+      !> Name of the solver, and name in its language, of a variable with its group.
+      character(*), intent(in) :: solver, name
+      character(:), allocatable :: from
+
+      is_for = .false.
+      ! most rules are for something else: a glance is enough
+      if (index(rule, ' '//name(:scan(name//'%', '%') - 1)) == 0) return
+      from = get_word(rule, 2)
+      ! a group stands for all its variables
+      is_for = from == name .or. index(name, from) == 1 .and. from(len(from):) == '%'
+      if (is_for) is_for = is_of(get_word(rule, 1), solver)
+   end function is_for
+
+   !> What a rule calls something that it is for.
+   pure function name_by(rule, name) result(new_name)
+      !> The rule.
+      character(*), intent(in) :: rule
+      !> Name in the language of the solver, of a variable with its group.
+      character(*), intent(in) :: name
+      character(:), allocatable :: new_name, from
+
+      from = get_word(rule, 2)
+      new_name = get_word(rule, 3)
+      if (from /= name .and. new_name /= hidden) new_name = new_name//name(len(from) + 1:)
+   end function name_by
+
+   !> What a scene probably calls a variable, with its group, before its facts are known.
+   pure function likely_name_of(solver, name) result(new_name)
+      !> Name of the solver, and name of the variable in its language.
+      character(*), intent(in) :: solver, name
+      character(:), allocatable :: new_name
+
+      new_name = likely_name(variable_rules, solver, name)
+   end function likely_name_of
+
+   !> The same of a result.
+   pure function likely_result_of(solver, name) result(new_name)
+      !> Name of the solver, and name of the result in its language.
+      character(*), intent(in) :: solver, name
+      character(:), allocatable :: new_name
+
+      ! rules that need a fact are for some scenes
+      new_name = likely_name(pack(result_rules, .not. needs_fact(result_rules)), solver, name)
+   end function likely_result_of
+
+   !> Does a rule need a fact to be there?
+   elemental logical function needs_fact(rule)
+      !> The rule.
+      character(*), intent(in) :: rule
+      integer :: k
+
+      needs_fact = .false.
+      do k = 4, count_words(rule)
+         needs_fact = needs_fact .or. index(get_word(rule, k), '!') /= 1
+      end do
+   end function needs_fact
+
+   !> What a scene calls something by the first rule that does not hide it.
+   pure function likely_name(rules, solver, name) result(new_name)
+      !> The rules.
+      character(*), intent(in) :: rules(:)
+      !> Name of the solver, and name in its language.
+      character(*), intent(in) :: solver, name
+      character(:), allocatable :: new_name
+      integer :: i
+
+      do i = 1, size(rules)
+         if (.not. is_for(rules(i), solver, name)) cycle
+         new_name = name_by(rules(i), name)
+         if (new_name /= hidden) return
+      end do
+      new_name = name
+   end function likely_name
+
+   !> Is a solver among those of a rule?
+   pure logical function is_of(solvers, solver)
+      !> Names, separated by a comma, or `*`.
+      character(*), intent(in) :: solvers
+      !> Name of the solver.
+      character(*), intent(in) :: solver
+
+      is_of = solvers == '*' .or. index(','//solvers//',', ','//solver//',') > 0
+   end function is_of
+
+   !> Does a scene have the facts that a rule needs?
+   pure logical function is_so(rule, facts)
+      !> The rule.
+      character(*), intent(in) :: rule
+      !> Facts of the scene, separated by a blank.
+      character(*), intent(in) :: facts
+      character(:), allocatable :: fact
+      integer :: k
+
+      is_so = .true.
+      do k = 4, count_words(rule)
+         fact = get_word(rule, k)
+         if (index(fact, '=') > 0) cycle
+         if (fact(1:1) == '!') then
+            is_so = is_so .and. .not. has_word(facts, fact(2:))
+         else
+            is_so = is_so .and. has_word(facts, fact)
+         end if
+      end do
+   end function is_so
+
+end module adfric_describe_scene_names

@@ -1,0 +1,284 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The rules by which a scene has names for what its solver has in a language of its own.
+!>
+!> Each solver has names of its own; here stands what they are in the one language of scenes. A rule has
+!>
+!> - the solvers that it is for, separated by a comma, or `*`;
+!> - the name in the language of the solver;
+!> - the name in the language of scenes, or `-` where it has no meaning;
+!> - the facts of a scene that the rule needs (`adfric_describe_scene_facts`), `!` before one that must be absent.
+!>
+!> The first rule that holds counts. What no rule names is called the same in both languages.
+module adfric_describe_scene_rules
+   implicit none (type, external)
+   private
+   public :: hidden, with_depth, variable_rules, result_rules, profile_rules, word_rules, meanings, default_rules
+
+   !> Stands in a rule for the name of what has no meaning in a scene.
+   character(*), parameter :: hidden = '-'
+   !> Solvers that several rules have in common.
+   character(*), parameter :: in_elastic = 'hertz,wave_1d', &
+      & slips = 'hertz,indenter,wave_1d,wave_2d_elastic,surface_elastic', with_depth = 'rigid_punch,line_load,strip_load', &
+      & periodic = 'wave_1d,wave_2d_elastic,surface_elastic', round = 'sphere,indenter'
+
+   !> Variables. A group stands for all its variables that no rule before it names.
+   character(*), parameter :: variable_rules(*) = [character(120) :: &
+      & 'wavy_sliding surface%slope surface%slope_approximation', &
+      & 'wavy_sliding surface%height surface%amplitude', &
+      & 'wavy_sliding surface%spacing surface%length_x', &
+      & 'wavy_sliding surface%strip_spacing surface%length_y', &
+      & 'wavy_sliding surface%blend_share surface%blend_fraction', &
+      & 'wavy_sliding surface%reverse operating%direction', &
+      & 'wavy_sliding foundation%moduli solid%stiffnesses', &
+      & 'wavy_sliding foundation% solid%', &
+      & 'wavy_sliding operating%penetration operating%approach', &
+      & 'surface_sliding operating%penetration operating%approach layer', &
+      & 'surface_sliding surface%direction operating%direction', &
+      & 'surface_sliding material%poisson_ratio - !young', &
+      & 'surface_sliding layer%poisson_ratio - young', &
+      & 'surface_sliding layer%poisson_ratio - !layer', &
+      & 'surface_sliding layer% solid%', &
+      & in_elastic//' solid%contact_modulus - relaxing', &
+      & in_elastic//' solid%young_modulus - relaxing', &
+      & in_elastic//' solid%poisson_ratio - relaxing', &
+      & in_elastic//' solid%second_young_modulus - relaxing', &
+      & in_elastic//' solid%second_poisson_ratio - relaxing', &
+      & in_elastic//' material% - !relaxing', &
+      & '* material% solid%', &
+      & '* adhesion%surface_energy adhesion%work_of_adhesion', &
+      & '* adhesion%stress adhesion%adhesion_stress', &
+      & '* adhesion%range adhesion%adhesion_range', &
+      & '* adhesion%branch operating%branch', &
+      & '* adhesion%turning_pressure operating%turning_pressure', &
+      & 'sphere sphere%poisson_ratio - !young', &
+      & 'sphere friction%poisson_ratio - young', &
+      & 'sphere friction%poisson_ratio - !shear', &
+      & 'sphere sphere%second_young_modulus - shear', &
+      & 'sphere sphere%second_poisson_ratio - shear', &
+      & 'sphere friction%poisson_ratio solid%poisson_ratio', &
+      & 'sphere sphere%units job%units', &
+      & 'sphere sphere%radius surface%radius', &
+      & 'sphere sphere%work_of_adhesion - !adhesion', &
+      & 'sphere sphere%work_of_adhesion adhesion%work_of_adhesion', &
+      & 'sphere sphere%adhesion_stress adhesion%adhesion_stress', &
+      & 'sphere sphere%adhesion_range adhesion%adhesion_range', &
+      & 'sphere sphere%lambda adhesion%lambda', &
+      & 'sphere sphere% solid%', &
+      & 'sphere numerics%relative_tolerance adhesion%theory_tolerance', &
+      & 'sphere output%events - !shear', &
+      & '* model%theory adhesion%theory', &
+      & '* friction%coefficient friction%coulomb_coefficient', &
+      & '* contact% surface%', &
+      & '* punch%half_width surface%face_half_width', &
+      & '* punch% surface%', &
+      & '* shape%coefficient surface%power_coefficient', &
+      & '* shape% surface%', &
+      & '* operating%tangential_axis operating%direction', &
+      & 'rigid_punch numerics%points numerics%collocation_points', &
+      & 'wave_2d_elastic,surface_elastic,surface_sliding numerics%relative_tolerance numerics%contact_tolerance', &
+      & with_depth//' output%y_min output%z_min', &
+      & with_depth//' output%y_max output%z_max', &
+      & with_depth//' output%n_y output%n_z', &
+      & 'line_load,strip_load position%position_y position%position_z', &
+      & 'line_load operating%datum traction%datum', &
+      & 'line_load,point_load operating%normal_load operating%load', &
+      & 'line_load,point_load operating%tangential_load operating%tangential_force', &
+      & 'strip_load operating%normal_traction traction%pressure', &
+      & 'strip_load operating%tangential_traction traction%shear_stress', &
+      & 'strip_load samples%shear_tractions traction%shear_stresses', &
+      & 'strip_load samples% traction%', &
+      & 'strip_load operating% traction%']
+
+   !> Results.
+   character(*), parameter :: result_rules(*) = [character(120) :: &
+      & 'wavy_sliding friction_force friction_stress', &
+      & 'wavy_sliding load mean_pressure', &
+      & 'wavy_sliding contact_area contact_fraction', &
+      & 'wavy_sliding adhesion_area - !adhesion', &
+      & 'wavy_sliding adhesion_area adhesion_fraction', &
+      & 'wavy_sliding adhesion_count - !adhesion', &
+      & 'wavy_sliding edge_loss - !adhesion', &
+      & 'wavy_sliding penetration approach', &
+      & 'wavy_sliding pull_off_load - !adhesion', &
+      & 'wavy_sliding pull_off_load pull_off_pressure', &
+      & 'wavy_sliding pull_off_penetration - !adhesion', &
+      & 'wavy_sliding pull_off_penetration pull_off_approach', &
+      & 'wavy_sliding contact_count - wave_product', &
+      & 'wavy_sliding adhesion_count - wave_product', &
+      & 'wavy_sliding snap_count - wave_product', &
+      & 'wavy_sliding saturated_share - wave_product', &
+      & 'wavy_sliding saturated_share full_contact_fraction_of_strips', &
+      & 'wavy_sliding friction_sample_error - !heights', &
+      & 'wavy_sliding friction_sample_error friction_standard_error', &
+      & 'wavy_sliding contact_width crest_contact_width wave_product', &
+      & 'surface_sliding penetration approach layer', &
+      & 'surface_sliding lateral_stress lateral_friction_stress', &
+      & 'surface_sliding full_contact_friction full_contact_friction_stress', &
+      & 'indenter slip - coulomb', &
+      & 'indenter largest_slip - coulomb', &
+      & 'indenter stick_radius - coulomb', &
+      & round//' slip - slides', &
+      & round//' slip - !tangential', &
+      & round//' slip edge_slip', &
+      & round//' largest_slip - slides', &
+      & round//' largest_slip - !tangential', &
+      & round//' largest_slip largest_edge_slip', &
+      & round//' stick_radius - slides', &
+      & round//' stick_radius - !tangential', &
+      & round//' adhesion_ratio - !adhesion', &
+      & round//' adhesion_ratio - !shear', &
+      & round//' adhesion_radius - !adhesion', &
+      & round//' friction_radius - !shear', &
+      & round//' friction_area - !shear', &
+      & round//' pull_off_load - !adhesion', &
+      & 'indenter pull_off_approach - !adhesion', &
+      & 'indenter jump_inward_load - !adhesion', &
+      & 'indenter jump_inward_approach - !adhesion', &
+      & 'indenter jump_outward_load - !adhesion', &
+      & 'indenter jump_outward_approach - !adhesion', &
+      & 'indenter loop_energy - !adhesion', &
+      & 'indenter loop_energy - !events', &
+      & 'indenter loop_energy adhesion_hysteresis', &
+      & 'indenter jump_in_base_approach - !machine', &
+      & 'indenter jump_in_load - !events', &
+      & 'indenter pull_off_base_approach - !machine', &
+      & 'indenter base_approach - !machine', &
+      & 'indenter stress_zz - !position', &
+      & 'indenter stress_rr - !position', &
+      & round//' theory_used - !adhesion', &
+      & 'sphere theory_error - !adhesion', &
+      & round//' peak_force - !lateral', &
+      & round//' peak_force peak_tangential_force', &
+      & round//' peak_displacement - !lateral', &
+      & round//' peak_displacement peak_tangential_displacement', &
+      & 'sphere friction_force friction_force slides', &
+      & 'sphere friction_force - !tangential', &
+      & 'sphere friction_force tangential_force', &
+      & 'indenter friction_force friction_force slides', &
+      & 'indenter friction_force -', &
+      & 'indenter tangential_force - !driven', &
+      & round//' sliding_force - slides', &
+      & round//' sliding_force - !lateral', &
+      & round//' sliding_force friction_force', &
+      & round//' force_drop - !lateral', &
+      & round//' force_drop tangential_force_drop', &
+      & round//' snap_off_force - !lateral', &
+      & round//' snap_off_force - !peels', &
+      & round//' snap_off_force snap_off_tangential_force', &
+      & round//' snap_off_displacement - !lateral', &
+      & round//' snap_off_displacement - !peels', &
+      & round//' snap_off_displacement snap_off_tangential_displacement', &
+      & round//' critical_lateral_stiffness - !lateral', &
+      & round//' jump_base_displacement - !spring', &
+      & round//' jump_base_displacement stick_slip_base_displacement', &
+      & round//' jump_displacement - !spring', &
+      & round//' jump_displacement stick_slip_displacement', &
+      & round//' jump_force - !spring', &
+      & round//' jump_force stick_slip_force', &
+      & round//' arrest_force - !spring', &
+      & round//' jump_energy - !spring', &
+      & round//' jump_energy stick_slip_energy', &
+      & round//' jump_period - !spring', &
+      & round//' jump_period stick_slip_period', &
+      & round//' period_work - !spring', &
+      & round//' period_work stick_slip_work', &
+      & round//',hertz,'//periodic//' tangential_displacement - !tangential', &
+      & slips//' tangential_displacement - slides', &
+      & slips//' stick_fraction - !tangential', &
+      & slips//' stick_fraction - slides', &
+      & slips//' tangential_stiffness - !tangential', &
+      & slips//' tangential_stiffness - slides', &
+      & slips//' cycle_energy - !tangential', &
+      & slips//' cycle_energy - slides', &
+      & slips//' cycle_energy friction_loss_per_cycle', &
+      & 'rigid_punch,indenter,hertz mean_pressure mean_contact_pressure', &
+      & 'rigid_punch edge_intensity - !face', &
+      & 'rigid_punch centre_pressure - wedge', &
+      & 'rigid_punch edge_intensity edge_intensity_factor', &
+      & 'hertz approach - cylinder', &
+      & 'hertz minor_half_width - !ellipsoid', &
+      & 'hertz major_axis_angle - !ellipsoid', &
+      & 'hertz contact_half_width contact_radius paraboloid', &
+      & 'hertz contact_half_width major_half_width ellipsoid', &
+      & 'hertz contact_area - cylinder', &
+      & 'hertz friction_force - !slides', &
+      & 'hertz friction_coefficient - !slides', &
+      & 'hertz,wave_1d contact_shift - !slides', &
+      & 'hertz,wave_1d dissipation - !slides', &
+      & 'hertz,wave_1d energy_imbalance - !slides', &
+      & 'hertz largest_shear_stress - slides', &
+      & 'hertz largest_shear_depth - slides', &
+      & 'hertz_history major_axis_angle - !ellipsoid', &
+      & 'hertz_history axis_ratio - !ellipsoid', &
+      & 'wave_1d adhesion_fraction - !adhesion', &
+      & periodic//' adhesion_energy - !adhesion', &
+      & periodic//' adhesion_fraction - !adhesion', &
+      & periodic//' pull_off_pressure - !adhesion', &
+      & 'wave_2d_elastic,surface_elastic pull_off_pressure - !pull_off', &
+      & 'wave_1d pull_off_penetration - !adhesion', &
+      & 'wave_1d jump_off_penetration - !adhesion', &
+      & 'wave_2d_elastic,surface_elastic cells_per_zone - !adhesion', &
+      & 'wave_1d hysteresis_loss - !adhesion', &
+      & 'wave_1d hysteresis_loss adhesion_hysteresis', &
+      & 'wave_1d elastic_energy - slides', &
+      & periodic//' friction_stress - !interface', &
+      & periodic//' friction_coefficient - !interface', &
+      & 'wave_2d_elastic,surface_elastic friction_force -', &
+      & 'wave_2d_elastic,surface_elastic smooth_friction_stress - !interface', &
+      & 'wave_2d_elastic,surface_elastic poisson_defect - !tangential', &
+      & 'line_load,strip_load stress_yy stress_zz', &
+      & 'line_load,strip_load stress_xy stress_xz', &
+      & 'line_load displacement_y displacement_z']
+
+   !> Profiles.
+   character(*), parameter :: profile_rules(*) = [character(120) :: &
+      & with_depth//' stress_yy_map stress_zz_map', &
+      & with_depth//' stress_xy_map stress_xz_map', &
+      & 'line_load displacement_y_map displacement_z_map', &
+      & 'hertz_history contact_half_width contact_radius paraboloid', &
+      & 'hertz_history contact_half_width major_half_width ellipsoid', &
+      & 'hertz_history stick_half_width stick_radius paraboloid', &
+      & 'hertz_history stick_half_width stick_major_half_width ellipsoid']
+
+   !> Words: the solvers, the variable in their language, each word that is another one in scenes, `old=new`, and the facts.
+   character(*), parameter :: word_rules(*) = [character(120) :: &
+      & 'wavy_sliding surface%kind wave_2d=wave_1d wave_3d=wave_product map=heights', &
+      & 'surface_sliding surface%kind heights=profile profile', &
+      & 'hertz,hertz_history contact%kind line=cylinder circular=paraboloid elliptical=ellipsoid', &
+      & 'rigid_punch punch%kind flat=line_punch polynomial=line_polynomial', &
+      & 'indenter,indenter_history shape%kind flat=flat_punch', &
+      & 'indenter model%theory none=hertz', &
+      & '* adhesion%branch approach=loading']
+
+   !> What a variable is, where the words of the solvers say only what it is for one of them.
+   character(*), parameter :: meanings(*) = [character(120) :: &
+      & 'surface%radius radius of the body, or of curvature at its tip', &
+      & 'surface%amplitude amplitude of each wave: half its height from valley to crest', &
+      & 'surface%length_x length of the heights along x: samples times spacing', &
+      & 'surface%length_y length of the heights along y: rows times spacing', &
+      & 'surface%slope slope of a cone or wedge', &
+      & 'operating%direction angle from +x, or the major axis, to the sliding or the force', &
+      & 'traction%distribution of both tractions: constant, sqrt(1 - x^2/a^2), or sampled', &
+      & 'operating%branch which of several states: of round bodies stable, inner or unstable, of waves adhered or loading', &
+      & 'output%z_min where profiles begin in depth', &
+      & 'output%z_max where profiles end in depth', &
+      & 'output%n_z samples of profiles in depth', &
+      & 'position%position_z depth of the point below the surface', &
+      & 'solid%young_modulus Young''s modulus; with relaxation that of long times', &
+      & 'solid%poisson_ratio Poisson''s ratio', &
+      & 'adhesion%work_of_adhesion work to part a unit of area: stress times range', &
+      & 'adhesion%adhesion_stress tension that holds the faces together within the range', &
+      & 'adhesion%adhesion_range largest gap with adhesion', &
+      & 'adhesion%theory theory of adhesion; auto: without a range JKR, with one Maugis and Dugdale''s or its limit', &
+      & 'adhesion%theory_tolerance largest error of the theory that auto may choose', &
+      & 'operating%approach approach of the body from first touch of the undisturbed surface', &
+      & 'operating%penetration penetration of the crests below the mean of the deformed surface', &
+      & 'operating%load load pressing the bodies together; of a line per length, of a period in foundations']
+
+   !> Values that follow from what a scene leaves out: the solvers, the variable in their language, its value, and the facts.
+   !> Without a range adhesion is that of JKR (the third word of `theory`).
+   character(*), parameter :: default_rules(*) = [character(120) :: &
+      & 'sphere sphere%work_of_adhesion 0 !adhesion', &
+      & 'sphere model%theory 3 adhesion !range']
+
+end module adfric_describe_scene_rules

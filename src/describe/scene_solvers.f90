@@ -1,0 +1,140 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The one table that says which solver answers which scene.
+module adfric_describe_scene_solvers
+   use adfric_base_words, only: get_word
+   implicit none (type, external)
+   private
+   public :: scenes, n_scenes, known_surfaces, known_tractions, known_extents, word_length
+   public :: accuracy_of, accuracy_of_scene, answers, find_nearest
+
+   !> Round bodies.
+   character(*), parameter :: round = 'sphere,paraboloid,cone,power,flat_punch,flat_cone,flat_paraboloid,rounded_punch,'// &
+      & 'rounded_cone,polynomial'
+   !> Words of `&surface kind`, of `&traction kind` and of `&solid extent`.
+   character(*), parameter :: known_surfaces = 'sphere paraboloid cone power flat_punch flat_cone flat_paraboloid '// &
+      & 'rounded_punch rounded_cone polynomial ellipsoid cylinder line_punch wedge line_polynomial '// &
+      & 'wave_1d wave_2d wave_product cosines profile heights'
+   character(*), parameter :: known_tractions = 'line strip point', known_extents = 'half_space layer foundation'
+
+   !> Surfaces, solids, interfaces, operations, solver, and whether its answers are `exact` (closed forms, roots, integrals and
+   !> time stepping whose error is that of round-off) or `numerical` (cells or collocation, with an estimate of the error).
+   !> A scene is answered by the first row that has it and whose solver knows all names that the input gives.
+   character(*), parameter :: scenes(*) = [character(200) :: &
+      & 'paraboloid half_space adhesion press sphere exact', &
+      & 'paraboloid half_space shear,adhesion+shear press,slide,tangential sphere exact', &
+      & round//' half_space none,adhesion press indenter exact', &
+      & 'paraboloid half_space none press sphere exact', &
+      & round//' half_space shear,adhesion+shear press,slide,tangential indenter exact', &
+      & round//' half_space coulomb press,tangential indenter exact', &
+      & round//' half_space coulomb path indenter_history exact', &
+      & 'paraboloid,ellipsoid half_space none press hertz exact', &
+      & 'paraboloid,ellipsoid half_space coulomb press,tangential hertz exact', &
+      & 'paraboloid,ellipsoid half_space coulomb path hertz_history exact', &
+      & 'cylinder half_space none press hertz exact', &
+      & 'cylinder half_space coulomb press,tangential hertz exact', &
+      & 'cylinder relaxing none slide hertz exact', &
+      & 'line_punch,cylinder,wedge,line_polynomial half_space none press rigid_punch exact', &
+      & 'wave_1d half_space none,adhesion press wave_1d exact', &
+      & 'wave_1d half_space shear,adhesion+shear press,slide wave_1d exact', &
+      & 'wave_1d half_space coulomb press,tangential wave_1d exact', &
+      & 'wave_1d relaxing none press,slide wave_1d exact', &
+      & 'wave_2d half_space none,adhesion press wave_2d_elastic numerical', &
+      & 'wave_2d half_space shear,adhesion+shear press,slide wave_2d_elastic numerical', &
+      & 'wave_2d half_space coulomb press,tangential wave_2d_elastic numerical', &
+      & 'profile,heights half_space none,adhesion press surface_elastic numerical', &
+      & 'profile,heights half_space shear,adhesion+shear press,slide surface_elastic numerical', &
+      & 'profile,heights half_space coulomb press,tangential surface_elastic numerical', &
+      & 'wave_1d,wave_2d,profile,heights relaxing,layer none press,slide surface_sliding numerical', &
+      & 'wave_1d,wave_product,cosines,profile,heights foundation none,adhesion press,slide wavy_sliding exact', &
+      & 'line half_space none press,tangential line_load exact', &
+      & 'strip half_space none press strip_load exact', &
+      & 'point half_space none press,tangential point_load exact']
+   integer, parameter :: n_scenes = size(scenes)
+
+   !> Length of the words of a scene.
+   integer, parameter :: word_length = 20
+
+contains
+
+   !> Are the answers of a solver exact or numerical?
+   pure function accuracy_of(solver) result(word)
+      !> Name of the solver.
+      character(*), intent(in) :: solver
+      character(:), allocatable :: word
+      integer :: row
+
+      word = ''
+      do row = 1, n_scenes
+         if (get_word(scenes(row), 5) == solver) word = get_word(scenes(row), 6)
+      end do
+   end function accuracy_of
+
+   !> Is the answer to a scene exact or numerical? Empty if nothing solves it.
+   pure function accuracy_of_scene(words) result(word)
+      !> Surface, solid, interface and operation.
+      character(*), intent(in) :: words(4)
+      character(:), allocatable :: word
+      integer :: row
+
+      do row = 1, n_scenes
+         if (.not. answers(row, words)) cycle
+         word = get_word(scenes(row), 6)
+         return
+      end do
+      word = ''
+   end function accuracy_of_scene
+
+   !> Does a row of the table have a scene?
+   pure logical function answers(row, words)
+      !> Number of the row.
+      integer, intent(in) :: row
+      !> Surface, solid, interface and operation.
+      character(*), intent(in) :: words(4)
+
+      answers = count_differences(row, words) == 0
+   end function answers
+
+   !> Is an item on a list?
+   pure logical function has_item(list, item)
+      !> Items, separated by a comma.
+      character(*), intent(in) :: list
+      !> The item.
+      character(*), intent(in) :: item
+
+      has_item = index(','//list//',', ','//item//',') > 0
+   end function has_item
+
+   !> The scene of the table that is nearest to one that no row has: with the fewest differences, the surface kept before the solid,
+   !> the solid before the interface, and that before the operation.
+   pure subroutine find_nearest(words, nearest)
+      !> Surface, solid, interface and operation.
+      character(*), intent(in) :: words(4)
+      !> Receives those of the nearest scene.
+      character(*), intent(out) :: nearest(4)
+      character(:), allocatable :: list
+      integer :: row, k
+
+      row = minloc([(count_differences(k, words), k=1, n_scenes)], 1)
+      do k = 1, 4
+         list = get_word(scenes(row), k)
+         nearest(k) = words(k)
+         if (.not. has_item(list, trim(words(k)))) nearest(k) = list(:scan(list//',', ',') - 1)
+      end do
+   end subroutine find_nearest
+
+   !> How far a row is from a scene: 0 if it has it.
+   pure integer function count_differences(row, words) result(distance)
+      !> Number of the row.
+      integer, intent(in) :: row
+      !> Surface, solid, interface and operation.
+      character(*), intent(in) :: words(4)
+      integer, parameter :: weights(4) = [1000, 103, 102, 101]
+      integer :: k
+
+      distance = 0
+      do k = 1, 4
+         if (.not. has_item(get_word(scenes(row), k), trim(words(k)))) distance = distance + weights(k)
+      end do
+   end function count_differences
+
+end module adfric_describe_scene_solvers

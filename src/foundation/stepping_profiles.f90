@@ -1,0 +1,101 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Pressure, shear stress, displacement and gap along a row of a marched surface.
+module adfric_foundation_stepping_profiles
+   use adfric_base_kinds, only: dp
+   use adfric_foundation_stepping_law, only: march_law_t
+   use adfric_foundation_stepping_period, only: period_t, in_contact, in_adhesion
+   use adfric_foundation_stepping_path, only: way_t, decay_of, height_at, steepness_at, stretches_at
+   implicit none (type, external)
+   private
+   public :: get_march_profiles
+
+contains
+
+   !> Profiles at given places, in the units of the march; the shear stress in that of pressure times heights over the period.
+   pure subroutine get_march_profiles(way, law, depth, period, start, places, profiles)
+      !> The way of the row.
+      type(way_t), intent(in) :: way
+      !> The law of adhesion.
+      type(march_law_t), intent(in) :: law
+      !> Penetration.
+      real(dp), intent(in) :: depth
+      !> The steady period of the row.
+      type(period_t), intent(in) :: period
+      !> Where the way begins, x in periods.
+      real(dp), intent(in) :: start
+      !> Places x in periods; shape `(n)`.
+      real(dp), intent(in) :: places(:)
+      !> Receives pressure, shear stress, displacement and gap; shape `(n, 4)`.
+      real(dp), intent(out) :: profiles(:, :)
+      real(dp) :: passed, theta, pressure, displacement
+      integer :: i, piece, zone
+
+      do i = 1, size(places)
+         ! a column meets falling x
+         passed = modulo(start - places(i), 1.0_dp)*way%n
+         piece = min(int(passed) + 1, way%n)
+         theta = min(passed - (piece - 1), 1.0_dp)
+         zone = find_zone(period, piece, theta)
+         call get_state(way, law, depth, period, zone, piece, theta, pressure, displacement)
+         profiles(i, 1) = pressure
+         profiles(i, 2) = pressure*steepness_at(way, piece, theta)*way%n
+         profiles(i, 3) = displacement
+         profiles(i, 4) = max(displacement - depth - height_at(way, piece, theta), 0.0_dp)
+      end do
+   end subroutine get_march_profiles
+
+   !> The zone of a place.
+   pure integer function find_zone(period, piece, theta) result(zone)
+      !> The period.
+      type(period_t), intent(in) :: period
+      !> The piece of the place.
+      integer, intent(in) :: piece
+      !> Share of the piece that is passed.
+      real(dp), intent(in) :: theta
+
+      do zone = 1, period%n_zones - 1
+         associate (finish => period%zones(zone)%finish)
+            if (finish%piece > piece .or. (finish%piece == piece .and. finish%theta >= theta)) return
+         end associate
+      end do
+      zone = period%n_zones
+   end function find_zone
+
+   !> Pressure and displacement at a place.
+   pure subroutine get_state(way, law, depth, period, zone, piece, theta, pressure, displacement)
+      !> The way.
+      type(way_t), intent(in) :: way
+      !> The law of adhesion.
+      type(march_law_t), intent(in) :: law
+      !> Penetration.
+      real(dp), intent(in) :: depth
+      !> The period.
+      type(period_t), intent(in) :: period
+      !> Number of the zone of the place.
+      integer, intent(in) :: zone
+      !> The piece of the place.
+      integer, intent(in) :: piece
+      !> Share of the piece that is passed.
+      real(dp), intent(in) :: theta
+      !> Receives the pressure.
+      real(dp), intent(out) :: pressure
+      !> Receives the displacement.
+      real(dp), intent(out) :: displacement
+      real(dp), dimension(way%solid%n) :: stretch, growth
+      real(dp) :: time
+
+      associate (here => period%zones(zone), s => way%solid)
+         time = max(0.0_dp, (real(piece - here%start%piece, dp) + (theta - here%start%theta))*way%step)
+         if (here%kind == in_contact) then
+            call stretches_at(way, piece, theta, stretch, growth)
+            stretch = stretch + period%start(:, zone)*decay_of(time/s%time)
+            displacement = depth + height_at(way, piece, theta)
+            pressure = displacement + sum(s%stiffness*stretch)
+         else
+            pressure = merge(-law%stress, 0.0_dp, here%kind == in_adhesion)
+            displacement = pressure + sum(period%start(:, zone)*decay_of(time/s%retardation))
+         end if
+      end associate
+   end subroutine get_state
+
+end module adfric_foundation_stepping_profiles

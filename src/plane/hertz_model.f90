@@ -1,0 +1,392 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The model `hertz`: smooth elastic bodies in contact along a line, on a circle or on an ellipse, without friction or in partial slip
+!> (Cattaneo, Mindlin); or a rigid cylinder that slides over a viscoelastic half-plane (Hunter).
+module adfric_plane_hertz_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_plane_hertz_check, only: check_hertz, is_sliding, get_curvatures, steepest_edge
+   use adfric_plane_hertz_ellipse, only: ellipse_t, ellipse_shape_t, ellipse_of_load, &
+      & ellipse_of_approach, ellipse_pressure, ellipse_gap, ellipse_misfit
+   use adfric_plane_hertz_line, only: line_contact_t, line_of_load, line_pressure, line_gap, line_misfit
+   use adfric_plane_hertz_slip, only: add_ellipse_slip, add_line_slip, find_slip, has_slip, hertz_slip_t, &
+      & p_shear_stress, slip_profiles, tractions
+   use adfric_plane_hertz_unit, only: unit_contact_t, find_unit_line, find_unit_ellipse
+   use adfric_plane_hertz_variables, only: get_hertz_variables, get_hertz_results, kind_line, v_approach, v_contact_modulus, &
+      & v_kind, v_load, v_material, v_poisson_ratio, v_radius, v_second_poisson_ratio, v_temperature, r_approach, &
+      & r_contact_area, r_direction, r_half_width, r_load, r_mean_pressure, r_minor, r_peak_pressure, r_shear, r_shear_depth, &
+      & r_violation, v_tangential_force
+   use adfric_plane_sliding_cylinder_point, only: cylinder_point_t, solve_cylinder, get_cylinder_profiles, &
+      & get_cylinder_frequency
+   use adfric_plane_viscoelastic_model, only: viscoelastic_model_t
+   use adfric_solid_contact_modulus, only: contact_modulus_of, derive_contact_modulus
+   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum
+   use adfric_describe_doubt, only: doubt_contact_too_wide
+   use adfric_describe_pointwise, only: point_state_t
+   use adfric_describe_derived, only: derived_t
+   use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_describe_table, only: result_t, profile_axis_t, take_units
+   implicit none (type, external)
+   private
+   public :: hertz_model_t, new_hertz_model
+
+   !> The model `hertz`.
+   type, extends(viscoelastic_model_t) :: hertz_model_t
+   contains
+      procedure :: check_case
+      procedure :: derive_quantities
+      procedure :: describe_case
+      procedure :: describe_doubts
+      procedure :: describe_results
+      procedure :: unit_of
+      procedure :: measure
+      procedure :: solve_point
+      procedure :: count_profiles
+      procedure :: fill_profiles
+   end type hertz_model_t
+
+   !> Hertz's contact at a point.
+   type, extends(point_state_t) :: hertz_state_t
+      !> The contact in units of its own; the next point takes it over where it has the same.
+      type(unit_contact_t) :: unit_contact
+      !> The contact along a line, where it is one.
+      type(line_contact_t) :: line
+      !> The contact on an ellipse or a circle, where it is one.
+      type(ellipse_t) :: ellipse
+      !> Curvatures A <= B of the gap of an ellipse [1/m].
+      real(dp) :: a = 0, b = 0
+      !> Slip, where there is friction.
+      type(hertz_slip_t) :: slip
+   end type hertz_state_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_hertz_model(self)
+      !> The new model; receives its tables.
+      type(hertz_model_t), intent(out) :: self
+
+      call self%set_tables(name='hertz', &
+         & summary='smooth bodies in contact along a line, a circle or an ellipse; a cylinder sliding on a viscoelastic solid', &
+         & variables=get_hertz_variables(), results=get_hertz_results(), profiles=slip_profiles(), axes='y x', is_depth=.false.)
+      self%first_material = v_material
+      self%references = self%references//'; S. C. Hunter, J. Appl. Mech. 28, 611 (1961); ' &
+         & //'R. D. Mindlin, J. Appl. Mech. 16, 259 (1949)'
+   end subroutine new_hertz_model
+
+   !> See `model_t`.
+   function describe_results(self, values) result(results)
+      !> The model with its table of results.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      results = self%results
+      if (is_set(values(v_kind))) call take_units(get_hertz_results(nint(values(v_kind)) == kind_line), results)
+   end function describe_results
+
+   !> See `model_t`: forces on a line are those per length.
+   function unit_of(self, values, place) result(unit)
+      !> The model with its table of variables.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%variables(place)%unit
+      if ((place == v_load .or. place == v_tangential_force) .and. is_set(values(v_kind))) &
+         & unit = trim(merge('N/m', 'N  ', nint(values(v_kind)) == kind_line))
+   end function unit_of
+
+   !> See `model_t`.
+   subroutine measure(self, values, results, measures)
+      !> The model; nothing of it is read here.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      if (.not. ieee_is_nan(results(r_half_width))) measures(doubt_contact_too_wide) = steepest_edge(values, &
+         & results(r_half_width), results(r_minor), results(r_direction))
+      associate (unused => self)
+      end associate
+   end subroutine measure
+
+   !> See `halfspace_model_t`.
+   subroutine check_case(self, values, problems)
+      !> The model; its tables give the variables their names.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call check_hertz(self%variables, values, self%given, problems)
+   end subroutine check_case
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(list)
+      !> The model, for the rows of its moduli.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: list(:)
+
+      if (is_sliding(values)) then
+         call derive_spectrum(list, values(v_material:v_temperature), self%given)
+      else
+         list = derive_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
+            & values(v_contact_modulus:v_second_poisson_ratio))
+      end if
+   end function derive_quantities
+
+   !> See `model_t`.
+   function describe_case(self, values) result(text)
+      !> The model with its lists and datasets.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      if (is_sliding(values)) text = describe_spectrum(values(v_material:v_temperature), self%given)
+   end function describe_case
+
+   !> See `model_t`.
+   function describe_doubts(self, values) result(text)
+      !> The model with its lists and datasets.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      real(dp) :: frequency
+
+      text = ''
+      if (.not. is_sliding(values)) return
+      call get_cylinder_frequency(values, self%given, frequency)
+      text = doubt_spectrum(values(v_material:v_temperature), self%given, [frequency, frequency])
+   end function describe_doubts
+
+   !> E* [Pa].
+   pure real(dp) function modulus_of(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+   end function modulus_of
+
+   !> See `pointwise_model_t`.
+   subroutine solve_point(self, values, state, results, error_estimate, status, counts)
+      !> The model with its lists and datasets.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What the point before has left; receives what this point leaves.
+      class(point_state_t), allocatable, intent(inout) :: state
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
+      real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
+      integer, intent(out) :: status
+      !> These models count nothing; size 0.
+      real(dp), intent(inout) :: counts(:)
+
+      status = status_not_converged
+      error_estimate = 0
+      if (.not. allocated(state)) then
+         if (is_sliding(values)) allocate (cylinder_point_t :: state)
+         if (.not. is_sliding(values)) allocate (hertz_state_t :: state)
+      end if
+      select type (state)
+      type is (cylinder_point_t)
+         call solve_cylinder(values, self%given, state, results, error_estimate, status)
+      type is (hertz_state_t)
+         if (nint(values(v_kind)) == kind_line) then
+            call solve_line(values, state, results, error_estimate, status)
+         else
+            call solve_ellipse(values, state, results, error_estimate, status)
+         end if
+      end select
+      associate (unused_counts => counts)
+      end associate
+   end subroutine solve_point
+
+   !> Solve the contact along a line.
+   subroutine solve_line(values, state, results, error_estimate, status)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> In: the unit contact of the point before. Out: that of this point, and its contact.
+      type(hertz_state_t), intent(inout) :: state
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
+      real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
+      integer, intent(out) :: status
+      real(dp) :: misfit
+      logical :: is_held
+
+      status = status_solved
+      error_estimate = epsilon(error_estimate)
+      state%line = line_of_load(values(v_radius), modulus_of(values), values(v_load))
+      if (has_slip(values)) then
+         call find_slip(values, values(v_load), state%line%peak_pressure, .true., state%slip, is_held)
+         if (.not. is_held) status = status_no_equilibrium
+         if (.not. is_held) return
+         if (values(v_load) > 0) call add_line_slip(values, values(v_load), state%slip%share, results)
+      end if
+      call find_unit_line(values(v_poisson_ratio), state%unit_contact)
+      associate (line => state%line, unit_contact => state%unit_contact)
+         results([r_load, r_half_width, r_peak_pressure]) = [values(v_load), line%half_width, line%peak_pressure]
+         results([r_mean_pressure, r_contact_area]) = [pi/4*line%peak_pressure, 2*line%half_width]
+         results([r_shear, r_shear_depth]) = [unit_contact%shear*line%peak_pressure, unit_contact%depth*line%half_width]
+         misfit = line_misfit(line, values(v_load))
+         error_estimate = max(error_estimate, misfit)
+         results(r_violation) = max(misfit, unit_contact%violation)
+      end associate
+   end subroutine solve_line
+
+   !> Solve the contact on an ellipse or a circle.
+   subroutine solve_ellipse(values, state, results, error_estimate, status)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> In: the unit contact of the point before. Out: that of this point, and its contact.
+      type(hertz_state_t), intent(inout) :: state
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
+      real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
+      integer, intent(out) :: status
+      real(dp) :: direction, misfit
+      logical :: is_held
+
+      status = status_no_equilibrium
+      error_estimate = epsilon(error_estimate)
+      associate (a => state%a, b => state%b, s => state%ellipse, unit_contact => state%unit_contact)
+         call get_curvatures(values, a, b, direction)
+         if (.not. a > 0) return
+         call find_unit_ellipse(a/b, values(v_poisson_ratio), unit_contact)
+         status = merge(status_solved, status_not_converged, unit_contact%shape%is_converged)
+         if (status /= status_solved) return
+         call get_ellipse(values, a, b, unit_contact%shape, s)
+         if (has_slip(values)) then
+            call find_slip(values, s%load, s%peak_pressure, .false., state%slip, is_held)
+            if (.not. is_held) status = status_no_equilibrium
+            if (.not. is_held) return
+            if (s%minor > 0) call add_ellipse_slip(values, s, state%slip%share, results)
+         end if
+         results([r_load, r_approach, r_half_width, r_minor]) = [s%load, s%approach, s%major, s%minor]
+         results([r_peak_pressure, r_mean_pressure]) = s%peak_pressure*[1.0_dp, 2.0_dp/3]
+         results([r_contact_area, r_direction, r_violation]) = [pi*s%major*s%minor, direction, 0.0_dp]
+         if (.not. s%minor > 0) return
+         if (is_set(values(v_poisson_ratio))) results([r_shear, r_shear_depth]) = [unit_contact%shear*s%peak_pressure, &
+            & unit_contact%depth*s%major]
+         misfit = ellipse_misfit(s, a, b, modulus_of(values))
+         error_estimate = max(error_estimate, misfit)
+         results(r_violation) = max(misfit, unit_contact%violation)
+      end associate
+   end subroutine solve_ellipse
+
+   !> Ellipse of a case under its load or approach.
+   pure subroutine get_ellipse(values, a, b, shape, s)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Curvatures A <= B of the gap [1/m].
+      real(dp), intent(in) :: a, b
+      !> Shape of the ellipse that belongs to A/B.
+      type(ellipse_shape_t), intent(in) :: shape
+      !> The contact; its half-axes are 0 if the shape is not converged.
+      type(ellipse_t), intent(out) :: s
+
+      if (is_set(values(v_load))) then
+         call ellipse_of_load(a, b, modulus_of(values), values(v_load), shape, s)
+      else
+         call ellipse_of_approach(a, b, modulus_of(values), values(v_approach), shape, s)
+      end if
+   end subroutine get_ellipse
+
+   !> See `model_t`: the shear stress belongs to friction.
+   pure integer function count_profiles(self, values)
+      !> The model; nothing is read from it here.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      count_profiles = merge(p_shear_stress, p_shear_stress - 1, has_slip(values))
+      associate (unused => self)
+      end associate
+   end function count_profiles
+
+   !> See `pointwise_model_t`. x and y are the axes of the ellipse; a line contact extends along y.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
+      !> The model; nothing is read from it here.
+      class(hertz_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point, not used here.
+      real(dp), intent(in) :: results(:)
+      !> The contact of the point.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Axes of the profiles, the slowest first.
+      type(profile_axis_t), intent(in) :: axes(:)
+      !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      integer :: j
+
+      select type (state)
+      type is (cylinder_point_t)
+         do j = 1, size(axes(1)%coordinates)
+            call get_cylinder_profiles(state, axes(2)%coordinates, profiles(:, j, 1), profiles(:, j, 2))
+         end do
+      type is (hertz_state_t)
+         associate (s => state%ellipse, y => axes(1)%coordinates, x => axes(2)%coordinates)
+            do j = 1, size(y)
+               if (nint(values(v_kind)) == kind_line) then
+                  profiles(:, j, 1) = line_pressure(state%line, x)
+                  profiles(:, j, 2) = line_gap(state%line, x)
+               else
+                  profiles(:, j, 1) = ellipse_pressure(s, x, y(j))
+                  profiles(:, j, 2) = ellipse_gap(s, modulus_of(values), x, y(j))
+                  if (.not. s%minor > 0) profiles(:, j, 2) = state%a*x**2 + state%b*y(j)**2 - s%approach
+               end if
+               if (size(profiles, 3) == p_shear_stress) call fill_tractions(state, x, y(j), nint(values(v_kind)) == kind_line, &
+                  & profiles(:, j, p_shear_stress))
+            end do
+         end associate
+      end select
+      associate (unused => self, unused_results => results)
+      end associate
+   end subroutine fill_profiles
+
+   !> Shear tractions along a line of x.
+   pure subroutine fill_tractions(state, x, y, is_line, traction)
+      !> The contact, with its slip.
+      type(hertz_state_t), intent(in) :: state
+      !> Coordinates along the major axis, or across a line [m]; shape `(n_x)`.
+      real(dp), intent(in) :: x(:)
+      !> Coordinate along the minor axis [m].
+      real(dp), intent(in) :: y
+      !> Is the contact one along a line?
+      logical, intent(in) :: is_line
+      !> Receives the tractions [Pa]; shape `(n_x)`.
+      real(dp), intent(out) :: traction(:)
+
+      traction = 0
+      if (is_line) then
+         if (state%line%half_width > 0) traction = tractions(state%slip, (x/state%line%half_width)**2)
+      else if (state%ellipse%minor > 0) then
+         traction = tractions(state%slip, (x/state%ellipse%major)**2 + (y/state%ellipse%minor)**2)
+      end if
+   end subroutine fill_tractions
+
+end module adfric_plane_hertz_model

@@ -1,0 +1,213 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Partial slip of the model `hertz`: its rows of friction, what they may not say, and what a point finds.
+!>
+!> The bonded contact of an ellipse gives way by C T along an axis (Johnson, Contact Mechanics, 1985, 7.2), summed over the bodies,
+!>
+!>     C_x = [(1 - nu) R_F(0, a^2, b^2) + nu (a^2/3) R_D(0, b^2, a^2)]/(2 pi G),   C_y with (b^2/3) R_D(0, a^2, b^2)
+!>
+!> and under Coulomb's friction by u = (3/2) mu P C (1 - y^2). A line has no displacement, that of a half-plane has no zero.
+!>
+!> Exact where the tangential force does not press and the pressure does not shear: bodies alike, or one rigid and the other
+!> incompressible; in slip at nu > 0 the displacement across the force is left out.
+module adfric_plane_hertz_slip
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_plane_hertz_ellipse, only: ellipse_shape_t, ellipse_t
+   use adfric_plane_hertz_variables, only: axis_minor, kind_elliptical, kind_line, r_cycle_energy, r_stick_fraction, &
+      & r_tangential_displacement, r_tangential_stiffness, v_coefficient, v_contact_modulus, v_kind, v_poisson_ratio, &
+      & v_second_poisson_ratio, v_tangential_axis, v_tangential_force
+   use adfric_plane_partial_slip, only: ellipse_slip, line_slip, partial_slip_t, shear_traction
+   use adfric_solid_contact_modulus, only: contact_modulus_of, poisson_compliance_of
+   use adfric_describe_check, only: require
+   use adfric_describe_rows, only: contact_profiles
+   use adfric_describe_table, only: profile_t, variable_t
+   implicit none (type, external)
+   private
+   public :: hertz_slip_t, check_slip, refuse_slip, has_slip, find_slip, add_line_slip, add_ellipse_slip, slip_profiles
+   public :: bonded_compliance, tractions, p_shear_stress
+
+   !> Place of the shear stress among the profiles, behind those that every contact has.
+   integer, parameter :: p_shear_stress = 3
+   !> Forces above mu P by this share are those of sliding, but for round-off.
+   real(dp), parameter :: round_off = 4*epsilon(1.0_dp)
+
+   !> Slip at a point.
+   type :: hertz_slip_t
+      !> Slip in units of the contact.
+      type(partial_slip_t) :: share
+      !> The largest shear traction that could be, mu p0, with the sign of the force [Pa].
+      real(dp) :: traction = 0
+   end type hertz_slip_t
+
+contains
+
+   !> Has the case friction?
+   pure logical function has_slip(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      has_slip = is_set(values(v_coefficient))
+   end function has_slip
+
+   !> The profiles of a contact with friction; the last one belongs to cases with friction alone.
+   function slip_profiles() result(p)
+      type(profile_t) :: p(p_shear_stress)
+
+      p(:p_shear_stress - 1) = contact_profiles()
+      p(p_shear_stress) = profile_t(name='shear_stress', unit='Pa', &
+         & long_name='shear stress of friction, along the tangential force')
+   end function slip_profiles
+
+   !> Add to `problems` what is missing or has no meaning for an elastic contact.
+   subroutine check_slip(variables, values, problems)
+      !> Table of the variables; their names are part of the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: kind
+
+      if (.not. has_slip(values)) then
+         if (is_set(values(v_tangential_force))) call problems%add('friction', 'coefficient', &
+            & 'is missing [-]; tangential_force needs it')
+         if (is_set(values(v_tangential_axis))) call problems%add('operating', 'tangential_axis', &
+            & 'has no meaning without &friction coefficient')
+         return
+      end if
+      call require(variables, values, [v_tangential_force], problems)
+      if (.not. is_set(values(v_kind))) return
+      kind = nint(values(v_kind))
+      if (is_set(values(v_tangential_axis)) .and. kind /= kind_elliptical) call problems%add('operating', 'tangential_axis', &
+         & 'has no meaning for this kind')
+      if (kind /= kind_line .and. is_set(values(v_contact_modulus)) .and. .not. is_set(values(v_poisson_ratio))) &
+         & call problems%add('solid', 'poisson_ratio', 'is missing [-]; the tangential displacement needs it')
+   end subroutine check_slip
+
+   !> Add to `problems` what there is of friction, where a cylinder slides over a material.
+   subroutine refuse_slip(variables, values, problems)
+      !> Table of the variables; their names are part of the messages.
+      type(variable_t), intent(in) :: variables(:)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+      integer :: k
+
+      do k = v_tangential_force, v_coefficient
+         if (is_set(values(k))) call problems%add(variables(k)%group, variables(k)%name, &
+            & 'has no meaning beside &material, over which a cylinder slides without such friction')
+      end do
+   end subroutine refuse_slip
+
+   !> Slip of a contact under a load.
+   pure subroutine find_slip(values, load, peak_pressure, is_line, slip, is_possible)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Load P [N; N/m of a line], >= 0.
+      real(dp), intent(in) :: load
+      !> Largest pressure p0 [Pa].
+      real(dp), intent(in) :: peak_pressure
+      !> Is the contact one along a line?
+      logical, intent(in) :: is_line
+      !> Receives the slip.
+      type(hertz_slip_t), intent(out) :: slip
+      !> Does friction hold the force?
+      logical, intent(out) :: is_possible
+      real(dp) :: force, tau
+
+      force = abs(values(v_tangential_force))/values(v_coefficient)
+      is_possible = .not. force > (1 + round_off)*load
+      if (.not. (is_possible .and. load > 0)) return
+      tau = min(force/load, 1.0_dp)
+      if (is_line) slip%share = line_slip(tau)
+      if (.not. is_line) slip%share = ellipse_slip(tau)
+      slip%traction = sign(values(v_coefficient)*peak_pressure, values(v_tangential_force))
+   end subroutine find_slip
+
+   !> Results of slip along a line.
+   pure subroutine add_line_slip(values, load, share, results)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Load P [N/m], > 0.
+      real(dp), intent(in) :: load
+      !> The slip.
+      type(partial_slip_t), intent(in) :: share
+      !> Receives the results of slip; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+
+      results(r_stick_fraction) = share%stick
+      results(r_cycle_energy) = 4/pi*(values(v_coefficient)*load)*(values(v_coefficient)*load/modulus_of(values))*share%energy
+   end subroutine add_line_slip
+
+   !> Results of slip on an ellipse.
+   pure subroutine add_ellipse_slip(values, ellipse, share, results)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The contact, of half-axes > 0.
+      type(ellipse_t), intent(in) :: ellipse
+      !> The slip.
+      type(partial_slip_t), intent(in) :: share
+      !> Receives the results of slip; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      real(dp) :: compliance, friction, full
+
+      compliance = compliance_of(values, ellipse)/ellipse%major
+      friction = values(v_coefficient)*ellipse%load
+      full = 1.5_dp*friction*compliance
+      results(r_stick_fraction) = share%stick**2
+      results(r_tangential_displacement) = sign(full*share%displacement(), values(v_tangential_force))
+      results(r_tangential_stiffness) = share%stick/compliance
+      results(r_cycle_energy) = friction*full*share%energy
+   end subroutine add_ellipse_slip
+
+   !> Tangential compliance of the bonded ellipse along the axis of the force, times its half-axis a [1/Pa].
+   pure real(dp) function compliance_of(values, ellipse) result(compliance)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The contact.
+      type(ellipse_t), intent(in) :: ellipse
+      logical :: is_along_minor
+
+      is_along_minor = is_set(values(v_tangential_axis))
+      if (is_along_minor) is_along_minor = nint(values(v_tangential_axis)) == axis_minor
+      compliance = bonded_compliance(values(v_contact_modulus:v_second_poisson_ratio), ellipse%shape, is_along_minor)
+   end function compliance_of
+
+   !> C of the module's head times the half-axis a [1/Pa].
+   pure real(dp) function bonded_compliance(moduli, shape, is_along_minor) result(compliance)
+      !> Values of the rows of the contact modulus; shape `(n_two_bodies)`.
+      real(dp), intent(in) :: moduli(:)
+      !> Shape of the ellipse.
+      type(ellipse_shape_t), intent(in) :: shape
+      !> Does the force act along the minor axis?
+      logical, intent(in) :: is_along_minor
+      real(dp) :: along
+
+      along = shape%d_along
+      if (is_along_minor) along = shape%axis_ratio**2*shape%d_across
+      compliance = (2/contact_modulus_of(moduli)*shape%f + poisson_compliance_of(moduli)*along/3)/(2*pi)
+   end function bonded_compliance
+
+   !> E* [Pa].
+   pure real(dp) function modulus_of(values)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      modulus_of = contact_modulus_of(values(v_contact_modulus:v_second_poisson_ratio))
+   end function modulus_of
+
+   !> Shear tractions [Pa].
+   pure function tractions(slip, squares)
+      !> The slip.
+      type(hertz_slip_t), intent(in) :: slip
+      !> Squares of the distances from the middle, in half-axes; shape `(n_places)`.
+      real(dp), intent(in) :: squares(:)
+      real(dp) :: tractions(size(squares))
+
+      tractions = slip%traction*shear_traction(slip%share, squares)
+   end function tractions
+
+end module adfric_plane_hertz_slip

@@ -1,0 +1,150 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What is found by going over the profiles of a sliding wave: the largest pressure and gap, the work of the pressure, and how well
+!> the conditions of contact hold. Units and symbols as in `sliding_wave`.
+!>
+!> The work of the pressure on the wave, per area and distance, is its tangential stress
+!>
+!>     T = -mean(p h_x) = int p sin x dx/(2 pi)
+!>
+!> The closed form of T never meets the pressure at a place, so the two of them check each other. The integral is a sum over places that
+!> are as dense in each decade of the distance from an edge: with short relaxation lengths the pressure has layers there, of all sizes.
+module adfric_plane_sliding_wave_survey
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_numerics_double_exponential, only: integrand_t
+   use adfric_numerics_largest_value, only: find_largest_value
+   use adfric_plane_contact_conditions, only: largest_violation
+   use adfric_plane_sliding_solid, only: sliding_solid_t
+   use adfric_plane_sliding_wave, only: wave_contact_t
+   use adfric_plane_sliding_wave_profile, only: signed_pressure, signed_gap
+   implicit none (type, external)
+   private
+   public :: wave_survey_t, survey_wave
+
+   !> Places in the contact, and in the gap, at which the conditions of contact are checked.
+   integer, parameter :: n_places = 8
+   !> Distance of the places of the sum, in the logarithm of the ratio of the ways to both edges. A layer e^(-s/a) leaves an error of
+   !> e^(-pi^2/step).
+   real(dp), parameter :: step = 0.3_dp
+   !> Where the places end, in that logarithm, if the solid is elastic: the load beyond is 1e-15 of the whole.
+   real(dp), parameter :: last_place = 24
+
+   !> What is found.
+   type :: wave_survey_t
+      !> Largest pressure [p*], and largest gap [D].
+      real(dp) :: peak_pressure = 0, largest_gap = 0
+      !> Tangential stress from the pressure [k D p*].
+      real(dp) :: friction = 0
+      !> Largest violation of g >= 0, p >= 0 [p*, D].
+      real(dp) :: violation = 0
+   end type wave_survey_t
+
+   !> The pressure in the contact, along the way from its trailing edge; the gap beyond it, from its leading edge.
+   type, extends(integrand_t) :: place_t
+      !> The solid.
+      type(sliding_solid_t) :: solid
+      !> The contact.
+      type(wave_contact_t) :: contact
+      !> Where the way begins.
+      real(dp) :: first = 0
+      !> Is it the gap?
+      logical :: is_gap = .false.
+   contains
+      procedure :: evaluate
+   end type place_t
+
+contains
+
+   !> Go over the profiles of a contact.
+   pure subroutine survey_wave(solid, contact, survey)
+      !> The solid, with lengths in 1/k.
+      type(sliding_solid_t), intent(in) :: solid
+      !> The contact.
+      type(wave_contact_t), intent(in) :: contact
+      !> What is found; NaN where a profile is not.
+      type(wave_survey_t), intent(out) :: survey
+      type(place_t) :: place
+      real(dp) :: width
+
+      if (contact%is_full) then
+         ! p = q + |E| cos(x - d)
+         survey%peak_pressure = contact%mean_pressure + contact%stiffness
+         survey%friction = contact%stiffness*sin(contact%shift%shift)/2
+         return
+      else if (.not. contact%half_width > 0) then
+         survey%largest_gap = 2 - contact%penetration
+         return
+      end if
+      width = 2*contact%half_width
+      place = place_t(solid, contact, contact%shift%shift - contact%half_width)
+      call find_largest_value(place, width, survey%peak_pressure)
+      call add_violations(place, width, survey%violation)
+      survey%friction = work_of_pressure(solid, contact, width)
+      place = place_t(solid, contact, contact%shift%shift + contact%half_width, is_gap=.true.)
+      width = 4*atan2(contact%cosine, contact%sine)
+      call find_largest_value(place, width, survey%largest_gap)
+      call add_violations(place, width, survey%violation)
+   end subroutine survey_wave
+
+   !> Work of the pressure on the wave, per area and distance [k D p*].
+   pure real(dp) function work_of_pressure(solid, contact, width) result(work)
+      !> The solid, with lengths in 1/k.
+      type(sliding_solid_t), intent(in) :: solid
+      !> The contact.
+      type(wave_contact_t), intent(in) :: contact
+      !> Its width, > 0.
+      real(dp), intent(in) :: width
+      real(dp) :: ratio, ways(2), x
+      integer :: i, n_steps
+
+      work = 0
+      ! a glass carries as many times the load on the way s from an edge, which is in proportion to s^(3/2)
+      n_steps = nint((last_place + 2*log(solid%instantaneous_ratio())/3)/step)
+      do i = -n_steps, n_steps
+         ratio = exp(-step*abs(i))
+         ! to the nearer edge and to the other one
+         ways = width*[ratio, 1.0_dp]/(1 + ratio)
+         if (i > 0) ways = ways([2, 1])
+         x = contact%shift%shift + (ways(1) - ways(2))/2
+         work = work + step*(ways(1)*ways(2)/width)*signed_pressure(solid, contact, x)*sin(x)
+      end do
+      work = work/two_pi
+   end function work_of_pressure
+
+   !> Take violations of the conditions of contact into account. The gap in the contact and the pressure beside it are 0.
+   pure subroutine add_violations(place, length, violation)
+      !> The pressure or the gap.
+      type(place_t), intent(in) :: place
+      !> Width of the contact, or of the gap.
+      real(dp), intent(in) :: length
+      !> The largest violation so far.
+      real(dp), intent(inout) :: violation
+      real(dp) :: values(n_places), nothing(n_places)
+      integer :: i
+
+      nothing = 0
+      values = [(place%evaluate(length*(i - 0.5_dp)/n_places, length*(n_places + 0.5_dp - i)/n_places), i=1, n_places)]
+      violation = max(violation, largest_violation(values, nothing, 1.0_dp, 1.0_dp))
+   end subroutine add_violations
+
+   !> See `integrand_t`.
+   pure real(dp) function evaluate(self, from_left, from_right) result(value)
+      !> The contact.
+      class(place_t), intent(in) :: self
+      !> Way from the edge where it begins.
+      real(dp), intent(in) :: from_left
+      !> Way to the other edge.
+      real(dp), intent(in) :: from_right
+      real(dp) :: x
+
+      x = self%first + from_left
+      if (self%is_gap) then
+         value = signed_gap(self%solid, self%contact, x)
+      else
+         value = signed_pressure(self%solid, self%contact, x)
+      end if
+      associate (unused => from_right)
+      end associate
+   end function evaluate
+
+end module adfric_plane_sliding_wave_survey

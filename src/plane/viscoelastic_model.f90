@@ -1,0 +1,58 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What the classical models share whose solid may be viscoelastic: the lists and datasets of its spectrum.
+module adfric_plane_viscoelastic_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_plane_model, only: halfspace_model_t
+   use adfric_solid_given_spectrum, only: given_spectrum_t
+   use adfric_solid_spectrum_rows, only: take_spectrum, take_spectrum_attribute
+   implicit none (type, external)
+   private
+   public :: viscoelastic_model_t
+
+   !> A model with rows of a spectrum, of which alone it has lists and datasets.
+   type, abstract, extends(halfspace_model_t) :: viscoelastic_model_t
+      !> Place of the first row of the material.
+      integer :: first_material = 0
+      !> Lists and datasets of the material.
+      type(given_spectrum_t) :: given
+   contains
+      procedure :: take_dataset
+      procedure :: take_attribute
+   end type viscoelastic_model_t
+
+contains
+
+   !> See `model_t`.
+   subroutine take_dataset(self, place, values, problems)
+      !> The model, which keeps the values.
+      class(viscoelastic_model_t), intent(inout) :: self
+      !> Place of the variable, one of the rows of the material.
+      integer, intent(in) :: place
+      !> The values in SI units; shape `(n, n_columns)`.
+      real(dp), intent(in) :: values(:, :)
+      !> Receives what is wrong with the values; nothing here.
+      type(problems_t), intent(inout) :: problems
+
+      call take_spectrum(self%given, place - self%first_material + 1, values)
+      associate (unused => problems)
+      end associate
+   end subroutine take_dataset
+
+   !> See `model_t`.
+   subroutine take_attribute(self, place, name, value, problems)
+      !> The model, which keeps the value.
+      class(viscoelastic_model_t), intent(inout) :: self
+      !> Place of the variable, one of the rows of the material.
+      integer, intent(in) :: place
+      !> Name of the attribute.
+      character(*), intent(in) :: name
+      !> Its value in SI units.
+      real(dp), intent(in) :: value
+      !> Receives what is wrong with it.
+      type(problems_t), intent(inout) :: problems
+
+      call take_spectrum_attribute(self%given, self%variables(place), place - self%first_material + 1, name, value, problems)
+   end subroutine take_attribute
+
+end module adfric_plane_viscoelastic_model

@@ -1,0 +1,264 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The model `wave_1d`: a sinusoidal wave on an elastic half-plane (Westergaard), with or without adhesion, or sliding over a
+!> viscoelastic one.
+module adfric_plane_wave_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: two_pi
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_plane_adhesive_wave_point, only: adhesive_point_t, derive_adhesion, solve_adhesion, get_adhesive_profiles
+   use adfric_plane_elastic_wave_point, only: solve_elastic_wave, get_elastic_wave_profiles
+   use adfric_plane_sliding_wave_point, only: slide_point_t, solve_slide, get_slide_profiles
+   use adfric_plane_viscoelastic_model, only: viscoelastic_model_t
+   use adfric_plane_wave_check, only: check_wave, is_adhesive, is_sliding
+   use adfric_plane_wave_slip_point, only: add_slip, slip_tractions
+   use adfric_plane_wave_variables, only: get_wave_variables, get_wave_results, v_adhesion, v_amplitude, v_coefficient, &
+      & v_contact_modulus, v_material, v_period, v_pressure_factor, v_second_poisson_ratio, v_shear_strength, &
+      & v_tangential_stress, v_temperature, v_velocity, r_adhesion_fraction, r_contact_fraction, r_contact_width, &
+      & r_friction_coefficient, r_friction_stress, r_mean_pressure
+   use adfric_solid_contact_modulus, only: derive_contact_modulus
+   use adfric_interface_coulomb_rows, only: has_coulomb
+   use adfric_interface_shear_strength_rows, only: get_friction_of_area, has_shear, p_shear_stress, shear_profiles, shear_stress
+   use adfric_solid_spectrum_rows, only: derive_spectrum, describe_spectrum, doubt_spectrum
+   use adfric_describe_derived, only: derived_t
+   use adfric_describe_doubt, only: doubt_slope_too_steep
+   use adfric_describe_pointwise, only: point_state_t
+   use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_describe_table, only: profile_axis_t
+   implicit none (type, external)
+   private
+   public :: wave_model_t, new_wave_model
+
+   !> The model `wave_1d`.
+   type, extends(viscoelastic_model_t) :: wave_model_t
+   contains
+      procedure :: check_case
+      procedure :: derive_quantities
+      procedure :: describe_case
+      procedure :: describe_doubts
+      procedure :: solve_point
+      procedure :: count_profiles
+      procedure :: fill_profiles
+      procedure :: measure
+   end type wave_model_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_wave_model(self)
+      !> The new model; receives its tables.
+      type(wave_model_t), intent(out) :: self
+
+      call self%set_tables(name='wave_1d', summary='a sinusoidal wave on an elastic half-plane, also with adhesion, or sliding ' &
+         & //'over a viscoelastic one, up to full contact', &
+         & variables=get_wave_variables(), results=get_wave_results(), profiles=shear_profiles(), axes='x', is_depth=.false.)
+      self%first_material = v_material
+      self%references = self%references//'; Int. J. Solids Struct. 32 (1995); N. Menga, C. Putignano, G. Carbone, G. P. Demelio, ' &
+         & //'Proc. R. Soc. A 470 (2014)'
+   end subroutine new_wave_model
+
+   !> See `halfspace_model_t`.
+   subroutine check_case(self, values, problems)
+      !> The model; its tables give the variables their names.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call check_wave(self%variables, values, self%given, problems)
+   end subroutine check_case
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(list)
+      !> The model, for the rows of its moduli.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: list(:)
+
+      if (is_sliding(values)) then
+         call derive_spectrum(list, values(v_material:v_temperature), self%given)
+      else
+         list = derive_contact_modulus(self%variables(v_contact_modulus:v_second_poisson_ratio), &
+            & values(v_contact_modulus:v_second_poisson_ratio))
+         if (is_adhesive(values)) call derive_adhesion(list, values)
+      end if
+   end function derive_quantities
+
+   !> See `model_t`.
+   function describe_case(self, values) result(text)
+      !> The model with its lists and datasets.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+
+      text = ''
+      if (is_sliding(values)) text = describe_spectrum(values(v_material:v_temperature), self%given)
+   end function describe_case
+
+   !> See `model_t`.
+   function describe_doubts(self, values) result(text)
+      !> The model with its lists and datasets.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      character(:), allocatable :: text
+      real(dp) :: frequency
+
+      text = ''
+      if (.not. is_sliding(values)) return
+      frequency = two_pi*abs(values(v_velocity))/values(v_period)
+      text = doubt_spectrum(values(v_material:v_temperature), self%given, [frequency, frequency])
+   end function describe_doubts
+
+   !> See `model_t`: the steepest slope of the wave.
+   subroutine measure(self, values, results, measures)
+      !> The model; nothing is read from it here.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      measures(doubt_slope_too_steep) = two_pi*values(v_amplitude)/values(v_period)
+      associate (unused => self, unused_results => results)
+      end associate
+   end subroutine measure
+
+   !> See `pointwise_model_t`.
+   subroutine solve_point(self, values, state, results, error_estimate, status, counts)
+      !> The model with its lists and datasets.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> A sliding wave leaves its contact and the spectrum, an adhesive one its events.
+      class(point_state_t), allocatable, intent(inout) :: state
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Estimated relative error of the main result [-].
+      real(dp), intent(out) :: error_estimate
+      !> Status of the point, one of `status_...`.
+      integer, intent(out) :: status
+      !> These models count nothing; size 0.
+      real(dp), intent(inout) :: counts(:)
+      logical :: is_held
+
+      if (is_sliding(values)) then
+         if (.not. allocated(state)) allocate (slide_point_t :: state)
+         status = status_not_converged
+         error_estimate = 0
+         select type (state)
+         type is (slide_point_t)
+            call solve_slide(values, self%given, state, results, error_estimate, status)
+         end select
+      else if (is_adhesive(values)) then
+         if (.not. allocated(state)) allocate (adhesive_point_t :: state)
+         status = status_not_converged
+         error_estimate = 0
+         select type (state)
+         type is (adhesive_point_t)
+            call solve_adhesion(values, state, results, error_estimate, status)
+         end select
+      else
+         call solve_elastic_wave(values, results, error_estimate, status)
+      end if
+      if (status == status_solved .and. .not. is_sliding(values)) call store_friction(values, results)
+      if (status == status_solved .and. has_coulomb(values(v_tangential_stress:v_coefficient))) then
+         call add_slip(values, results, is_held)
+         if (.not. is_held) status = status_no_equilibrium
+         if (.not. is_held) results(:) = not_a_number()
+      end if
+      associate (unused => counts)
+      end associate
+   end subroutine solve_point
+
+   !> Friction of a shear strength.
+   pure subroutine store_friction(values, results)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> In: results of a solved point. Out: with friction; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      real(dp) :: tension
+
+      tension = 0
+      if (is_adhesive(values)) tension = values(v_adhesion)*results(r_adhesion_fraction)
+      call get_friction_of_area(values(v_shear_strength:v_pressure_factor), results(r_contact_fraction), &
+         & results(r_mean_pressure), tension, results(r_friction_stress), results(r_friction_coefficient))
+   end subroutine store_friction
+
+   !> See `model_t`: the shear stress belongs to friction.
+   pure integer function count_profiles(self, values)
+      !> The model; nothing is read from it here.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      count_profiles = p_shear_stress - 1
+      if (has_shear(values(v_shear_strength:v_pressure_factor)) .or. has_coulomb(values(v_tangential_stress:v_coefficient))) &
+         & count_profiles = p_shear_stress
+      associate (unused => self)
+      end associate
+   end function count_profiles
+
+   !> See `pointwise_model_t`: pressure and gap, and with friction the shear stress.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
+      !> The model; nothing is read from it here.
+      class(wave_model_t), intent(in) :: self
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> What `solve_point` has left: the contact of a sliding or of an adhesive wave.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Axes of the profiles, the slowest first.
+      type(profile_axis_t), intent(in) :: axes(:)
+      !> In: all NaN. Out: profiles of the point; shape `(n_fast, n_slow, n_profiles)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
+
+      call fill_pressure_and_gap(values, results, state, axes, profiles)
+      if (size(profiles, 3) < p_shear_stress) return
+      if (has_coulomb(values(v_tangential_stress:v_coefficient))) then
+         profiles(:, 1, p_shear_stress) = slip_tractions(values, results, axes(1)%coordinates)
+      else
+         profiles(:, 1, p_shear_stress) = shear_stress(values(v_shear_strength:v_pressure_factor), profiles(:, 1, 1), &
+            & results(r_contact_width) > 0 .and. .not. profiles(:, 1, 2) > 0)
+      end if
+      associate (unused => self)
+      end associate
+   end subroutine fill_profiles
+
+   !> Pressure and gap.
+   subroutine fill_pressure_and_gap(values, results, state, axes, profiles)
+      !> Values of the variables, in the order of the table; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> What `solve_block` found for this point; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> What `solve_point` has left: the contact of a sliding or of an adhesive wave.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Axes of the profiles, the slowest first.
+      type(profile_axis_t), intent(in) :: axes(:)
+      !> In: all NaN. Out: with pressure and gap; shape `(n_fast, n_slow, n_profiles)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
+
+      if (is_sliding(values)) then
+         select type (state)
+         type is (slide_point_t)
+            call get_slide_profiles(state, axes(1)%coordinates, profiles(:, 1, 1), profiles(:, 1, 2))
+         end select
+         return
+      end if
+      if (is_adhesive(values)) then
+         select type (state)
+         type is (adhesive_point_t)
+            call get_adhesive_profiles(state, axes(1)%coordinates, profiles(:, 1, 1), profiles(:, 1, 2))
+         end select
+         return
+      end if
+      call get_elastic_wave_profiles(values, results, axes(1)%coordinates, profiles(:, 1, 1), profiles(:, 1, 2))
+   end subroutine fill_pressure_and_gap
+
+end module adfric_plane_wave_model

@@ -1,0 +1,159 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A contact as a state of its curve, and what is held in it.
+module adfric_round_contact_state
+   use adfric_base_kinds, only: dp
+   use adfric_round_curve, only: curve_t, state_t, stability_control, control_load, control_spring
+   use adfric_round_shape, only: spot_t
+   implicit none (type, external)
+   private
+   public :: contact_t, set_contact, set_disc, terms_of, held_of, held_by, held_slope
+
+   !> A state of contact, reduced.
+   type :: contact_t
+      !> Does it exist, and was it found to round-off?
+      logical :: is_found = .false., is_converged = .true.
+      !> Is it stable under what is held?
+      logical :: is_stable = .false.
+      !> The unknown, and whether it lies beyond the corner.
+      real(dp) :: u = 0
+      !> Is u one of those beyond the corner?
+      logical :: is_beyond = .true.
+      !> What the shape is there.
+      type(spot_t) :: spot
+      !> Load P and approach delta.
+      real(dp) :: load = 0, approach = 0
+      !> Their derivatives by u; 0 without touch, and for a flat face.
+      real(dp) :: slopes(2) = 0
+      !> g(a) - delta, the depth of the flat punch of radius a that adhesion adds: Dl of JKR; of a flat face -delta.
+      real(dp) :: neck = 0
+      !> Radius c up to which adhesion acts, and its stress there; 0 where it acts in the contact alone.
+      real(dp) :: adhesion_radius = 0, stress = 0
+      !> Sizes of the terms of load and approach of a disc without touch; else 0.
+      real(dp) :: disc_terms(2) = 0
+      !> dP/ddelta along the curve.
+      real(dp) :: stiffness = 0
+   end type contact_t
+
+contains
+
+   !> What follows from the unknown.
+   pure subroutine set_contact(curve, control, u, is_beyond, contact)
+      !> The curve of the indenter.
+      class(curve_t), intent(in) :: curve
+      !> What is held.
+      integer, intent(in) :: control
+      !> The unknown, >= 0.
+      real(dp), intent(in) :: u
+      !> Is u one of those beyond the corner?
+      logical, intent(in) :: is_beyond
+      !> Receives radius, load, approach and stiffness.
+      type(contact_t), intent(inout) :: contact
+      type(state_t) :: state
+
+      contact%u = u
+      contact%is_beyond = is_beyond
+      call curve%get_state(u, is_beyond, state)
+      call take_state(state, control, contact)
+   end subroutine set_contact
+
+   !> A state without touch.
+   pure subroutine set_disc(curve, control, c, contact)
+      !> The curve of the indenter.
+      class(curve_t), intent(in) :: curve
+      !> What is held.
+      integer, intent(in) :: control
+      !> Radius of the disc, >= 0.
+      real(dp), intent(in) :: c
+      !> Receives the state.
+      type(contact_t), intent(inout) :: contact
+      type(state_t) :: state
+
+      call curve%get_disc(c, state)
+      contact%is_beyond = .false.
+      call take_state(state, control, contact)
+   end subroutine set_disc
+
+   !> Take a state over.
+   pure subroutine take_state(state, control, contact)
+      !> The state.
+      type(state_t), intent(in) :: state
+      !> What is held.
+      integer, intent(in) :: control
+      !> Receives radii, load, approach and stiffness.
+      type(contact_t), intent(inout) :: contact
+
+      contact%spot = state%spot
+      contact%load = state%load
+      contact%approach = state%approach
+      contact%slopes = [state%load_slope, state%approach_slope]
+      contact%neck = state%neck
+      contact%stiffness = state%stiffness
+      contact%adhesion_radius = state%adhesion_radius
+      contact%stress = state%stress
+      contact%disc_terms = state%disc_terms
+      contact%is_stable = state%is_stable(stability_control(control))
+      contact%is_converged = contact%is_converged .and. state%is_converged
+   end subroutine take_state
+
+   !> Sizes of the terms whose differences are load and approach.
+   pure function terms_of(contact) result(terms)
+      !> The contact.
+      type(contact_t), intent(in) :: contact
+      real(dp) :: terms(2)
+
+      terms = contact%disc_terms
+      if (terms(2) > 0) return
+      terms = [contact%spot%load + 2*contact%spot%radius*abs(contact%neck), contact%spot%depth + abs(contact%neck)]
+   end function terms_of
+
+   !> What is held in a state: its load, its approach, or that of the base of the spring.
+   pure real(dp) function held_of(curve, control, state)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> The state.
+      type(state_t), intent(in) :: state
+
+      held_of = held_part(curve, control, state%load, state%approach)
+   end function held_of
+
+   !> What is held by a contact, see `held_of`.
+   pure real(dp) function held_by(curve, control, contact)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> The contact.
+      type(contact_t), intent(in) :: contact
+
+      held_by = held_part(curve, control, contact%load, contact%approach)
+   end function held_by
+
+   !> Derivative of what is held by u along the curve, see `held_of`.
+   pure real(dp) function held_slope(curve, control, state)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> The state.
+      type(state_t), intent(in) :: state
+
+      held_slope = held_part(curve, control, state%load_slope, state%approach_slope)
+   end function held_slope
+
+   !> What is held of a load and an approach, or of changes of both.
+   pure real(dp) function held_part(curve, control, load, approach)
+      !> The curve with the compliance of its spring.
+      class(curve_t), intent(in) :: curve
+      !> What is held; not `control_radius`.
+      integer, intent(in) :: control
+      !> Load and approach.
+      real(dp), intent(in) :: load, approach
+
+      held_part = load
+      if (control /= control_load) held_part = approach
+      if (control == control_spring) held_part = held_part + curve%compliance*load
+   end function held_part
+
+end module adfric_round_contact_state

@@ -1,0 +1,222 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The model `indenter_history`: an indenter of any axisymmetric shape, without adhesion and with Coulomb's friction, through a path of
+!> normal and tangential forces or displacements. What each step leaves is a profile along the axis `step`.
+module adfric_round_history_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set, unset
+   use adfric_round_case, only: indenter_case_t, resolve_case, tangential_compliance, is_possible_case => is_possible
+   use adfric_round_check, only: check_body
+   use adfric_round_contact, only: branch_stable, find_contact
+   use adfric_round_contact_state, only: contact_t
+   use adfric_round_edge_slope, only: measure_edge
+   use adfric_round_survey, only: survey_t, survey_curve
+   use adfric_round_curve, only: control_load, control_approach
+   use adfric_round_shape, only: spot_t
+   use adfric_round_variables
+   use adfric_interface_history_model, only: history_model_t, history_units_t
+   use adfric_interface_history_path, only: n_path_results, path_approaches, path_coefficient, path_loads, &
+      & path_tangential_displacements, path_tangential_forces, set_path_results
+   use adfric_interface_normal_contact, only: normal_contact_t, normal_state_t
+   use adfric_describe_table, only: profile_t, variable_t
+   implicit none (type, external)
+   private
+   public :: indenter_history_t, new_indenter_history
+
+   !> Places of the variables; up to that of the modulus they are those of the model `indenter`.
+   integer, parameter, public :: h_coefficient = v_second_poisson_ratio + path_coefficient, &
+      & h_loads = v_second_poisson_ratio + path_loads, h_approaches = v_second_poisson_ratio + path_approaches, &
+      & h_tangential_forces = v_second_poisson_ratio + path_tangential_forces, &
+      & h_tangential_displacements = v_second_poisson_ratio + path_tangential_displacements
+
+   !> The model.
+   type, extends(history_model_t) :: indenter_history_t
+   contains
+      procedure :: check_bodies
+      procedure :: find_contacts
+      procedure :: unit_of
+      procedure :: measure
+   end type indenter_history_t
+
+   !> Normal states of an indenter, reduced.
+   type, extends(normal_contact_t) :: indenter_states_t
+      !> The indenter with its units.
+      type(indenter_case_t) :: case
+      !> What its curve is under a load and at an approach.
+      type(survey_t) :: surveys(2)
+   contains
+      procedure :: under_load
+      procedure :: at_approach
+   end type indenter_states_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_indenter_history(self)
+      !> Receives its names and its tables.
+      type(indenter_history_t), intent(out) :: self
+      type(variable_t), allocatable :: rows(:)
+
+      self%name = 'indenter_history'
+      self%summary = 'an indenter with friction through a path of normal and tangential forces or displacements'
+      allocate (rows, source=get_indenter_variables())
+      call self%set_history_tables(rows(:v_second_poisson_ratio), [v_contact_modulus, v_second_poisson_ratio], &
+         & profile_t(name='contact_radius', unit='m', long_name='radius a of contact'), &
+         & profile_t(name='stick_radius', unit='m', long_name='radius within which nothing slips at the end of the step'))
+      allocate (self%results(n_path_results))
+      call set_path_results(self%results)
+   end subroutine new_indenter_history
+
+   !> See `history_model_t`.
+   subroutine check_bodies(self, values, problems)
+      !> The model; its tables give the variables their names.
+      class(indenter_history_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call check_body(self%variables, values, .true., problems)
+   end subroutine check_bodies
+
+   !> See `history_model_t`.
+   subroutine find_contacts(self, values, contacts, units, is_possible)
+      !> The model with its path.
+      class(indenter_history_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the contacts, reduced; not allocated where they are not possible.
+      class(normal_contact_t), allocatable, intent(out) :: contacts
+      !> Receives their units.
+      type(history_units_t), intent(out) :: units
+      !> Are the largest contact of the path and its units within the numbers?
+      logical, intent(out) :: is_possible
+      type(indenter_states_t), allocatable :: states
+      type(spot_t) :: corner
+      real(dp) :: indenter(n_indenter_variables)
+
+      indenter = indenter_values(self, values)
+      allocate (states)
+      call resolve_case(indenter, states%case)
+      is_possible = is_possible_case(indenter, states%case)
+      if (.not. is_possible) return
+      call survey_curve(states%case%curve, control_load, states%surveys(control_load))
+      call survey_curve(states%case%curve, control_approach, states%surveys(control_approach))
+      call states%case%curve%shape%evaluate(0.0_dp, .true., corner)
+      if (states%case%curve%shape%inner_rise() > 0) states%kink = corner%depth
+      units%force = states%case%force_unit()
+      units%approach = states%case%height_unit
+      units%length = states%case%length_unit
+      units%compliance_ratio = tangential_compliance(values, states%case)
+      call move_alloc(states, contacts)
+   end subroutine find_contacts
+
+   !> See `model_t`: the largest contact of the path.
+   subroutine measure(self, values, results, measures)
+      !> The model with its path.
+      class(indenter_history_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, none of which is needed; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+      type(indenter_case_t) :: case
+      type(survey_t) :: survey
+      type(contact_t) :: contact
+      real(dp) :: indenter(n_indenter_variables)
+
+      indenter = indenter_values(self, values)
+      call resolve_case(indenter, case)
+      if (.not. is_possible_case(indenter, case)) return
+      call survey_curve(case%curve, case%control, survey)
+      call find_contact(case%curve, survey, case%control, case%given, .true., branch_stable, contact)
+      if (contact%is_found) call measure_edge(indenter, contact%spot%radius*case%length_unit, measures)
+      associate (unused => results)
+      end associate
+   end subroutine measure
+
+   !> The values that the model `indenter` would have at the largest load.
+   pure function indenter_values(self, values) result(indenter)
+      !> The model with its path.
+      class(indenter_history_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      real(dp) :: indenter(n_indenter_variables)
+
+      indenter = unset
+      indenter(:v_second_poisson_ratio) = values(:v_second_poisson_ratio)
+      indenter([v_theory, v_branch, v_profiles, v_n_r]) = [choose_none, branch_stable, 0, 2]
+      if (is_set(values(h_loads))) indenter(v_load) = self%largest_of(values, path_loads)
+      if (is_set(values(h_approaches))) indenter(v_approach) = self%largest_of(values, path_approaches)
+   end function indenter_values
+
+   !> See `normal_contact_t`.
+   pure subroutine under_load(self, given, state, is_converged)
+      !> The indenter.
+      class(indenter_states_t), intent(in) :: self
+      !> Load, reduced.
+      real(dp), intent(in) :: given
+      !> Receives the state.
+      type(normal_state_t), intent(out) :: state
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+
+      call find_state(self, control_load, given, state, is_converged)
+   end subroutine under_load
+
+   !> See `normal_contact_t`.
+   pure subroutine at_approach(self, given, state, is_converged)
+      !> The indenter.
+      class(indenter_states_t), intent(in) :: self
+      !> Approach, reduced.
+      real(dp), intent(in) :: given
+      !> Receives the state.
+      type(normal_state_t), intent(out) :: state
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+
+      call find_state(self, control_approach, given, state, is_converged)
+   end subroutine at_approach
+
+   !> A normal state, reduced. The elastic energy is the integral of the load over the approach.
+   pure subroutine find_state(self, control, given, state, is_converged)
+      !> The indenter.
+      type(indenter_states_t), intent(in) :: self
+      !> `control_load` or `control_approach`.
+      integer, intent(in) :: control
+      !> Load or approach.
+      real(dp), intent(in) :: given
+      !> Receives the state.
+      type(normal_state_t), intent(out) :: state
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      type(contact_t) :: contact
+
+      call find_contact(self%case%curve, self%surveys(control), control, given, .true., branch_stable, contact)
+      is_converged = contact%is_found .and. contact%is_converged
+      state%load = contact%load
+      state%approach = contact%approach
+      state%radius = contact%spot%radius
+      state%stiffness = contact%stiffness
+      if (self%case%curve%shape%n_pieces == 0) then
+         state%work = contact%load*contact%approach/2
+      else
+         state%work = self%case%curve%shape%energy(contact%u, contact%is_beyond)
+      end if
+   end subroutine find_state
+
+   !> See `model_t`: the coefficient of r^n has a unit that depends on n.
+   function unit_of(self, values, place) result(unit)
+      !> The model, whose table of variables is read.
+      class(indenter_history_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = indenter_unit_of(self%variables, values, place)
+   end function unit_of
+
+end module adfric_round_history_model

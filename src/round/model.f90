@@ -1,0 +1,371 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The model `indenter`: an indenter of any axisymmetric shape on an elastic half-space, without adhesion or with it (JKR, Maugis-Dugdale).
+module adfric_round_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_round_case, only: indenter_case_t, resolve_case, is_possible
+   use adfric_round_check, only: check_indenter_values
+   use adfric_round_contact, only: branch_stable, find_contact, part_bodies
+   use adfric_round_contact_state, only: contact_t
+   use adfric_round_survey, only: ends_t, survey_t, survey_curve
+   use adfric_round_curve, only: stability_control
+   use adfric_round_edge_slope, only: measure_edge
+   use adfric_round_friction_point, only: add_friction, add_slip, friction_t, shear_at
+   use adfric_round_loop, only: find_loop, loop_t
+   use adfric_round_peeled_point, only: begin_sliding, peel_contact, peeled_t, store_driven, store_peeled
+   use adfric_round_point_results, only: estimate_error, store_contact, store_ends, store_events, store_stress
+   use adfric_round_profiles, only: pressure_at, gap_at
+   use adfric_round_variables
+   use adfric_solid_contact_modulus, only: derive_contact_modulus
+   use adfric_describe_derived, only: derived_t
+   use adfric_describe_pointwise, only: pointwise_model_t, point_state_t
+   use adfric_describe_status, only: status_solved, status_no_equilibrium, status_not_converged
+   use adfric_describe_table, only: profile_axis_t
+   implicit none (type, external)
+   private
+   public :: indenter_model_t, new_indenter_model
+
+   !> The model; its tables stand in `adfric_round_variables`.
+   type, extends(pointwise_model_t) :: indenter_model_t
+   contains
+      procedure :: check_values
+      procedure :: wants_profiles
+      procedure :: get_profile_axes
+      procedure :: solve_point
+      procedure :: count_profiles
+      procedure :: fill_profiles
+      procedure :: derive_quantities
+      procedure :: unit_of
+      procedure :: measure
+   end type indenter_model_t
+
+   !> What a point leaves for its profiles.
+   type, extends(point_state_t) :: indenter_state_t
+      !> The point.
+      type(indenter_case_t) :: case
+      !> Its contact.
+      type(contact_t) :: contact
+      !> Its friction, where there is one.
+      type(friction_t) :: friction
+      !> The survey of its curve; it serves the next point, too, if that has the same curve and control.
+      type(survey_t) :: survey
+      !> Values of the variables up to the theory, the stiffness of the spring, and X in sliding, which the curve follows from where
+      !> there is a range of adhesion.
+      real(dp) :: values(v_theory + 2) = 0
+      !> What happens in a cycle of approach and retraction.
+      type(loop_t) :: loop
+      !> Has a survey been made?
+      logical :: is_surveyed = .false.
+      !> What peeling has done; its events and its way on a driven spring serve the next point, too, if that has another force or
+      !> displacement of the base alone.
+      type(peeled_t) :: peeled
+      !> All values of the point.
+      real(dp) :: point(n_indenter_variables) = 0
+   end type indenter_state_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_indenter_model(self)
+      !> Receives its names and its tables.
+      type(indenter_model_t), intent(out) :: self
+
+      self%name = 'indenter'
+      self%summary = 'an indenter of any axisymmetric shape on a half-space, without adhesion or with it (JKR, Maugis-Dugdale)'
+      self%references = 'I. N. Sneddon, Int. J. Eng. Sci. 3 (1965) 47; D. Maugis, M. Barquins, J. Phys. D 11 (1978) 1989'
+      self%variables = get_indenter_variables()
+      self%results = get_indenter_results()
+      self%profiles = get_indenter_profiles()
+      self%profile_axes = 'r'
+      allocate (self%counts(0))
+   end subroutine new_indenter_model
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      !> The model, whose table of variables is read.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call check_indenter_values(self%variables, values, is_swept, problems)
+   end subroutine check_values
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      !> The model; nothing of it is read here.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = values(v_profiles) > 0
+      associate (unused => self)
+      end associate
+   end function wants_profiles
+
+   !> See `model_t`.
+   subroutine get_profile_axes(self, values, axes)
+      !> The model, for the name of its axis.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the axis r.
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
+      integer :: n, k
+
+      allocate (axes(1))
+      axes(1)%name = self%profile_axes
+      axes(1)%unit = 'm'
+      axes(1)%long_name = 'distance from the axis'
+      n = nint(values(v_n_r))
+      allocate (axes(1)%coordinates(n), source=0.0_dp)
+      if (is_set(values(v_r_max))) axes(1)%coordinates = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
+   end subroutine get_profile_axes
+
+   !> See `model_t`.
+   subroutine measure(self, values, results, measures)
+      !> The model; nothing of it is read here.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      if (is_set(values(v_contact_radius))) then
+         call measure_edge(values, values(v_contact_radius), measures)
+      else
+         call measure_edge(values, results(r_contact_radius), measures)
+      end if
+      associate (unused => self)
+      end associate
+   end subroutine measure
+
+   !> See `pointwise_model_t`.
+   subroutine solve_point(self, values, state, results, error_estimate, status, counts)
+      !> The model; nothing of it is read here.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the contact, for the profiles; nothing is taken from the point before.
+      class(point_state_t), allocatable, intent(inout) :: state
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Relative error of radius, load and approach, the largest of them, estimated.
+      real(dp), intent(out) :: error_estimate
+      !> One of `status_...`.
+      integer, intent(out) :: status
+      !> This model counts nothing; size 0.
+      real(dp), intent(inout) :: counts(:)
+      type(indenter_state_t), allocatable :: found
+      type(ends_t) :: ends
+      real(dp) :: moved(n_indenter_variables)
+
+      allocate (found)
+      error_estimate = 0
+      status = status_no_equilibrium
+      call resolve_case(values, found%case)
+      if (.not. is_possible(values, found%case)) return
+      associate (case => found%case, contact => found%contact, peeled => found%peeled)
+         call take_events(state, values, found)
+         if (nint(values(v_state)) == state_sliding) call begin_sliding(values, case, peeled, results)
+         found%values = [values(:v_theory), values(v_machine_stiffness), peeled%ratio]
+         call take_survey(state, found)
+         if (.not. found%is_surveyed) then
+            call survey_curve(case%curve, case%control, found%survey)
+            if (makes_cycle(values)) call find_loop(case%curve, found%survey, case%control, found%loop)
+         end if
+         found%is_surveyed = .true.
+         if (makes_cycle(values)) call store_events(case, found%loop, results)
+         call find_contact(case%curve, found%survey, case%control, case%given, case%is_beyond, case%branch, contact)
+         ! the way to u and back is not exact
+         if (case%radius > 0) contact%spot%radius = case%radius
+         ends = found%survey%ends
+         if (nint(values(v_state)) == state_static) call peel_contact(values, case, contact, peeled, ends, results)
+         if (.not. contact%is_found .and. contact%is_converged .and. may_part(values)) &
+            & call part_bodies(case%curve, case%control, case%given, contact)
+         call store_ends(case, ends, results)
+         if (.not. (contact%is_converged .and. ends%is_converged .and. found%survey%ends%is_converged &
+            & .and. found%loop%is_converged .and. peeled%is_converged)) status = status_not_converged
+         if (contact%is_found .and. status /= status_not_converged) then
+            status = status_solved
+            error_estimate = min(1.0_dp, estimate_error(case, contact, found%survey%ends) + peeled%error + peeled%spring_error)
+            call store_contact(case, contact, values, results)
+            if (is_set(values(v_position_z))) call store_stress(case, contact, values, results)
+            if (peeled%driven%is_found) then
+               moved = values
+               moved(v_tangential_force) = peeled%driven%force*case%force_unit()
+               call store_friction(moved, found, results, status)
+               if (status == status_solved) call store_driven(moved, case, peeled, results)
+            else
+               call store_friction(values, found, results, status)
+            end if
+            if (peeled%is_peeling) results(r_cycle_energy) = not_a_number()
+         end if
+      end associate
+      call move_alloc(found, state)
+      associate (unused => self, unused_counts => counts)
+      end associate
+   end subroutine solve_point
+
+   !> May the state be one of bodies apart, which bears no tangential force? The other branches are those of contacts.
+   pure logical function may_part(values)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      may_part = nint(values(v_branch)) == branch_stable .and. .not. is_set(values(v_base_displacement))
+      if (is_set(values(v_tangential_force))) may_part = may_part .and. .not. abs(values(v_tangential_force)) > 0
+   end function may_part
+
+   !> Add the results of friction.
+   subroutine store_friction(values, found, results, status)
+      !> Values of the variables, with the tangential force of the state; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point with its contact; receives its friction.
+      type(indenter_state_t), intent(inout) :: found
+      !> In: results of the contact. Out: with those of friction, or all NaN; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> In: solved. Out: one of `status_...`.
+      integer, intent(inout) :: status
+
+      associate (friction => found%friction)
+         if (is_set(values(v_friction_coefficient))) call add_slip(values, found%case, found%survey, found%contact, friction%slip, &
+            & results, status)
+         if (is_set(values(v_shear_strength))) call add_friction(values, found%case, found%contact, friction%resistance, &
+            & friction%shear, results, status)
+         if (status == status_solved .and. (is_set(values(v_shear_strength)) .or. nint(values(v_law)) == law_peeling)) &
+            & call store_peeled(values, found%case, found%peeled, results)
+      end associate
+   end subroutine store_friction
+
+   !> Are the events of a cycle of approach and retraction asked for?
+   pure logical function makes_cycle(values)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      makes_cycle = values(v_events) > 0 .and. any(is_set(values([v_approach, v_base_approach])))
+   end function makes_cycle
+
+   !> Take the survey of the point before over, if it is that of the same curve. Without a range of adhesion the units follow from what
+   !> is held, and a survey takes no time.
+   subroutine take_survey(state, found)
+      !> What the point before has left.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> The point, which receives the survey.
+      type(indenter_state_t), intent(inout) :: found
+
+      if (.not. allocated(state) .or. found%case%theory /= theory_maugis_dugdale) return
+      select type (state)
+      type is (indenter_state_t)
+         found%is_surveyed = state%is_surveyed .and. .not. any(abs(state%values - found%values) > 0) &
+            & .and. stability_control(state%case%control) == stability_control(found%case%control)
+         if (.not. found%is_surveyed) return
+         found%survey = state%survey
+         found%loop = state%loop
+      end select
+   end subroutine take_survey
+
+   !> Take the events of the point before over, and its way on a driven spring, if that differs in the tangential force or the
+   !> displacement of the base alone.
+   pure subroutine take_events(state, values, found)
+      !> What the point before has left.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> The point, which receives the events.
+      type(indenter_state_t), intent(inout) :: found
+
+      found%point = values
+      found%point([v_tangential_force, v_base_displacement]) = 0
+      if (.not. allocated(state)) return
+      select type (state)
+      type is (indenter_state_t)
+         if (.not. (state%peeled%has_events .or. state%peeled%has_drive)) return
+         if (any(abs(state%point - found%point) > 0)) return
+         found%peeled%has_events = state%peeled%has_events
+         if (state%peeled%has_events) found%peeled%events = state%peeled%events
+         found%peeled%has_drive = state%peeled%has_drive
+         if (state%peeled%has_drive) found%peeled%drive = state%peeled%drive
+      end select
+   end subroutine take_events
+
+   !> See `model_t`: the shear stress belongs to friction.
+   pure integer function count_profiles(self, values)
+      !> The model; nothing of it is read here.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      count_profiles = merge(p_shear_stress, p_gap, is_set(values(v_friction_coefficient)) .or. is_set(values(v_shear_strength)) &
+         & .or. nint(values(v_law)) == law_peeling)
+      associate (unused => self)
+      end associate
+   end function count_profiles
+
+   !> See `pointwise_model_t`: pressure and gap, and with friction the shear stress.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
+      !> The model; nothing of it is read here.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, of which none is needed; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> The contact of the point.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> The axis r.
+      type(profile_axis_t), intent(in) :: axes(:)
+      !> In: all NaN. Out: the profiles; shape `(n_r, 1, n_profiles)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      real(dp) :: r
+      integer :: k
+
+      select type (state)
+      type is (indenter_state_t)
+         associate (case => state%case)
+            do k = 1, size(profiles, 1)
+               r = axes(1)%coordinates(k)/case%length_unit
+               profiles(k, 1, p_pressure) = pressure_at(case%curve%shape, state%contact, r)*case%modulus &
+                  & *(case%height_unit/case%length_unit)
+               profiles(k, 1, p_gap) = gap_at(case%curve%shape, state%contact, r)*case%height_unit
+               if (size(profiles, 3) == p_shear_stress) profiles(k, 1, p_shear_stress) = shear_at(case, state%contact, &
+                  & state%friction, values, r)
+            end do
+         end associate
+      end select
+      associate (unused => self, unused_too => values, unused_results => results)
+      end associate
+   end subroutine fill_profiles
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(derived)
+      !> The model, whose table of variables is read.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+
+      associate (first => v_contact_modulus, last => v_second_poisson_ratio)
+         derived = derive_contact_modulus(self%variables(first:last), values(first:last))
+      end associate
+   end function derive_quantities
+
+   !> See `model_t`: the coefficient of r^n has a unit that depends on n.
+   function unit_of(self, values, place) result(unit)
+      !> The model, whose table of variables is read.
+      class(indenter_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = indenter_unit_of(self%variables, values, place)
+   end function unit_of
+
+end module adfric_round_model

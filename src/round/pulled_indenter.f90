@@ -1,0 +1,190 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The way of an indenter from rest to sliding as a contact that is pulled through a spring, reduced (J 2.11).
+!>
+!> Its places are z, the root of g over that of the end of the way. Where a piece ends in sliding, as contact is lost, or as the edge of
+!> contact passes a corner of the profile, radii or angles go there by the root of the distance, which z = z1 + (z2 - z1) y (2 - y) makes
+!> smooth in y. The way is divided where a or c passes the corner. Where slip takes no more from adhesion before the centre slips, a last
+!> piece follows, along which the angle th grows alone.
+module adfric_round_pulled_indenter
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: half_pi
+   use adfric_round_contact_state, only: contact_t
+   use adfric_round_interaction_path, only: get_known_waypoint, path_t, waypoint_t
+   use adfric_round_pulled_contact, only: pulled_contact_t, pulled_curve_t, take_curve
+   use adfric_round_shrinking_path, only: displacement_of, force_of, turn
+   implicit none (type, external)
+   private
+   public :: pulled_indenter_t, take_indenter_curve, get_waypoint_of
+
+   !> Corners that a way may pass: with a, and with c.
+   integer, parameter :: most_corners = 2
+   !> Halvings that leave round-off of a place.
+   integer, parameter :: most_halvings = 60
+
+   !> The contact.
+   type, extends(pulled_contact_t) :: pulled_indenter_t
+      !> Its way, known up to its end.
+      type(path_t) :: path
+      !> The end of the part where the contact changes.
+      type(waypoint_t) :: finish
+      !> Does slip take no more from there on?
+      logical :: is_capped = .false.
+      !> Pieces of the part where the contact changes, and their ends in z.
+      integer :: n_changing = 1
+      !> The ends, of which the first is 0 and the last one 1.
+      real(dp) :: ends(0:most_corners + 1) = 0
+   contains
+      procedure :: get_state
+   end type pulled_indenter_t
+
+contains
+
+   !> Take the way of an indenter.
+   pure subroutine take_indenter_curve(path, finish, is_capped, sliding_force, curve, contact)
+      !> The way from rest, whose end has been found.
+      type(path_t), intent(in) :: path
+      !> The end of the part where the contact changes.
+      type(waypoint_t), intent(in) :: finish
+      !> Does slip take no more from there on?
+      logical, intent(in) :: is_capped
+      !> Force of sliding; below 0 where contact is lost.
+      real(dp), intent(in) :: sliding_force
+      !> Receives the way.
+      type(pulled_curve_t), intent(out) :: curve
+      !> Receives the contact that is pulled.
+      type(pulled_indenter_t), intent(out) :: contact
+
+      contact%path = path
+      contact%finish = finish
+      contact%is_capped = is_capped
+      contact%slides = sliding_force >= 0
+      contact%force_after = max(sliding_force, 0.0_dp)
+      if (path%is_weakened) then
+         call divide(contact)
+      else
+         ! all of the way is one contact, whose angle grows alone
+         contact%n_changing = 0
+         contact%is_capped = .true.
+         call turn(0.0_dp, contact%finish)
+      end if
+      contact%n_pieces = contact%n_changing + merge(1, 0, contact%is_capped)
+      call take_curve(contact, curve)
+   end subroutine take_indenter_curve
+
+   !> Divide the way where the edges of contact and of adhesion pass the corner.
+   pure subroutine divide(self)
+      !> In: the contact. Out: with its pieces.
+      type(pulled_indenter_t), intent(inout) :: self
+      real(dp) :: low, high, z
+      integer :: corner, k, n
+
+      n = 0
+      do corner = passed(self, self%path%start%contact) + 1, passed(self, self%finish%contact)
+         low = self%ends(n)
+         high = 1
+         do k = 1, most_halvings
+            z = low + (high - low)/2
+            if (.not. (z > low .and. z < high)) exit
+            if (is_passed(self, corner, z)) then
+               high = z
+            else
+               low = z
+            end if
+         end do
+         if (high < 1 .and. high > self%ends(n)) then
+            n = n + 1
+            self%ends(n) = high
+         end if
+      end do
+      self%n_changing = n + 1
+      self%ends(n + 1) = 1
+   end subroutine divide
+
+   !> How many corners a contact has passed: a of it, and c.
+   pure integer function passed(self, contact)
+      !> The way, whose shape is read.
+      type(pulled_indenter_t), intent(in) :: self
+      !> The contact.
+      type(contact_t), intent(in) :: contact
+
+      passed = 0
+      associate (shape => self%path%way%curve%shape)
+         if (shape%n_pieces == 0 .or. .not. shape%corner > 0 .or. contact%is_beyond) return
+         passed = 1
+         if (.not. contact%adhesion_radius > shape%corner) passed = 2
+      end associate
+   end function passed
+
+   !> Has a corner been passed at a place?
+   pure logical function is_passed(self, corner, z)
+      !> The way.
+      type(pulled_indenter_t), intent(in) :: self
+      !> Number of the corner.
+      integer, intent(in) :: corner
+      !> The place, 0 to 1.
+      real(dp), intent(in) :: z
+      type(waypoint_t) :: waypoint
+
+      call get_waypoint_at(self, z, waypoint)
+      is_passed = passed(self, waypoint%contact) >= corner
+   end function is_passed
+
+   !> See `pulled_contact_t`.
+   pure subroutine get_state(self, piece, place, displacement, force)
+      !> The contact.
+      class(pulled_indenter_t), intent(in) :: self
+      !> Number of the piece.
+      integer, intent(in) :: piece
+      !> Place in the piece, 0 to 1.
+      real(dp), intent(in) :: place
+      !> Receive D and T.
+      real(dp), intent(out) :: displacement, force
+      type(waypoint_t) :: waypoint
+
+      displacement = 0
+      force = 0
+      if (piece == 1 .and. .not. place > 0) return
+      call get_waypoint_of(self, piece, place, waypoint)
+      displacement = displacement_of(self%path, waypoint)
+      force = force_of(self%path, waypoint)
+   end subroutine get_state
+
+   !> The state at a place of a piece.
+   pure subroutine get_waypoint_of(self, piece, place, waypoint)
+      !> The contact.
+      class(pulled_indenter_t), intent(in) :: self
+      !> Number of the piece.
+      integer, intent(in) :: piece
+      !> Place in the piece, 0 to 1.
+      real(dp), intent(in) :: place
+      !> Receives the state.
+      type(waypoint_t), intent(out) :: waypoint
+      real(dp) :: share
+
+      if (piece > self%n_changing) then
+         waypoint = self%finish
+         call turn(self%finish%angle + (half_pi - self%finish%angle)*place, waypoint)
+      else
+         share = place*(2 - place)
+         if (piece == self%n_changing .and. self%is_capped) share = place
+         call get_waypoint_at(self, self%ends(piece - 1) + (self%ends(piece) - self%ends(piece - 1))*share, waypoint)
+      end if
+   end subroutine get_waypoint_of
+
+   !> The state at a place of the part where the contact changes.
+   pure subroutine get_waypoint_at(self, z, waypoint)
+      !> The way.
+      class(pulled_indenter_t), intent(in) :: self
+      !> The place, 0 to 1.
+      real(dp), intent(in) :: z
+      !> Receives the state.
+      type(waypoint_t), intent(out) :: waypoint
+
+      waypoint = self%finish
+      if (z >= 1) return
+      call get_known_waypoint(self%path, self%finish%slip_energy*z**2, waypoint)
+      ! round-off beyond the last contact
+      if (.not. waypoint%is_found) waypoint = self%finish
+   end subroutine get_waypoint_at
+
+end module adfric_round_pulled_indenter

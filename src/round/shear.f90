@@ -1,0 +1,268 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> An indenter whose contact resists shear by tau0 + alpha p: the force at which it slides, and the partial slip below it, reduced.
+!>
+!> Force T and displacement u = m v follow from the radius e that sticks (`adfric_round_shear_sums`); t, S and g are of that module.
+!> All terms are positive and fall with e where alpha S <= tau0, and dT = 2 e dv, so there is one e for each T up to that of sliding.
+!> In a cycle between T and -T a ring ds slips by v(e) - v(s) under the force 2 v(s) ds:
+!>
+!>     W = 8 m int v(s) [v(e) - v(s)] ds,  e < s < b
+!>
+!> A face without an edge that rises has a pressure that is infinite at its edge; alpha p then holds it by 2 alpha P/2a as a whole.
+module adfric_round_shear
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_round_contact_state, only: contact_t
+   use adfric_round_face_contact, only: find_face_angle
+   use adfric_round_profiles, only: pressure_at
+   use adfric_round_shape, only: shape_t
+   use adfric_round_shear_energy, only: energy_of
+   use adfric_round_sheared_contact, only: get_place, new_sheared, place_t, range_length, resistance_t, set_resistance, &
+      & sheared_t, short
+   use adfric_round_shear_sums, only: shear_sums_t, sliding_force, stress_in_stick
+   use adfric_numerics_scalar_root, only: equation_t, find_root
+   implicit none (type, external)
+   private
+   public :: resistance_t, shear_slip_t, find_sliding, find_shear_slip, shear_stress_at
+
+   !> Slip under a force.
+   type :: shear_slip_t
+      !> The contact without adhesion that has the radius e.
+      type(contact_t) :: stick
+      !> e, and e/b.
+      real(dp) :: radius = 0, ratio = 1
+      !> v = u/m.
+      real(dp) :: displacement = 0
+      !> W/m.
+      real(dp) :: energy = 0
+   end type shear_slip_t
+
+   !> The logarithm of the force, or of what it lacks to sliding, as a function of the logarithm of the way or of the unknown.
+   type, extends(equation_t) :: force_equation_t
+      !> The contact.
+      type(sheared_t) :: sheared
+      !> Number of the range.
+      integer :: number = 1
+      !> Is the unknown what is left of the range's, and what the force lacks compared?
+      logical :: is_of_rest = .false.
+      !> The force, or what it lacks.
+      real(dp) :: target = 1
+   contains
+      procedure :: evaluate => evaluate_force
+   end type force_equation_t
+
+contains
+
+   !> The radius of friction, and the force at which the contact slides.
+   pure subroutine find_sliding(resistance, contact, outer_pull, radius, force)
+      !> How the contact resists.
+      type(resistance_t), intent(in) :: resistance
+      !> The contact.
+      type(contact_t), intent(in) :: contact
+      !> What adhesion outside the contact takes from the load (DMT).
+      real(dp), intent(in) :: outer_pull
+      !> Receives b.
+      real(dp), intent(out) :: radius
+      !> Receives tau0 pi b^2 + alpha times the load that r < b carries; 0 without contact, below 0 where there is no friction
+      !> of this kind.
+      real(dp), intent(out) :: force
+      type(shear_sums_t) :: sums
+
+      call set_resistance(resistance, contact, sums)
+      radius = sums%b
+      force = sliding_force(sums, resistance%strength, contact%load + outer_pull)
+   end subroutine find_sliding
+
+   !> The slip of a contact under a force.
+   pure subroutine find_shear_slip(shape, resistance, contact, force, slip, is_converged)
+      !> The shape of the indenter.
+      class(shape_t), intent(in) :: shape
+      !> How the contact resists; alpha S is not above tau0.
+      type(resistance_t), intent(in) :: resistance
+      !> The contact, of a radius of friction > 0.
+      type(contact_t), intent(in) :: contact
+      !> T, from 0 to that of sliding.
+      real(dp), intent(in) :: force
+      !> Receives the slip.
+      type(shear_slip_t), intent(out) :: slip
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      type(sheared_t) :: sheared
+      type(place_t) :: place
+      real(dp) :: x
+      integer :: number
+
+      call new_sheared(shape, resistance, contact, sheared)
+      is_converged = .true.
+      slip%radius = sheared%b
+      slip%stick = contact
+      slip%stick%neck = 0
+      slip%stick%stress = 0
+      if (.not. force > 0) return
+      if (force <= 2*sheared%a*sheared%face) then
+         ! a face that sticks as a whole
+         slip%radius = sheared%a
+         slip%ratio = sheared%a/sheared%b
+         slip%displacement = force/(2*sheared%a)
+         return
+      end if
+      call find_place(sheared, force, number, x, is_converged)
+      call get_place(sheared, number, x, place)
+      slip%radius = place%e
+      slip%ratio = min(place%e/sheared%b, 1.0_dp)
+      slip%displacement = place%displacement
+      slip%energy = energy_of(sheared, number, x, place)
+      slip%stick%spot%radius = 0
+      associate (range => sheared%ranges(number))
+         if (range%is_beside .or. range%is_flat) return
+         slip%stick%u = range%high - x
+         slip%stick%is_beyond = range%is_beyond
+         call shape%evaluate(slip%stick%u, range%is_beyond, slip%stick%spot)
+      end associate
+   end subroutine find_shear_slip
+
+   !> Where the force is the given one.
+   pure subroutine find_place(self, force, number, x, is_converged)
+      !> The contact.
+      type(sheared_t), intent(in) :: self
+      !> T > 0.
+      real(dp), intent(in) :: force
+      !> Receives the number of the range.
+      integer, intent(out) :: number
+      !> Receives the way in the range.
+      real(dp), intent(out) :: x
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      type(place_t) :: last, first
+      real(dp) :: total, end_of_range
+      logical :: is_found
+
+      call get_place(self, self%n, range_length(self, self%n), last)
+      total = last%force
+      is_converged = .true.
+      do number = 1, self%n
+         end_of_range = range_length(self, number)
+         x = end_of_range
+         call get_place(self, number, end_of_range, last)
+         if (force > last%force) cycle
+         if (.not. force < last%force) return
+         if (self%ranges(number)%is_beside) then
+            call find_face_angle(force/(2*self%uniform*self%b**2), end_of_range, 1.0_dp, 0.0_dp, x, is_found)
+            return
+         end if
+         call get_place(self, number, 0.0_dp, first)
+         if (.not. force > first%force) then
+            x = 0
+            return
+         end if
+         call find_in_range(self, number, force, total, x, is_converged)
+         return
+      end do
+      ! round-off above sliding
+      number = self%n
+      x = range_length(self, number)
+   end subroutine find_place
+
+   !> Where the force is the given one within a range. Up to the middle the logarithm of the way is the unknown, beyond it that of
+   !> what is left of the range.
+   pure subroutine find_in_range(self, number, force, total, x, is_converged)
+      !> The contact.
+      type(sheared_t), intent(in) :: self
+      !> Number of the range.
+      integer, intent(in) :: number
+      !> T, and that of sliding.
+      real(dp), intent(in) :: force, total
+      !> Receives the way.
+      real(dp), intent(out) :: x
+      !> Was it found to round-off?
+      logical, intent(out) :: is_converged
+      ! logarithm of the smallest part of a range
+      real(dp), parameter :: smallest = -200.0_dp
+      type(force_equation_t) :: equation
+      type(place_t) :: middle
+      real(dp) :: guess, high
+
+      high = range_length(self, number)
+      call get_place(self, number, high/2, middle)
+      equation%sheared = self
+      equation%number = number
+      equation%is_of_rest = force > middle%force
+      if (equation%is_of_rest) then
+         equation%target = total - force
+         x = high
+         if (number == self%n .and. .not. equation%target > 0) then
+            is_converged = .true.
+            return
+         end if
+         guess = log(high) + min(0.0_dp, log(equation%target/total)/3)
+         call find_root(equation, log(high) + smallest, log(high/2) + short, .true., guess, is_converged)
+         x = high - exp(guess)
+      else
+         equation%target = force
+         guess = log(high) + log(force/middle%force)
+         if (self%uniform > 0) guess = min(guess, 2*log(force/(4*self%uniform*self%b*self%b)) + log(high))
+         call find_root(equation, log(high) + smallest, log(high/2) + short, .true., guess, is_converged)
+         x = exp(guess)
+      end if
+   end subroutine find_in_range
+
+   !> See `equation_t`.
+   pure subroutine evaluate_force(self, x, value, slope)
+      !> The equation with its contact.
+      class(force_equation_t), intent(in) :: self
+      !> Logarithm of the way, or of what is left of the range.
+      real(dp), intent(in) :: x
+      !> Difference of the logarithms.
+      real(dp), intent(out) :: value
+      !> Derivative of the value by x.
+      real(dp), intent(out) :: slope
+      type(place_t) :: place
+      real(dp) :: size
+
+      size = exp(x)
+      if (self%is_of_rest) then
+         call get_place(self%sheared, self%number, max(range_length(self%sheared, self%number) - size, 0.0_dp), place)
+         place%rest = max(place%rest, tiny(size)*max(self%target, 1.0_dp))
+         value = log(place%rest/self%target)
+         slope = size*(2*place%e*place%slope/place%rest)
+      else
+         call get_place(self%sheared, self%number, size, place)
+         place%force = max(place%force, tiny(size)*max(self%target, 1.0_dp))
+         value = log(place%force/self%target)
+         slope = size*(2*place%e*place%slope/place%force)
+      end if
+   end subroutine evaluate_force
+
+   !> Shear stress at a distance from the axis, reduced.
+   pure real(dp) function shear_stress_at(shape, resistance, contact, slip, r) result(stress)
+      !> The shape of the indenter.
+      class(shape_t), intent(in) :: shape
+      !> How the contact resists.
+      type(resistance_t), intent(in) :: resistance
+      !> The contact.
+      type(contact_t), intent(in) :: contact
+      !> Its slip.
+      type(shear_slip_t), intent(in) :: slip
+      !> Distance from the axis, reduced, >= 0.
+      real(dp), intent(in) :: r
+      type(shear_sums_t) :: sums
+      real(dp) :: pressure, stick
+
+      stress = 0
+      call set_resistance(resistance, contact, sums)
+      if (r > sums%b .or. .not. sums%b > 0) return
+      if (slip%displacement > 0 .and. .not. slip%energy > 0 .and. shape%n_pieces == 0 .and. slip%ratio >= 1) then
+         ! a face that sticks as a whole
+         if (r < sums%a) stress = slip%displacement/(pi*sqrt((sums%a - r)*(sums%a + r)))
+      else if (r >= slip%radius) then
+         stress = resistance%strength
+         if (resistance%factor > 0) stress = stress + resistance%factor*pressure_at(shape, contact, r)
+      else
+         pressure = 0
+         stick = 0
+         if (resistance%factor > 0) pressure = pressure_at(shape, contact, r)
+         if (resistance%factor > 0 .and. slip%stick%spot%radius > 0) stick = pressure_at(shape, slip%stick, r)
+         stress = stress_in_stick(sums, slip%radius, r, pressure, stick)
+      end if
+   end function shear_stress_at
+
+end module adfric_round_shear

@@ -1,0 +1,332 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The model `sphere`: a smooth sphere on a plane, its adhesion and its friction (Johnson 1997).
+module adfric_round_sphere_model
+   use adfric_base_kinds, only: dp
+   use adfric_base_constants, only: pi
+   use adfric_base_not_a_number, only: not_a_number
+   use adfric_base_problems, only: problems_t
+   use adfric_base_unset, only: is_set
+   use adfric_solid_contact_modulus, only: derive_contact_modulus, modulus_names
+   use adfric_describe_derived, only: derived_t, add_derived
+   use adfric_describe_pointwise, only: pointwise_model_t, point_state_t
+   use adfric_describe_check, only: refuse_swept
+   use adfric_describe_doubt, only: doubt_contact_too_wide
+   use adfric_describe_status, only: status_solved
+   use adfric_describe_rows, only: count_row
+   use adfric_describe_table, only: result_t, profile_t, profile_axis_t, take_units
+   use adfric_round_sphere_case, only: sphere_case_t, resolve_case
+   use adfric_round_sphere_check, only: check_sphere_values
+   use adfric_round_sphere_contact, only: theory_maugis_dugdale, theory_dmt
+   use adfric_round_sphere_point, only: sphere_point_t, sphere_memory_t, solve_point
+   use adfric_round_sphere_profiles, only: contact_profile_t, new_profile
+   use adfric_round_slip_annulus, only: shear_traction
+   use adfric_round_sphere_shear_slip, only: shear_stress_of
+   use adfric_round_sphere_variables
+   implicit none (type, external)
+   private
+   public :: sphere_model_t, new_sphere_model
+
+   !> The model; its tables stand in `adfric_round_sphere_variables`.
+   type, extends(pointwise_model_t) :: sphere_model_t
+   contains
+      procedure :: check_values
+      procedure :: describe_results
+      procedure :: describe_profiles
+      procedure :: wants_profiles
+      procedure :: get_profile_axes
+      procedure :: solve_point => solve_sphere_point
+      procedure :: fill_profiles
+      procedure :: derive_quantities
+      procedure :: unit_of
+      procedure :: measure
+   end type sphere_model_t
+
+   !> What a point leaves to the next one.
+   type, extends(point_state_t) :: sphere_state_t
+      !> Theory, contact, pull-off load and events of the point.
+      type(sphere_memory_t) :: memory
+   end type sphere_state_t
+
+contains
+
+   !> The model with its tables.
+   subroutine new_sphere_model(self)
+      !> Receives its names and its tables.
+      type(sphere_model_t), intent(out) :: self
+
+      self%name = 'sphere'
+      self%summary = 'a smooth sphere on a plane: adhesion, static friction, sliding, and what friction does to adhesion'
+      self%references = 'K. L. Johnson, Proc. R. Soc. Lond. A 453 (1997) 163; D. Maugis, J. Colloid Interface Sci. 150 (1992) 243'
+      self%variables = get_sphere_variables()
+      self%results = get_sphere_results(.false.)
+      self%profiles = get_sphere_profiles(.false.)
+      self%profile_axes = 'r'
+      allocate (self%counts(1))
+      self%counts(1) = count_row(name='share_of_limit_theories', long_name='points that a limit theory solves')
+   end subroutine new_sphere_model
+
+   !> See `model_t`.
+   subroutine check_values(self, values, is_swept, problems)
+      !> The model, whose table of variables is read.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Is the variable swept? Shape `(n_variables)`.
+      logical, intent(in) :: is_swept(:)
+      !> Receives what is wrong with the input; nothing is removed.
+      type(problems_t), intent(inout) :: problems
+
+      call check_sphere_values(self%variables, values, problems)
+      if (self%wants_profiles(values)) call refuse_swept(self%variables, is_swept, [v_r_max, v_n_r], problems)
+   end subroutine check_values
+
+   !> See `model_t`.
+   function describe_results(self, values) result(results)
+      !> The model, whose table of results is read.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(result_t), allocatable :: results(:)
+
+      results = self%results
+      if (is_reduced(values)) call take_units(get_sphere_results(.true.), results)
+   end function describe_results
+
+   !> See `model_t`.
+   function describe_profiles(self, values) result(profiles)
+      !> The model, whose table of profiles is read.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(profile_t), allocatable :: profiles(:)
+
+      profiles = self%profiles
+      if (is_reduced(values)) profiles = get_sphere_profiles(.true.)
+   end function describe_profiles
+
+   !> See `model_t`.
+   function unit_of(self, values, place) result(unit)
+      !> The model, whose table of variables is read.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Place of the variable in `variables`.
+      integer, intent(in) :: place
+      character(:), allocatable :: unit
+
+      unit = self%variables(place)%unit
+      if (is_reduced(values) .and. len(unit) > 0) unit = '-'
+   end function unit_of
+
+   !> Are all quantities reduced?
+   pure logical function is_reduced(values)
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      is_reduced = nint(values(v_units)) == units_reduced
+   end function is_reduced
+
+   !> See `model_t`.
+   pure logical function wants_profiles(self, values)
+      !> The model; nothing of it is read here.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+
+      wants_profiles = values(v_profiles) > 0
+      associate (unused => self)
+      end associate
+   end function wants_profiles
+
+   !> See `model_t`.
+   subroutine get_profile_axes(self, values, axes)
+      !> The model, for the name of its axis.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the axis r.
+      type(profile_axis_t), allocatable, intent(out) :: axes(:)
+      integer :: n, k
+
+      allocate (axes(1))
+      axes(1)%name = self%profile_axes
+      axes(1)%unit = 'm'
+      if (is_reduced(values)) axes(1)%unit = '-'
+      axes(1)%long_name = 'distance from the axis'
+      n = nint(values(v_n_r))
+      allocate (axes(1)%coordinates(n), source=0.0_dp)
+      if (is_set(values(v_r_max))) axes(1)%coordinates = [(values(v_r_max)*k/(n - 1), k=0, n - 1)]
+   end subroutine get_profile_axes
+
+   !> See `model_t`: a paraboloid stands for the sphere. Reduced units have no radius of the sphere.
+   subroutine measure(self, values, results, measures)
+      !> The model; nothing of it is read here.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, NaN where they are not known; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> In: all `not_measured`. Out: with what is measured; shape `(n_doubts)`.
+      real(dp), intent(inout) :: measures(:)
+
+      if (is_reduced(values)) return
+      measures(doubt_contact_too_wide) = results(r_contact_radius)/values(v_radius)
+      if (is_set(values(v_contact_radius))) measures(doubt_contact_too_wide) = values(v_contact_radius)/values(v_radius)
+      associate (unused => self)
+      end associate
+   end subroutine measure
+
+   !> See `pointwise_model_t`.
+   subroutine solve_sphere_point(self, values, state, results, error_estimate, status, counts)
+      !> The model; nothing of it is read here.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Theory and contact of the point before; receives those of this point.
+      class(point_state_t), allocatable, intent(inout) :: state
+      !> In: all NaN. Out: results of the point, NaN where there is no value; shape `(n_results)`.
+      real(dp), intent(inout) :: results(:)
+      !> Relative error of the main result, estimated.
+      real(dp), intent(out) :: error_estimate
+      !> One of `status_...`.
+      integer, intent(out) :: status
+      !> One number, which rises by 1 if a limit theory has solved the point.
+      real(dp), intent(inout) :: counts(:)
+      type(sphere_case_t) :: case
+      type(sphere_point_t) :: point
+
+      if (.not. allocated(state)) allocate (sphere_state_t :: state)
+      select type (state)
+      type is (sphere_state_t)
+         call resolve_case(values, case)
+         call solve_point(case, values(v_events) > 0, state%memory, point)
+         status = point%status
+         error_estimate = point%error_estimate
+         call store(case, point, values, results)
+         if (point%theory < theory_maugis_dugdale) counts(1) = counts(1) + 1
+      end select
+      associate (unused => self)
+      end associate
+   end subroutine solve_sphere_point
+
+   !> Results of a point in the units of the case.
+   pure subroutine store(case, point, values, results)
+      !> The point in reduced variables, with its units.
+      type(sphere_case_t), intent(in) :: case
+      !> What has been found of the point, reduced.
+      type(sphere_point_t), intent(in) :: point
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Receives the results of the point in the units of the case; shape `(n_results)`; NaN where there is no value.
+      real(dp), intent(out) :: results(:)
+      real(dp) :: area_unit
+
+      area_unit = case%length_unit**2
+      results = not_a_number()
+      ! these say why there is no state
+      results(r_pull_off_load) = point%pull_off_load*case%force_unit
+      associate (events => point%events)
+         results([r_peak_force, r_sliding_force, r_force_drop, r_snap_off_force]) = case%force_unit &
+            & *[events%peak_force, events%sliding_force, events%force_drop, events%snap_off_force]
+         results([r_peak_displacement, r_snap_off_displacement]) = case%approach_unit &
+            & *[events%peak_displacement, events%snap_off_displacement]
+         results(r_critical_lateral_stiffness) = events%critical_stiffness*(case%force_unit/case%approach_unit)
+         results([r_jump_force, r_arrest_force]) = case%force_unit*[events%jump%force, events%jump%arrest_force]
+         results([r_jump_base_displacement, r_jump_displacement, r_jump_period]) = case%approach_unit &
+            & *[events%jump%base_displacement, events%jump%displacement, events%jump%period]
+         results([r_jump_energy, r_period_work]) = case%force_unit*case%approach_unit*[events%jump%energy, events%jump%work]
+      end associate
+      if (point%status /= status_solved) return
+      associate (contact => point%contact)
+         results(r_load) = contact%load*case%force_unit
+         results(r_approach) = contact%approach*case%approach_unit
+         results(r_contact_radius) = contact%radius*case%length_unit
+         results(r_contact_area) = pi*contact%radius**2*area_unit
+         ! what was given comes back to the last digit
+         if (is_set(values(v_load))) results(r_load) = values(v_load)
+         if (is_set(values(v_approach))) results(r_approach) = values(v_approach)
+         if (is_set(values(v_contact_radius))) results(r_contact_radius) = values(v_contact_radius)
+         if (point%theory /= theory_dmt) results(r_adhesion_radius) = contact%adhesion_radius*case%length_unit
+         results(r_stable) = merge(1, 0, contact%is_stable)
+      end associate
+      results(r_friction_radius) = point%friction_radius*case%length_unit
+      results(r_adhesion_ratio) = point%ratio
+      results(r_theory_used) = point%theory
+      results(r_theory_error) = point%theory_error
+      if (.not. case%has_friction) return
+      results(r_friction_area) = pi*point%friction_radius**2*area_unit
+      results(r_friction_force) = point%friction_force*case%force_unit
+      results(r_stick_radius) = point%gamma*point%friction_radius*case%length_unit
+      results(r_slip) = point%slip*case%approach_unit
+      results(r_largest_slip) = point%largest_slip*case%approach_unit
+      results(r_tangential_displacement) = point%displacement*case%approach_unit
+      if (is_set(values(v_tangential_force))) results(r_friction_force) = values(v_tangential_force)
+      if (is_set(values(v_tangential_displacement))) results(r_tangential_displacement) = values(v_tangential_displacement)
+   end subroutine store
+
+   !> See `pointwise_model_t`: pressure, shear stress and gap. The point is solved once more, by the theory that was used and
+   !> without the point before it, which would change round-off; beside the samples of a profile that takes no time.
+   subroutine fill_profiles(self, values, results, state, axes, profiles)
+      !> The model; nothing of it is read here.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      !> Results of the point, of which the theory is read; shape `(n_results)`.
+      real(dp), intent(in) :: results(:)
+      !> What the point has left, not used here.
+      class(point_state_t), allocatable, intent(in) :: state
+      !> The axis r.
+      type(profile_axis_t), intent(in) :: axes(:)
+      !> In: all NaN. Out: the profiles; there is no shear stress without friction. Shape `(n_r, 1, 3)`.
+      real(dp), intent(inout) :: profiles(:, :, :)
+      type(sphere_case_t) :: case
+      type(sphere_point_t) :: point
+      type(sphere_memory_t) :: memory
+      type(contact_profile_t) :: profile
+      real(dp) :: r(size(profiles, 1))
+
+      call resolve_case(values, case)
+      case%theory = nint(results(r_theory_used))
+      call solve_point(case, .false., memory, point)
+      call new_profile(profile, memory%theory, point%contact)
+      r = axes(1)%coordinates/case%length_unit
+      profiles(:, 1, 1) = profile%pressure(r)*case%stress_unit
+      if (case%pressure_factor > 0 .and. point%friction_radius > 0) then
+         profiles(:, 1, 2) = shear_stress_of(point%sheared, point%gamma, r, profile%pressure(r))*case%stress_unit
+      else if (case%has_friction) then
+         profiles(:, 1, 2) = case%strength*case%stress_unit*shear_traction(r, point%friction_radius, point%gamma)
+      end if
+      profiles(:, 1, 3) = profile%gap(r)*case%approach_unit
+      associate (unused => self, unused_state => state)
+      end associate
+   end subroutine fill_profiles
+
+   !> See `model_t`.
+   function derive_quantities(self, values) result(derived)
+      !> The model, whose table of variables is read.
+      class(sphere_model_t), intent(in) :: self
+      !> Values of the variables; shape `(n_variables)`.
+      real(dp), intent(in) :: values(:)
+      type(derived_t), allocatable :: derived(:)
+      character(*), parameter :: of_units = 'units radius work_of_adhesion theory '//modulus_names
+      character(*), parameter :: of_lambda = of_units//' adhesion_stress adhesion_range lambda'
+      type(sphere_case_t) :: case
+
+      associate (first => v_contact_modulus, last => v_second_poisson_ratio)
+         derived = derive_contact_modulus(self%variables(first:last), values(first:last))
+      end associate
+      call resolve_case(values, case)
+      call add_derived(derived, 'lambda', '-', 'Maugis''s parameter lambda', case%lambda, of_lambda)
+      if (.not. is_reduced(values)) then
+         call add_derived(derived, 'radius_unit', 'm', 'unit of radii', case%length_unit, of_units)
+         call add_derived(derived, 'approach_unit', 'm', 'unit of the approach', case%approach_unit, of_units)
+         call add_derived(derived, 'force_unit', 'N', 'unit of forces', case%force_unit, of_units)
+         call add_derived(derived, 'stress_unit', 'Pa', 'unit of stresses', case%stress_unit, of_units)
+      end if
+      if (case%has_friction) call add_derived(derived, 'reduced_shear_strength', '-', 'shear strength in the scale of lambda', &
+         & case%strength, of_units//' shear_strength')
+      if (case%slip_energy_ratio < huge(1.0_dp)) call add_derived(derived, 'slip_energy_ratio', '-', &
+         & 'slip energy ratio g0', case%slip_energy_ratio, of_units//' shear_strength critical_slip slip_energy_ratio')
+   end function derive_quantities
+
+end module adfric_round_sphere_model
