@@ -122,13 +122,6 @@ def faults_of_lines(text):
             for place, line in enumerate(lines) if len(line) > LONGEST_LINE and not LONE_LINK.match(line)]
 
 
-def faults_of_links(text):
-    """Links that go on in the next line, where the test of links does not see them."""
-    return [f"{number + lines[:found.start()].count(chr(10))}: a link goes on in the next line" for kind, number, lines in
-            ((kind, number, "\n".join(lines)) for kind, number, lines in blocks_of(text) if kind == "text")
-            for found in LINK.finditer(re.sub(r"`[^`]*`", lambda span: "x" * len(span[0]), lines)) if "\n" in found[0]]
-
-
 def faults_of_blocks(text):
     """Blocks that do not say what they are in, and words of explanation among commands."""
     faults = []
@@ -178,6 +171,6 @@ def faults_of_words(text, banned):
 
 def faults_of_prose(text, banned):
     """Everything in a document that a reader stumbles over, by the numbers of the lines."""
-    faults = (faults_of_sentences(text) + faults_of_lines(text) + faults_of_links(text) + faults_of_blocks(text) + faults_of_formulas(text)
+    faults = (faults_of_sentences(text) + faults_of_lines(text) + faults_of_blocks(text) + faults_of_formulas(text)
               + faults_of_words(text, banned))
     return sorted(faults, key=lambda fault: int(fault.partition(":")[0]))

@@ -28,7 +28,7 @@ STYLE = """
 .md-typeset table:not([class]) th:empty { padding: 0; border: 0; }
 .md-typeset img { max-width: 100%; background: white; }
 .md-typeset .formula { margin: 1em 0; overflow-x: auto; }
-.md-typeset math { font-size: 1.1em; }
+.md-typeset math { font-size: 1.1em; font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "STIX Math", STIXMath, "DejaVu Math TeX Gyre", math; }
 """
 # Light or dark: what the system asks for first, then what the reader clicks.
 PALETTE = [

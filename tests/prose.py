@@ -14,7 +14,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 
 from document_links import documents_of  # noqa: E402
 from document_prose import (GLOSSARY, WRITTEN, banned_words, faults_of_blocks, faults_of_formulas, faults_of_lines,  # noqa: E402
-                            faults_of_links, faults_of_prose, faults_of_sentences, faults_of_words, prose_of)
+                            faults_of_prose, faults_of_sentences, faults_of_words, prose_of)
 
 # Pages that are not yet written for readers. A page leaves this list for good once it has no fault.
 NOT_YET = ("docs/guide/columns.md", "docs/guide/fit.md", "docs/theory/halfspace.md", "docs/theory/indenter.md", "docs/theory/periodic.md",
@@ -77,11 +77,6 @@ class Prose(unittest.TestCase):
         link = f"[a](https://example.org/{long})"
         self.assertEqual([], faults_of_lines(f"| {long} |\n\n```sh\n{long}\n```\n\n$$\n{long}\n$$\n\n{link}\n\n- {link}.\n\n!{link}\n"))
         self.assertEqual(["1: a line of 150 characters"], faults_of_lines(f"and {link}"))
-
-    def test_links(self):
-        """A link stands in one line."""
-        self.assertEqual([], faults_of_links("a [b c](d.md)\n[e](f.md), `[g\nh](i.md)`\n\n```text\n[a\nb](c)\n```\n"))
-        self.assertEqual(["3: a link goes on in the next line"], faults_of_links("a\n\nb [c\nd](e.md)\n"))
 
     def test_blocks(self):
         """Blocks say what they are in, commands stand alone, and formulas have no thin spaces."""
