@@ -27,6 +27,8 @@ STYLE = """
 .md-typeset table:not([class]) td, .md-typeset table:not([class]) th { padding: 0.4em 0.7em; vertical-align: top; min-width: 0; }
 .md-typeset table:not([class]) th:empty { padding: 0; border: 0; }
 .md-typeset img { max-width: 100%; background: white; }
+#gallery-filter { width: 24em; max-width: 70%; padding: 0.4em 0.7em; border: 1px solid; border-radius: 0.2em; color: inherit; }
+#gallery-count { margin-left: 1em; font-size: 0.8em; }
 .md-typeset .formula { margin: 1em 0; overflow-x: auto; }
 .md-typeset math { font-size: 1.1em; font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "STIX Math", STIXMath, "DejaVu Math TeX Gyre", math; }
 """
@@ -105,11 +107,12 @@ def write_pages(pages, folder, work):
     """Write the pages of the documents, below the areas; what is not there yet is left out."""
     nav = [{area: [{title: file} for title, file in files.items() if (pages / file).exists()]} for area, files in AREAS.items()]
     (pages / "style.css").write_text(STYLE)
+    shutil.copyfile(ROOT / "scripts/site_gallery.js", pages / "gallery.js")
     settings = work / "mkdocs.yml"
     settings.write_text(yaml.safe_dump({
         "site_name": "adfric", "docs_dir": str(pages), "site_dir": str(folder), "use_directory_urls": False, "nav": nav,
         "theme": THEME,
-        "plugins": ["search"], "hooks": [str(ROOT / "scripts/site_hooks.py")], "extra_css": ["style.css"],
+        "plugins": ["search"], "hooks": [str(ROOT / "scripts/site_hooks.py")], "extra_css": ["style.css"], "extra_javascript": ["gallery.js"],
         "markdown_extensions": [{"codehilite": {"guess_lang": False, "css_class": "highlight"}}, {"toc": {"permalink": False}}],
         "validation": {"omitted_files": "warn", "absolute_links": "warn", "unrecognized_links": "warn", "anchors": "warn"},
     }, sort_keys=False))

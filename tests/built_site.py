@@ -23,6 +23,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 
 import json
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -172,6 +173,24 @@ class Site(unittest.TestCase):
         self.assertTrue(any("glossary.html" in entry["location"] and "pull-off" in entry["text"] for entry in index["docs"]))
         worker = json.loads(self.pages[self.folder / "index.html"].find("script", id="__config").string)["search"]
         self.assertTrue((self.folder / worker).is_file(), worker)
+
+    def test_gallery(self):
+        """The filter of the gallery leaves the figures that have its words, as a browser shows them."""
+        browser = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+        if not browser:
+            self.skipTest("there is no Chromium")
+        shown, everything = {}, len(self.pages[self.folder / "docs/gallery.html"].find("article").find_all("h3"))
+        for words in ("", "johnson+fig.+5", "no-such-word"):
+            done = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", f"--user-data-dir={self.folder.parent}/browser",
+                                   f"file://{self.folder}/docs/gallery.html?filter={words}"], capture_output=True, text=True, timeout=120, check=True)
+            page = BeautifulSoup(done.stdout, "html.parser")
+            shown[words] = [part.get_text() for part in page.find("article").find_all("h3") if not part.has_attr("hidden")]
+            self.assertEqual(f"{len(shown[words])} figures", page.find(id="gallery-count").get_text())
+        self.assertGreater(everything, 50)
+        self.assertEqual(everything, len(shown[""]))
+        self.assertTrue(any("Johnson 1997, Fig. 5" in heading for heading in shown["johnson+fig.+5"]))
+        self.assertLess(len(shown["johnson+fig.+5"]), everything // 4)
+        self.assertEqual([], shown["no-such-word"])
 
     def fortran_pages(self, module):
         """The words of the page of a module, and of those of its types, with single spaces."""
